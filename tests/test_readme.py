@@ -36,7 +36,10 @@ def block(marker: str) -> str:
         "python",
         "space",
         "acados",
-        *(pytest.param(name, marks=pytest.mark.campaign) for name in ("models", "mpc", "lqr")),
+        *(
+            pytest.param(name, marks=pytest.mark.campaign)
+            for name in ("models", "mpc", "lqr", "half car", "arm")
+        ),
     ],
 )
 def test_an_example_prints_what_the_readme_says(

@@ -109,9 +109,12 @@ def _closed(
     span = span + _value(motion.position(point) - motion.position(joint.point))
     # A pin in a plane holds the point across its axis, along which nothing moves.
     along = kind in ("slide", "cylindrical") or (kind == "pin" and held is None)
+    normal = axis * dot(span, axis)
     words = f"{joint.name}: where the loop is closed"
-    yield from _same(words, span - axis * dot(span, axis) if along else span, NONE)
-    if isinstance(held, Vector):
+    yield from _same(words, normal if kind == "planar" else span - normal if along else span, NONE)
+    if kind == "universal":
+        yield words, dot(basis * _axis_of_cross(joint), _value(motion.vector(held))), arb(0)
+    elif isinstance(held, Vector):
         yield from _same(words, cross(axis, _value(motion.vector(held))), NONE)
     elif isinstance(held, ReferenceFrame):
         own = _value(motion.rotation(held))
@@ -130,12 +133,20 @@ def _twists(motion: Motion, joint: Joint, basis: arb_mat, axis: arb_mat) -> Iter
         yield from ((NONE, basis * one) for one in AXES[:2])
     if kind == "ball":
         yield from ((one, NONE) for one in AXES)
-    if kind == "universal":
+    if kind == "universal" and not joint.carries:
+        yield basis * _axis_of_cross(joint), NONE
+        yield _value(motion.vector(given["onto"][1])), NONE
+    elif kind == "universal":
         turn = _turn(AXES[0], arb(0))
         for letter, angle in _named_turns(given):
             own = AXES[LETTERS.index(letter)]
             yield basis * turn * own, NONE
             turn = turn * _turn(own, motion.number(angle))
+
+
+def _axis_of_cross(joint: Joint) -> arb_mat:
+    """About which the cross turns in the parent's frame."""
+    return AXES[LETTERS.index(joint.given["axes"][0].lower())]
 
 
 def _reactions(

@@ -84,8 +84,9 @@ def _inertia(scene: Declaration, body: RigidBody) -> None:
         if _differs(matrix, matrix.T):
             raise SceneError(f"body {body.name}: the inertia {body.inertia} is not symmetric")
         entries = [matrix[i, i] for i in range(3)]
-        if all(entry.is_number for entry in matrix):
-            _possible(scene, body, matrix)
+        values = {symbol: getattr(symbol, "exact", None) for symbol in matrix.free_symbols}
+        if None not in values.values():
+            _possible(scene, body, matrix.subs(values))
     if any(entry.is_negative for entry in entries):
         raise SceneError(
             f"body {body.name}: the inertia {body.inertia} is negative: a moment of inertia is"
@@ -100,17 +101,25 @@ def _possible(scene: Declaration, body: RigidBody, matrix: Matrix) -> None:
     rounding = ROUNDING * max(abs(low), abs(high))
     if low < -rounding:
         raise SceneError(
-            f"body {body.name}: the inertia {body.inertia} is negative about an axis, a principal"
-            f" moment is {low:.3g}: give inertia(frame, xx, yy, zz, xy, yz, zx) smaller products"
+            f"body {body.name}: the inertia {body.inertia}{_at_typical(body)} is negative about an"
+            f" axis, a principal moment is {low:.3g}: give inertia(frame, xx, yy, zz, xy, yz, zx)"
+            " smaller products"
         )
     # A body that stays in a plane has moments of 0 where none matters; readers of files tell.
     planar = any(matrix[i, i] == 0 for i in range(3)) or scene.plane is not None
     if high > low + middle + rounding and not planar and not scene.notes:
         raise SceneError(
-            f"body {body.name}: no body has the inertia {body.inertia}: the principal moment"
-            f" {high:.3g} exceeds the sum of the others, {low:.3g} and {middle:.3g}: check"
-            " units and the order of inertia(frame, xx, yy, zz, xy, yz, zx)"
+            f"body {body.name}: no body has the inertia {body.inertia}{_at_typical(body)}: the"
+            f" principal moment {high:.3g} exceeds the sum of the others, {low:.3g} and"
+            f" {middle:.3g}: check units and the order of inertia(frame, xx, yy, zz, xy, yz, zx);"
+            " where a source prints it so, say that in notes= of the scene"
         )
+
+
+def _at_typical(body: RigidBody) -> str:
+    symbols = {symbol for entry in inertia_entries(body) for symbol in sympify(entry).free_symbols}
+    values = [f"{symbol} = {float(symbol.exact):.6g}" for symbol in sorted(symbols, key=by_name)]
+    return f" at the typical values {', '.join(values)}" if values else ""
 
 
 def _orientations(scene: Declaration) -> None:

@@ -50,7 +50,8 @@ class Scene(Declaration):
         Positions, orientations and velocities that somebody wants computed, with their Jacobians:
         ``{"tool": position(P), "camera": orientation(F), "slip": velocity(Q, along=F.x)}``.
     notes : tuple of str
-        What a reader of models did beside what stands there: ``"read 1.5708 as pi/2: joint q"``.
+        What a reader of models did beside what stands there: ``"read 1.5708 as pi/2: joint q"``;
+        what a source prints that no body can have, which is refused otherwise.
 
     Raises
     ------

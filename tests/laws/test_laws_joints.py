@@ -139,6 +139,10 @@ CLOSING: Mapping[str, tuple[int, Callable[[Point, ReferenceFrame], Joint]]] = {
         2, lambda P, own: cylindrical("J", None, "one", at=O, axis=N.x, onto=(P, own.x)),
     ),
     "slide": (1, lambda P, own: slide("J", None, "one", at=O, axis=N.x + N.y, onto=(P, own))),
+    "universal": (
+        2, lambda P, own: universal("J", None, "one", at=O, frame=N, axes="xy", onto=(P, own.y)),
+    ),
+    "planar": (3, lambda P, own: planar("J", None, "one", at=O, frame=N, onto=(P, own.z))),
 }  # fmt: skip
 
 

@@ -234,9 +234,24 @@ def test_an_inertia_that_no_body_has_is_refused(case: str) -> None:
     assert "\n" not in str(refusal.value)
 
 
+def test_typical_values_that_no_body_has_are_refused_like_numbers() -> None:
+    values = parameters("A C", units="kg*m^2 kg*m^2", typical="1 5")
+    message = "at the typical values A = 1, C = 5: the principal moment 5 exceeds"
+    with pytest.raises(SceneError, match=message) as refusal:
+        a_body(values[0], values[0], values[1])
+    assert "\n" not in str(refusal.value)
+    assert a_body(*parameters("A B C", typical="2 4 5")).q == a_body(1, 1, 1).q
+    assert a_body(*parameters("A B C", typical="- 4 5")).q == a_body(1, 1, 1).q
+
+
 def test_flat_bodies_scenes_in_a_plane_and_files_that_tell_are_no_such_inertias() -> None:
     assert a_body(0.1, 0.7, 0.8).q == a_body(0, 0, 5).q
     assert a_body(1, 1, 5, plane=True).q == a_body(1, 1, 5, notes=("told: one",)).q
+
+
+def test_what_holds_nothing_closes_no_loop() -> None:
+    with pytest.raises(SceneError, match="joint F: it holds nothing, so it closes no loop: leave"):
+        free("F", "one", at=O, frame=N, onto=O)
 
 
 def test_a_joint_twice_is_named() -> None:

@@ -64,9 +64,9 @@ class Ends:
         """How messages call the joint."""
         return f"joint {self.name}"
 
-    def axis(self, axis: Any) -> Axis:
+    def axis(self, axis: Any, words: str = "the axis") -> Axis:
         """An axis, checked."""
-        return read_axis(f"{self.title}: the axis", axis)
+        return read_axis(f"{self.title}: {words}", axis)
 
     def coordinate(self, what: str, value: Expr | None) -> Expr:
         """A dynamic symbol."""
@@ -166,7 +166,7 @@ class Ends:
     def closes_about(self, line: Axis, onto: Any, forces: Named) -> Joint:
         """The joint that holds the child's axis parallel to the parent's."""
         point, axis = self.onto(onto, Vector, "axis, as in onto=(P, frame.z)")
-        own = read_axis(f"{self.title}: the axis of onto", axis)
+        own = self.axis(axis, "the axis of onto")
         (_, e1), (_, e2) = line.across
         return self.closes(own.frame, point, forces, line.across, ((e2, own.unit), (e1, own.unit)))
 

@@ -134,7 +134,8 @@ def cylindrical(
 
 def universal(
     name: str, parent: str | None, child: str, *, at: Point, frame: ReferenceFrame,
-    axes: str = "xy", angles: Sequence[Expr],
+    axes: str = "xy", angles: Sequence[Expr] | None = None,
+    onto: tuple[Point, Vector] | None = None,
 ) -> Joint:  # fmt: skip
     """Cardan's joint: a turn about an axis of the parent, then one about an axis of the cross.
 
@@ -148,28 +149,38 @@ def universal(
         Two different axes: the first of `frame`, the second of the frame that it has turned.
     angles : two dynamic symbols
         In rad.
+    onto : (Point, Vector), optional
+        In place of `angles`, where the joint closes a loop: the child's point that stays at `at`,
+        and its axis, about which it turns in the cross; the second of `axes` is of no effect.
     """
-    given = {"kind": "universal", "frame": frame, "axes": axes, "angles": angles}
+    given = {"kind": "universal", "frame": frame, "axes": axes, "angles": angles, "onto": onto}
     ends = Ends(name, parent, child, at, given)
     own = dict(along_axes(ends.frame(frame)))
     letters = axes.lower()
-    if len(letters) != 2 or len({*letters} & {*own}) != 2 or len(angles) != 2:
+    if len(letters) != 2 or len({*letters} & {*own}) != 2:
         raise SceneError(
-            f"{ends.title}: axes {axes!r} with {len(angles)} angles: give two different axes and"
-            ' two angles, as in axes="xy", angles=(alpha, beta)'
+            f'{ends.title}: axes {axes!r}: give two different axes, as in axes="xy",'
+            " angles=(alpha, beta)"
         )
+    (third,) = {*own} - {*letters}
+    if onto is not None:
+        ends.alone(angles)
+        point, axis = ends.onto(onto, Vector, "axis, as in onto=(P, frame.y)")
+        second = ends.axis(axis, "the axis of onto")
+        held = ((own[letters[0]], second.unit),)
+        return ends.closes(second.frame, point, tuple(own.items()), ((third, own[third]),), held)
     first, second = ends.several("angles", angles, "two", 2)
     cross = frame.orientnew(f"{name}_cross", "Axis", (first, own[letters[0]]))
     turned = dict(along_axes(cross))
     outer = cross.orientnew(name, "Axis", (second, turned[letters[1]]))
-    (third,) = {*own} - {*letters}
     couples = ((third, turned[third]),)
     return ends.carries(outer, at, (first, second), along_axes(frame), couples)
 
 
 def planar(
     name: str, parent: str | None, child: str, *, at: Point, frame: ReferenceFrame,
-    coordinates: Sequence[Expr], angle: Expr,
+    coordinates: Sequence[Expr] | None = None, angle: Expr | None = None,
+    onto: tuple[Point, Vector] | None = None,
 ) -> Joint:  # fmt: skip
     """The child slides and turns in the plane of x and y of a frame of the parent.
 
@@ -183,10 +194,18 @@ def planar(
         In m, along x and y.
     angle : dynamic symbol
         In rad, about z.
+    onto : (Point, Vector), optional
+        In place of these, where the joint closes a loop: the child's point that stays in the plane
+        through `at`, and its axis that stays normal to it.
     """
-    given = {"kind": "planar", "frame": frame, "coordinates": coordinates, "angle": angle}
+    given = {
+        "kind": "planar", "frame": frame, "coordinates": coordinates, "angle": angle, "onto": onto,
+    }  # fmt: skip
     ends = Ends(name, parent, child, at, given)
     first, second, normal = along_axes(ends.frame(frame))
+    if onto is not None:
+        ends.alone(coordinates, angle)
+        return ends.closes_about(ends.axis(frame.z), onto, (normal,))
     x, y = ends.several("coordinates", coordinates, "two, along x and y", 2)
     angle = ends.coordinate("angle", angle)
     turned = frame.orientnew(name, "Axis", (angle, frame.z))
@@ -245,8 +264,9 @@ def weld(
 
 
 def free(
-    name: str, child: str, *, at: Point, frame: ReferenceFrame, coordinates: Sequence[Expr],
-    rotation: Euler | Rotation | None = None,
+    name: str, child: str, *, at: Point, frame: ReferenceFrame,
+    coordinates: Sequence[Expr] | None = None, rotation: Euler | Rotation | None = None,
+    onto: None = None,
 ) -> Joint:  # fmt: skip
     """Nothing holds the child: three coordinates of its point, and its rotation.
 
@@ -262,9 +282,13 @@ def free(
     rotation : Euler or Rotation, optional
         Of the child against `frame`: `euler(...)`, or `quaternion(...)`, which has no singularity;
         a particle has none.
+    onto : None
+        Of other joints: what holds nothing closes no loop.
     """
     given = {"kind": "free", "frame": frame, "coordinates": coordinates, "rotation": rotation}
     ends = Ends(name, None, child, at, given)
+    if onto is not None:
+        raise SceneError(f"{ends.title}: it holds nothing, so it closes no loop: leave it out")
     x, y, z = ends.several("coordinates", coordinates, "three", 3)
     turned = ends.frame(frame)
     if rotation is not None:
