@@ -33,7 +33,7 @@ COMMANDS = {
     ),
     "grade": (
         "grading",
-        "Grade many submissions against one key, each within limits of time and memory.",
+        "Grade many submissions against one key, each in a process of its own within limits.",
     ),
     "compare": (
         "comparing",

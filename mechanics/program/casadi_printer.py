@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import isfinite
+from math import inf, isfinite
 from typing import Any
 
 import casadi
@@ -119,7 +119,10 @@ def print_graphs(
 def nearest(number: sympy.Expr) -> float:
     """The double nearest to an exact number."""
     if isinstance(number, sympy.Rational):
-        return float(Fraction(int(number.p), int(number.q)))
+        try:
+            return float(Fraction(int(number.p), int(number.q)))
+        except OverflowError:
+            return inf if number > 0 else -inf  # which no text is written of
     return float(number.evalf(DIGITS))
 
 

@@ -107,14 +107,14 @@ def test_the_simplest_changes_are_told_alone() -> None:
     assert not any(one < other for one in changes for other in changes)
 
 
-def test_what_is_wrong_under_a_declared_convention_is_not_searched() -> None:
-    """An edit would be one of the statement as it stands, which is something else."""
+def test_what_is_wrong_under_a_declared_convention_is_searched_under_it() -> None:
     text = about_the_pivot("L^2/5", "L/2")
     (entry,) = mechanics.check(PENDULUM, text, convention="other vertical").judged
     assert entry.finding.verdict.name == "REFUTED"
     assert entry.blame is not None
-    assert entry.blame.repairs == ()
-    assert entry.blame.searched.startswith("not searched")
+    for repair in entry.blame.repairs:
+        assert mechanics.check(PENDULUM, repair.repaired, convention="other vertical").ok
+    assert entry.blame.repairs
 
 
 def test_an_unknown_convention_is_refused() -> None:
