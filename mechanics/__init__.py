@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mechanics.checks.redundant import drop_redundant
+    from mechanics.claims.code.black_box import BlackBox
     from mechanics.compare import compare
     from mechanics.compiled import Model
     from mechanics.crosscheck import ROUTES, CrossCheck, crosscheck, derive
@@ -34,7 +35,6 @@ if TYPE_CHECKING:
     from mechanics.judge.check_json import to_json as check_json
     from mechanics.kernel import Finding, Verdict, Witness
     from mechanics.linear import damped_modes, linearize, modes, trim
-    from mechanics.reading.code.black_box import BlackBox
     from mechanics.report.answer.page import check_html
     from mechanics.report.html import to_html
     from mechanics.report.json_report import to_json
@@ -175,7 +175,7 @@ _MODULES = {
     "linearize": ("mechanics.linear", "linearize"),
     "modes": ("mechanics.linear", "modes"),
     "trim": ("mechanics.linear", "trim"),
-    "BlackBox": ("mechanics.reading.code.black_box", "BlackBox"),
+    "BlackBox": ("mechanics.claims.code.black_box", "BlackBox"),
     "check_html": ("mechanics.report.answer.page", "check_html"),
     "to_html": ("mechanics.report.html", "to_html"),
     "to_sympy": ("mechanics.importers.sympy_system", "to_sympy"),

@@ -252,7 +252,7 @@ def test_no_error_is_swallowed() -> None:
 
 
 def test_what_a_person_gives_is_never_run() -> None:
-    readers = files("mechanics/reading", "mechanics/program/c", suffix=".py")
+    readers = files("mechanics/claims", "mechanics/program/c", suffix=".py")
     assert breaches(runs_text, readers) == []
 
 

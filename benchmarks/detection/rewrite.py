@@ -14,7 +14,7 @@ from sympy.simplify.fu import TR5, TR6, TR7, TR8, TR10
 
 from benchmarks.detection.rows import Row, Subject
 from benchmarks.detection.tree import Tree, negative, number, power, product, read, total, written
-from mechanics.reading.conventions import combined_table, conventions
+from mechanics.claims.conventions import combined_table, conventions
 from mechanics.scene.rates import coordinate_rate_table, rate
 from mechanics.scene.symbols import plain_symbol, plain_table, to_plain
 

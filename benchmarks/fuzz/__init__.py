@@ -2,5 +2,5 @@
 
     python -m benchmarks.fuzz --minutes 30          executions, coverage, findings
 
-Atheris mutates documents of tests/reading/corpus; hypothesis makes them in tests/reading.
+Atheris mutates documents of tests/claims/corpus; hypothesis makes them in tests/claims.
 """

@@ -1,6 +1,6 @@
 """The corpus: documents that reach some part of the readers, one a line, with what they are for.
 
-    tests/reading/corpus/latex.jsonl        {"why": "...", "input": "..."}
+    tests/claims/corpus/latex.jsonl        {"why": "...", "input": "..."}
 
 Bytes that are no UTF-8 stand as lone surrogates, so that any bytes can be kept, and read.
 """
@@ -9,7 +9,7 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[2] / "tests" / "reading" / "corpus"
+FOLDER = Path(__file__).resolve().parents[2] / "tests" / "claims" / "corpus"
 NOTATIONS = ("latex", "text", "c")
 
 

@@ -17,7 +17,7 @@ from zlib import crc32
 
 import atheris  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
-PARTS = ("mechanics.reading", "mechanics.program.c", "mechanics.crosscheck", "mechanics.checks",
+PARTS = ("mechanics.claims", "mechanics.program.c", "mechanics.crosscheck", "mechanics.checks",
          "mechanics.blame", "pycparser")  # fmt: skip
 
 with atheris.instrument_imports(include=list(PARTS), enable_loader_override=False):

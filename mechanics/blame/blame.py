@@ -15,12 +15,12 @@ from mechanics.blame.result import Blame, Repair
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
 from mechanics.blame.search.find import EQUALLY, Solution, solutions
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
+from mechanics.claims.from_sympy import Untreeable
+from mechanics.claims.place import Refused
+from mechanics.claims.statement import Statement
 from mechanics.errors import ExpressionError, MechanicsError
-from mechanics.reading.from_sympy import Untreeable
-from mechanics.reading.place import Refused
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import Published
 
 SHOWN = 3

@@ -11,7 +11,7 @@ from sympy import Expr, Matrix, Symbol
 
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Origin, Piece, merged
-from mechanics.blame.reduced import reduced_rows, tied_speeds
+from mechanics.blame.reaction_free import reduced_rows, tied_speeds
 from mechanics.blame.rows import Row
 from mechanics.blame.terms import terms_of
 from mechanics.blame.view import View

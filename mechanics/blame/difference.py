@@ -21,10 +21,10 @@ from mechanics.blame.reference import Reference
 from mechanics.blame.result import Difference
 from mechanics.blame.shape import apart, shortest
 from mechanics.blame.terms import Terms, difference, terms_of, written
+from mechanics.claims.statement import Statement
 from mechanics.errors import ExpressionError
 from mechanics.kernel.ring import TooLarge
 from mechanics.kinematics.momenta import momenta_written_out
-from mechanics.reading.statement import Statement
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue

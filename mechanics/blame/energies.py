@@ -11,15 +11,15 @@ from sympy import Add, Expr, S
 
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.entries import SIGNS
-from mechanics.blame.mistakes.slip import Right, Slip
+from mechanics.blame.mistakes.fault_model import Right, Slip
 from mechanics.blame.motion import keeps
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.blame.reference import Reference
 from mechanics.blame.shape import shortest
 from mechanics.blame.terms import terms_of
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict
 from mechanics.kinematics.momenta import momenta_written_out
-from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion

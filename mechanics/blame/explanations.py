@@ -10,19 +10,19 @@ from dataclasses import replace
 
 from mechanics.blame.difference import residual
 from mechanics.blame.energies import WrongEnergy, blamed, energy_slip, wrong_energies
-from mechanics.blame.glance import Stated, glances, stated
+from mechanics.blame.mistake_filter import Stated, glances, stated
 from mechanics.blame.mistakes import loads
-from mechanics.blame.mistakes.slip import Right, Slip, equations
+from mechanics.blame.mistakes.fault_model import Right, Slip, equations
 from mechanics.blame.nearest import nearest
 from mechanics.blame.power import unbalanced
 from mechanics.blame.reference import Reference
 from mechanics.blame.terms import terms_of
 from mechanics.checks.ledger import check_row
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.ring import TooLarge
-from mechanics.reading.statement import Statement
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 MOST = 3

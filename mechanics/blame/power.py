@@ -9,12 +9,12 @@ from sympy import Expr, S
 
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.entries import SIGNS
-from mechanics.blame.glance import Stated
+from mechanics.blame.mistake_filter import Stated
 from mechanics.blame.motion import QUICK
 from mechanics.checks.ledger_compare import project_defined
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding
 from mechanics.kernel.trial import Answer
-from mechanics.reading.statement import Statement
 from mechanics.scene.actions import frictions
 from mechanics.symbolic import Arithmetic, Number, canonical
 from mechanics.symbolic.decide import answer

@@ -8,12 +8,12 @@ from functools import cached_property
 
 from sympy import Expr, Symbol
 
+from mechanics.blame.abbreviations import folded, kept_symbols, written_out
 from mechanics.blame.candidates import Candidates
 from mechanics.blame.derivation import Derivation
-from mechanics.blame.folded import folded, kept_symbols, written_out
 from mechanics.blame.groups import second_rates
-from mechanics.blame.mistakes.known import Mistakes
-from mechanics.blame.mistakes.slip import right
+from mechanics.blame.mistakes.catalogue import Mistakes
+from mechanics.blame.mistakes.fault_model import right
 from mechanics.blame.mistakes.turning import wrong_rows
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.search.point import Points

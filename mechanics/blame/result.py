@@ -6,8 +6,8 @@ written - right = sum of differences        statement with one of the repairs pu
 from dataclasses import dataclass
 from enum import Enum
 
+from mechanics.claims.claim import Written
 from mechanics.kernel import Finding
-from mechanics.reading.written import Written
 from mechanics.scene.published import Published
 
 

@@ -10,6 +10,9 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
+from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.declared_conventions import NAMES
+from mechanics.claims.read import file_text
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load, run_file
 from mechanics.cli.values import assignments, names_of
@@ -17,9 +20,6 @@ from mechanics.errors import InputError
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
 from mechanics.kernel import Verdict
-from mechanics.reading.code.black_box import BlackBox
-from mechanics.reading.declared import NAMES
-from mechanics.reading.read import file_text
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
 

@@ -18,6 +18,7 @@ from typing import Any
 import typer
 
 from mechanics.checks.redundant import drop_redundant
+from mechanics.claims.read import file_text
 from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import SYMBOLIC, assemble
@@ -25,7 +26,6 @@ from mechanics.importers.decimals import Notes
 from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
-from mechanics.reading.read import file_text
 from mechanics.scene import Scene
 from mechanics.scene.json.read import from_json
 from mechanics.scene.published import Published

@@ -11,8 +11,8 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
+from mechanics.claims.read import file_text
 from mechanics.errors import InputError
-from mechanics.reading.read import file_text
 
 RUN = "Python is only run where that is allowed: --run-python (run_python=True)"
 

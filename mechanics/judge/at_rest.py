@@ -11,9 +11,9 @@ from dataclasses import replace
 
 from sympy import Expr, S, Symbol
 
+from mechanics.claims.guess import equilibrium_of
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
-from mechanics.reading.guess import equilibrium_of
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Identity
 from mechanics.symbolic import is_zero

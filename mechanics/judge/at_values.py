@@ -14,14 +14,14 @@ from typing import Any
 from sympy import Expr, Integer, Rational, Symbol
 
 from mechanics.checks.ledger import check_row
+from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
-from mechanics.judge.glance import glance
-from mechanics.judge.moved import each_side, in_plain_symbols
+from mechanics.judge.convention_filter import glance
+from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.rounding import is_rounding
 from mechanics.kernel import Finding, Verdict, undecided
-from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue

@@ -17,14 +17,14 @@ from flint import arb
 from sympy import Symbol
 
 from mechanics.checks.ledger_compare import definitions_in_full
+from mechanics.claims.code.black_box import BlackBox, Box, entries, match_box
+from mechanics.claims.names import Match
+from mechanics.claims.statement import Statement
 from mechanics.compiled import compile
 from mechanics.equations import Equations
 from mechanics.errors import InputError, SingularError
 from mechanics.judge.mean_rates import State, mean_rates
 from mechanics.kernel import Finding, refuted, supported, undecided
-from mechanics.reading.code.black_box import BlackBox, Box, entries, match_box
-from mechanics.reading.names import Match
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 
 STATES = 200

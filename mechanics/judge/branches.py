@@ -10,11 +10,11 @@ from sympy import Expr, Rational, S, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.blame.result import Blame
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.judge.cases import has_parts, in_case, in_words, parts_of
 from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.field import Inadmissible
-from mechanics.reading.statement import Statement
 
 Branch = tuple[tuple[Relational, ...], tuple[Expr, ...]]
 

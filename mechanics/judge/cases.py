@@ -24,9 +24,10 @@ from sympy.logic.boolalg import And, Boolean, Not, Or
 from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.checks.manifold import restrict
+from mechanics.claims.demands import Demand
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
-from mechanics.judge.entered import Region, entered
+from mechanics.judge.case_states import Region, entered
 from mechanics.judge.guards import inside, is_guard
 from mechanics.judge.regions import region_of, slice_of
 from mechanics.kernel import Finding, Verdict, Witness, follows, refuted, undecided
@@ -34,7 +35,6 @@ from mechanics.kernel.definedness import excludes
 from mechanics.kernel.field import Inadmissible
 from mechanics.program import Builder
 from mechanics.program.sympy_reader import read
-from mechanics.reading.demands import Demand
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 from mechanics.symbolic import Arithmetic, decide

@@ -9,6 +9,9 @@ from functools import partial
 from typing import Any
 
 from mechanics.blame.reference import Reference
+from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.declared_conventions import Declared, read_declared
+from mechanics.claims.statement import Reading, Statement
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
@@ -18,11 +21,12 @@ from mechanics.judge.at_rest import at_rest
 from mechanics.judge.at_values import Values, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
-from mechanics.judge.blamed import blamed, declared_only
+from mechanics.judge.bounded_blame import blamed, declared_only
 from mechanics.judge.complete import determines, redundancy
-from mechanics.judge.defined import at_the_bound
+from mechanics.judge.converted_rows import moves_more
+from mechanics.judge.declared_convention import judge_under, only_change
+from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.letters import Settled, settle
-from mechanics.judge.moved import moves_more
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.outputs import of_one_order, right_otherwise
@@ -31,12 +35,8 @@ from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import right_for_small_angles
-from mechanics.judge.under import judge_under, only_change
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.code.black_box import BlackBox
-from mechanics.reading.declared import Declared, read_declared
-from mechanics.reading.statement import Reading, Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene

@@ -10,10 +10,10 @@ from sympy import Expr, S
 
 from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.quantities import (
     EquationOfMotion,

@@ -16,11 +16,11 @@ from flint import arb
 from sympy import Not, Rational, S, Symbol
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
+from mechanics.claims.demands import Demand
 from mechanics.equations import Equations
 from mechanics.kernel.balls import ball, enclose, precision
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
 from mechanics.program import Program
-from mechanics.reading.demands import Demand
 from mechanics.symbolic import Arithmetic
 
 LARGEST = Fraction(1, 10**6)

@@ -13,14 +13,14 @@ from dataclasses import dataclass, replace
 
 from sympy import Add, Symbol
 
+from mechanics.claims.about import ENERGY_NAMES, LETTERS, QUANTITIES
+from mechanics.claims.demands import Demands
+from mechanics.claims.statement import NO_DEMANDS, Letter, Statement
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.judge.meanings import UNITS, Candidate, candidates
 from mechanics.judge.single import by_dimension, subject_of
 from mechanics.kernel import Finding
-from mechanics.reading.about import ENERGY_NAMES, LETTERS, QUANTITIES
-from mechanics.reading.demands import Demands
-from mechanics.reading.statement import NO_DEMANDS, Letter, Statement
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words

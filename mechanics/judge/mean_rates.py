@@ -29,7 +29,7 @@ def mean_rates(model: Model, state: State, step: float, integrator: str) -> Arra
     step : float
         h, in s.
     integrator : str
-        One of `mechanics.reading.code.black_box.INTEGRATORS`.
+        One of `mechanics.claims.code.black_box.INTEGRATORS`.
 
     Raises
     ------

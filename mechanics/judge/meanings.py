@@ -17,10 +17,10 @@ from sympy import Add, Expr, S, Symbol, pi
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from mechanics.checks.ledger_energy import energy_of
+from mechanics.claims.about import QUANTITIES, named_quantity
 from mechanics.equations import Equations
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
-from mechanics.reading.about import QUANTITIES, named_quantity
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.loads import Damper
@@ -88,7 +88,7 @@ def candidates(truth: Equations, words: str) -> Iterator[Candidate]:
     ----------
     truth : Equations
     words : str
-        One of `mechanics.reading.about.WORDS`.
+        One of `mechanics.claims.about.WORDS`.
     """
     if words in QUANTITIES:
         yield Candidate(words, named_quantity(words))

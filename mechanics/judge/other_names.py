@@ -15,14 +15,14 @@ from math import prod
 from sympy import Expr, Symbol
 
 from mechanics.checks.ledger import check_row
+from mechanics.claims.guess import CAPITALS, SHORT, SURE
+from mechanics.claims.kinds import quantity
+from mechanics.claims.names import Match
+from mechanics.claims.statement import Reading, Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.judge.glance import glance
-from mechanics.judge.moved import in_plain_symbols
-from mechanics.reading.guess import CAPITALS, SHORT, SURE
-from mechanics.reading.kinds import quantity
-from mechanics.reading.names import Match
-from mechanics.reading.statement import Reading, Statement
+from mechanics.judge.convention_filter import glance
+from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
 

@@ -12,16 +12,16 @@ from sympy import Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
+from mechanics.claims.claim import Written
+from mechanics.claims.kind import kind_of
+from mechanics.claims.place import Refused
+from mechanics.claims.sides import distinct, scalar
+from mechanics.claims.statement import Statement
+from mechanics.claims.tree import Node
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.kernel import Verdict
-from mechanics.reading.kind import kind_of
-from mechanics.reading.place import Refused
-from mechanics.reading.sides import distinct, scalar
-from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Node
-from mechanics.reading.written import Written
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.dimensions import MixedDimensions, one_dimension
 from mechanics.scene.published import Published

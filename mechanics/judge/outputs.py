@@ -11,10 +11,10 @@ from dataclasses import replace
 
 from sympy import Symbol
 
+from mechanics.claims.statement import Statement
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published

@@ -9,12 +9,12 @@ from typing import Any
 import casadi
 from sympy import Eq, Expr, SympifyError, sympify
 
+from mechanics.claims.assemble import Reading
+from mechanics.claims.code.c_plus_plus import SUFFIXES
+from mechanics.claims.code.read import read_c, read_casadi, read_function
+from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
+from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
-from mechanics.reading.assemble import Reading
-from mechanics.reading.code.c_plus_plus import SUFFIXES
-from mechanics.reading.code.read import read_c, read_casadi, read_function
-from mechanics.reading.code.sympy_objects import is_sympy, read_sympy
-from mechanics.reading.read import decoded, file_text, read_file, read_source
 from mechanics.scene import Scene
 
 FILE = re.compile(

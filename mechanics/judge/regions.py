@@ -7,7 +7,7 @@ from sympy import Dummy, Expr, S, Symbol, oo
 from sympy.core.relational import Eq, Relational
 
 from mechanics.errors import ExpressionError
-from mechanics.judge.entered import Region
+from mechanics.judge.case_states import Region
 from mechanics.kernel.field import Inadmissible
 from mechanics.symbolic import collect_linear
 

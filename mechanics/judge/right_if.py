@@ -10,15 +10,15 @@ from dataclasses import replace
 
 from mechanics.checks.admissible import check_admissible
 from mechanics.checks.ledger import check_row
+from mechanics.claims.convention import POINT_MASS, Change, Table
+from mechanics.claims.conventions import combined_table, conventions
+from mechanics.claims.statement import Statement
 from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
-from mechanics.judge.glance import glance
-from mechanics.judge.moved import in_plain_symbols, moved, moves_more
+from mechanics.judge.convention_filter import glance
+from mechanics.judge.converted_rows import in_plain_symbols, moved, moves_more
 from mechanics.kernel import Finding
-from mechanics.reading.convention import POINT_MASS, Change, Table
-from mechanics.reading.conventions import combined_table, conventions
-from mechanics.reading.statement import Statement
 from mechanics.routes import free_body
 from mechanics.routes.derivation import as_program
 from mechanics.scene import RigidBody, Scene

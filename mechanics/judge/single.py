@@ -8,18 +8,18 @@ from functools import partial
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger import check_row
+from mechanics.claims.demands import Demand
+from mechanics.claims.statement import Statement
 from mechanics.compiled.dimensions import check_energy
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases, has_guard, with_case
-from mechanics.judge.defined import where_defined
+from mechanics.judge.definedness import where_defined
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import with_content
 from mechanics.kernel import Finding, Verdict, refuted, undecided
-from mechanics.reading.demands import Demand
-from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.dimensions import BY_DIMENSION, MixedDimensions
 from mechanics.scene.published import Published

@@ -13,11 +13,11 @@ from collections.abc import Sequence
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from mechanics.claims.kinds import angular
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.kinds import angular
-from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.symbols import plain_symbol

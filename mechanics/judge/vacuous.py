@@ -5,10 +5,10 @@
 
 from sympy.matrices import MatrixBase
 
+from mechanics.claims.partials import PARTIAL
+from mechanics.claims.statement import Statement
+from mechanics.claims.tree import Call, Name
 from mechanics.kernel import Finding, undecided
-from mechanics.reading.partials import PARTIAL
-from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Call, Name
 from mechanics.scene.quantities import Identity
 from mechanics.symbolic import is_zero
 

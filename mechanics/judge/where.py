@@ -18,20 +18,20 @@ from sympy.matrices import MatrixBase
 from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_compare import define
 from mechanics.checks.manifold import restrict
+from mechanics.claims.kinds import angular
+from mechanics.claims.names import Match
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
+from mechanics.judge.case_states import entered
 from mechanics.judge.cases import in_case
-from mechanics.judge.defined import where_defined
-from mechanics.judge.entered import entered
-from mechanics.judge.moved import in_plain_symbols
+from mechanics.judge.converted_rows import in_plain_symbols
+from mechanics.judge.definedness import where_defined
 from mechanics.judge.readers import read
 from mechanics.judge.single import FAILURES, identity
 from mechanics.judge.vacuous import WORDS
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.kinematics.symbolic import Kinematics
-from mechanics.reading.kinds import angular
-from mechanics.reading.names import Match
-from mechanics.reading.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue

@@ -19,6 +19,7 @@ from functools import cached_property
 
 from sympy import Expr, Integer, Symbol, sympify
 
+from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError, wanted
 from mechanics.kernel import Finding, Statement, Verdict, decide
@@ -42,7 +43,6 @@ from mechanics.program.elimination import solve_with_pivots
 from mechanics.program.operations import ABS, FLOOR, SIGN
 from mechanics.program.program import reachable
 from mechanics.program.sympy_printer import expressions
-from mechanics.reading.kinds import angular
 from mechanics.routes.rows import coefficients
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME

@@ -9,10 +9,10 @@ from itertools import islice, product
 
 from sympy import Expr, S, Symbol, pi
 
+from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.linear.linearize import linearize
-from mechanics.reading.kinds import angular
 
 SQUARE = Symbol("omega2", real=True)
 """The square of a frequency."""

@@ -24,10 +24,10 @@ from benchmarks.detection.undone import distance, undone
 from benchmarks.detection.vocabulary import vocabulary
 from benchmarks.detection.whole import judged_whole
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
+from mechanics.claims.statement import Statement
 from mechanics.errors import MechanicsError
 from mechanics.judge.check import Judged
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from systems import ALL

@@ -8,9 +8,9 @@ from sympy import Expr, S
 
 import systems
 from mechanics.blame.reference import Reference
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.system import System

@@ -7,7 +7,7 @@ import pytest
 import mechanics
 from mechanics.blame import blame as one
 from mechanics.blame.search.budget import Budget
-from mechanics.judge import blamed as text
+from mechanics.judge import bounded_blame as text
 from mechanics.judge.check import Check
 
 WRONG = "(M + m)*x'' + 3*k*x + M*L/2*(theta''*cos(theta) + theta'^2*sin(theta)) = 0"

@@ -16,8 +16,8 @@ from mechanics.blame.result import Difference
 from mechanics.blame.terms import Terms, terms_of, total, written
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.checks.manifold import project
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
-from mechanics.reading.statement import Statement
 from mechanics.symbolic import Arithmetic, decide
 
 Stated = Callable[..., Statement]

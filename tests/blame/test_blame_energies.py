@@ -10,10 +10,10 @@ from mechanics.blame.energies import wrong_energies, wrong_rows
 from mechanics.blame.explanations import UNBALANCED, explanations
 from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import check_row
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.kinematics.symbolic import Kinematics
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import published
 from mechanics.scene.quantities import KineticEnergy, PotentialEnergy
 from mechanics.symbolic import prove_equal

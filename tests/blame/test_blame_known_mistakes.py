@@ -19,14 +19,14 @@ from sympy.physics.mechanics import (
 import mechanics
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.explanations import MOST, explanations
-from mechanics.blame.mistakes import held, substituted
-from mechanics.blame.mistakes.known import KNOWN
-from mechanics.blame.mistakes.slip import Slip, equations, right
+from mechanics.blame.mistakes import forgotten_constraints, substituted_constraint
+from mechanics.blame.mistakes.catalogue import KNOWN
+from mechanics.blame.mistakes.fault_model import Slip, equations, right
 from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import check_row
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.statement import Statement
 from mechanics.scene import force
 from mechanics.scene.actions import frictions
 from mechanics.symbolic import independent_rows, is_zero
@@ -43,7 +43,7 @@ def slips(truth: Equations) -> Iterator[Slip]:
     """Mistakes that leave the motion determined; with constraints, one of each that is new then."""
     derivation = right(Derivation(truth), with_reactions=False)
     tied = bool(truth.scene.constraints)
-    for known in (held.slips, substituted.slips) if tied else KNOWN:
+    for known in (forgotten_constraints.slips, substituted_constraint.slips) if tied else KNOWN:
         found = (slip for slip in known(derivation) if determined(truth, slip))
         yield from islice(found, 1 if tied else None)
 
@@ -228,7 +228,7 @@ def test_loads_without_potential_follow_the_constraints_that_were_put_in() -> No
     push = Symbol("push", real=True)
     centre = plain.bodies[0].centre
     scene = replace(plain, loads=(*plain.loads, force("push", centre, push * plain.frame.x)))
-    (slip, *_) = substituted.slips(
+    (slip, *_) = substituted_constraint.slips(
         right(Derivation(mechanics.derive(scene, "free_body")), with_reactions=False)
     )
     pushed = [

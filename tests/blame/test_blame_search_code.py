@@ -10,11 +10,11 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Edit, Mistake
+from mechanics.claims.code.formulas import MOST_NODES, Known, added, leaf, multiplied
+from mechanics.claims.code.read import read_c, read_function
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from mechanics.reading.code.as_written import MOST_NODES, Known, added, leaf, multiplied
-from mechanics.reading.code.read import read_c, read_function
 from systems import two_mass_chain
 
 CHAIN = derived(two_mass_chain.scene())

@@ -12,10 +12,10 @@ import mechanics
 from mechanics.blame.result import Blame, Mistake, Repair
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.cover import Piece, covers
-from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.syntax_tree import Forest
+from mechanics.claims.tree import Name, Sum
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from mechanics.reading.tree import Name, Sum
 from systems import cartpole, double_pendulum, elastic_pendulum, rocker, two_mass_chain
 
 TRUTHS = {

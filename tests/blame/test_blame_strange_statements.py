@@ -30,9 +30,9 @@ from sympy import (
 from mechanics.blame.difference import LARGE, differences
 from mechanics.blame.explanations import explanations
 from mechanics.blame.reference import Reference
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.statement import Statement
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import (
     EquationOfMotion,

@@ -2,7 +2,7 @@ r"""An edit that would spoil what is shown is not the one that is told."""
 
 import mechanics
 from mechanics.blame.reference import Reference
-from mechanics.judge.blamed import shown_with
+from mechanics.judge.bounded_blame import shown_with
 from mechanics.judge.check import derived
 from systems import cartpole
 

@@ -7,10 +7,10 @@ import pytest
 from sympy import Eq, Expr, Matrix, pi
 
 import mechanics
+from mechanics.claims.convention import POINT_MASS
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.judge.right_if import targets_of
-from mechanics.reading.convention import POINT_MASS
 from systems import cartpole, double_pendulum, rod_pendulum, rolling_disc
 
 WITH_RODS = {"cartpole": cartpole, "rod_pendulum": rod_pendulum}

@@ -3,7 +3,7 @@
 import numpy as np
 
 import mechanics
-from mechanics.reading.code.constants import constant_of
+from mechanics.claims.code.constants import constant_of
 from systems import rod_pendulum
 
 ROD = mechanics.derive(rod_pendulum.scene(), "free_body")

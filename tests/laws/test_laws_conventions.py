@@ -11,13 +11,13 @@ from sympy import Add, Eq, Expr, Rational, Symbol, expand, linsolve
 
 import mechanics
 from mechanics.blame.derivation import Derivation
+from mechanics.claims.angle_directions import directed
+from mechanics.claims.convention import POINT_MASS, Change, combined_table
+from mechanics.claims.conventions import conventions
+from mechanics.claims.directions import counted
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.judge.right_if import targets_of
-from mechanics.reading.convention import POINT_MASS, Change, combined_table
-from mechanics.reading.conventions import conventions
-from mechanics.reading.directed import directed
-from mechanics.reading.directions import counted
 from systems import ALL
 
 pytestmark = pytest.mark.campaign

@@ -22,7 +22,7 @@ PARTS = (
     "kinematics",
     "routes",
     "checks",
-    "reading",
+    "claims",
     "blame",
     "judge",
 )

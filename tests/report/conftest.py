@@ -8,11 +8,11 @@ from sympy import Matrix, Symbol, cos, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
+from mechanics.claims.names import Match
+from mechanics.claims.read import read_source
 from mechanics.equations import Equations, Line, Matrices, Step
 from mechanics.judge.check import check, derived
 from mechanics.kernel import Finding, Verdict, Witness
-from mechanics.reading.names import Match
-from mechanics.reading.read import read_source
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.result import (

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
+from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict, Witness
-from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces
 from mechanics.report.answer.places import applied, placed

@@ -8,8 +8,8 @@ from xml.etree import ElementTree
 import pytest
 
 from mechanics.blame.result import Blame, Edit, Mistake, Repair
+from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.names import Match, Naming, Vocabulary
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.page import check_html

@@ -8,9 +8,9 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
+from mechanics.claims.names import Match, Naming, Vocabulary
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict, Witness
-from mechanics.reading.names import Match, Naming, Vocabulary
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces, printable, shortened

@@ -11,7 +11,7 @@ from benchmarks.detection.forms.code import c_source, casadi_function, python
 from benchmarks.detection.forms.spelling import Written, labels, plain_name
 from benchmarks.detection.rows import Row, Subject
 from benchmarks.detection.tree import Tree, written
-from mechanics.reading.names import Vocabulary
+from mechanics.claims.names import Vocabulary
 from mechanics.scene.symbols import DOTS
 
 HEADS = {

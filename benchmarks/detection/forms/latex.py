@@ -15,7 +15,7 @@ from sympy import Symbol
 from benchmarks.detection.forms.spelling import Labels, is_negative, quotient
 from benchmarks.detection.rows import Row
 from benchmarks.detection.tree import Tree
-from mechanics.reading.names import GREEK
+from mechanics.claims.names import GREEK
 from mechanics.scene import Scene
 
 ACCENTS = ("", "dot", "ddot", "dddot")

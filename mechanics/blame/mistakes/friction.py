@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from sympy import Expr, S, Symbol
 
-from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Piece
 from mechanics.routes.lagrange_sympy import opened_equations
 from mechanics.routes.pressing import pressed, pressing

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sympy import Expr, Matrix, Rational, S, eye
 
-from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Origin, Piece, inner
 from mechanics.kinematics.symbolic import BodyMotion
 from mechanics.scene import RigidBody, Scene

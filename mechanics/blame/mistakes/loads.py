@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from sympy import Rational
 
-from mechanics.blame.mistakes.slip import Right, Slip, of_load
+from mechanics.blame.mistakes.fault_model import Right, Slip, of_load
 from mechanics.scene import Gravity, Spring, TorsionSpring
 from mechanics.scene.loads import Damper, Load
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from sympy import Expr, S, Symbol
 
-from mechanics.blame.mistakes.slip import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Piece
 from mechanics.blame.terms import Terms, terms_of, written
 

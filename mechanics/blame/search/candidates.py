@@ -15,13 +15,13 @@ from functools import cached_property, partial
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import DROPPED, HINT, SECOND, TOKEN, Change, minus, plus
 from mechanics.blame.search.circular import circular
-from mechanics.blame.search.differentiated import differentiated
-from mechanics.blame.search.inserted import Inserted
-from mechanics.blame.search.inside import inside_of
-from mechanics.blame.search.maker import Maker
-from mechanics.blame.search.sheet import integer_exponent
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.function_arguments import inside_of
+from mechanics.blame.search.inserted_factors import Inserted
+from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.blame.search.tokens import Tokens
-from mechanics.reading.tree import Name, Node, Power, Product, Sum, constant
+from mechanics.blame.search.under_derivatives import differentiated
+from mechanics.claims.tree import Name, Node, Power, Product, Sum, constant
 
 MOST_INSIDE = 400
 """Edits inside of functions, each of which has to be evaluated anew."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mechanics.blame.result import Mistake
-from mechanics.reading.tree import Call, Node, Number, Power, Product, Sum
+from mechanics.claims.tree import Call, Node, Number, Power, Product, Sum
 
 TOKEN, DROPPED, ADDED, REPLACED = 1.0, 1.4, 1.6, 2.6
 """Costs; two tokens are cheaper than a term that is replaced."""

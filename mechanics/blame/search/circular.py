@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
-from mechanics.blame.search.forest import Forest
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.sheet import Sheet
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.blame.search.syntax_tree import Forest
 from mechanics.blame.search.words import Words
-from mechanics.reading.kinds import angular
-from mechanics.reading.tree import Call, Node, Number, Product, Sum
+from mechanics.claims.kinds import angular
+from mechanics.claims.tree import Call, Node, Number, Product, Sum
 
 NOBODY = -1
 """Where twice a coordinate stands that nobody wrote."""

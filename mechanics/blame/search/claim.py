@@ -13,18 +13,18 @@ from sympy.matrices import MatrixBase
 
 from mechanics.blame.reference import Reference
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.forest import Forest, Step, Way, edited
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.inverse_evaluation import Sheet, sheet_of
 from mechanics.blame.search.point import Family, Point
-from mechanics.blame.search.sheet import Sheet, sheet_of
+from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.blame.search.syntax_tree import Forest, Step, Way, edited
 from mechanics.checks.ledger_energy import ENERGIES, energy_of
 from mechanics.checks.ledger_momenta import derived
+from mechanics.claims.claim import Trees, Written, row_of, row_trees
+from mechanics.claims.entrywise import entrywise
+from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.statement import Statement
+from mechanics.claims.tree import Node, names
 from mechanics.equations import Equations
-from mechanics.reading.entrywise import entrywise
-from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Node, names
-from mechanics.reading.written import Trees, Written, row_of, row_trees
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.syntax_tree import Forest
 
 MOST_PIECES = 6
 """Pieces of a cover."""

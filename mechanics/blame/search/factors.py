@@ -14,10 +14,10 @@ from itertools import combinations_with_replacement
 from sympy import Symbol, sign
 
 from mechanics.blame.search.change import raised
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
-from mechanics.reading.tree import Call, Node, Number, Power, Sum, constant
+from mechanics.claims.tree import Call, Node, Number, Power, Sum, constant
 from mechanics.scene.actions import frictions
 
 MOST_DIVISORS = 3

@@ -7,24 +7,24 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.both import Both
+from mechanics.blame.search.bracket_signs import signs
 from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim
-from mechanics.blame.search.exchanged import exchanged
-from mechanics.blame.search.growth import Growth
-from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.maker import Maker
+from mechanics.blame.search.edit_and_term import Both
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.exchanged_names import exchanged
+from mechanics.blame.search.homogeneity_test import Growth
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.several import Several
-from mechanics.blame.search.signs import signs
-from mechanics.blame.search.solved import numbers
-from mechanics.blame.search.two import Two
+from mechanics.blame.search.solved_numbers import numbers
+from mechanics.blame.search.two_terms import Two
 from mechanics.blame.search.whole import whole
 from mechanics.blame.search.words import Words
-from mechanics.reading.statement import Statement
-from mechanics.reading.tree import Name
+from mechanics.claims.statement import Statement
+from mechanics.claims.tree import Name
 
 EQUALLY = 0.45
 """Edits that cost that much more are not equally small."""

@@ -10,11 +10,11 @@ from functools import cached_property, partial
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, plus
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.growth import Growth
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.products import Products
-from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Sum, constant, parts
+from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum, constant, parts
 
 
 @dataclass(frozen=True, eq=False)

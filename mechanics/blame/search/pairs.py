@@ -11,12 +11,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.residues import inverses
-from mechanics.blame.search.sheet import InsideHere, Sheet
 from mechanics.blame.search.states import in_one_term
+from mechanics.claims.tree import Product, Sum
 from mechanics.kernel.field import DivisionHere
-from mechanics.reading.tree import Product, Sum
 
 MOST = 60
 """Pairs that are kept, the cheapest first."""

@@ -23,10 +23,10 @@ from mechanics.blame.search.change import (
     size_of,
 )
 from mechanics.blame.search.cover import Piece
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.differing_terms import Wrongs
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.residues import rational
-from mechanics.blame.search.wrongs import Wrongs
-from mechanics.reading.tree import Node, Number, Power, Product, constant
+from mechanics.claims.tree import Node, Number, Power, Product, constant
 
 ALIKE = 3
 """Pieces that are kept of those that undo the same."""

@@ -19,10 +19,10 @@ from sympy import Symbol
 from mechanics.blame.search.change import HINT, RATIOS, raised, size_of
 from mechanics.blame.search.circular import Circular, circular
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.growth import Growth
+from mechanics.blame.search.homogeneity_test import Growth
 from mechanics.blame.search.residues import inverses, rational
 from mechanics.blame.search.words import Words
-from mechanics.reading.tree import Name, Node, Number, Power, Product, Sum, constant
+from mechanics.claims.tree import Name, Node, Number, Power, Product, Sum, constant
 
 MOST_TWICE = 100
 """Products of sines and cosines, the simplest of them, that are multiplied by each other."""

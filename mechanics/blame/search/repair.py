@@ -9,16 +9,16 @@ from mechanics.blame.result import Repair
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
-from mechanics.blame.search.forest import Forest
+from mechanics.blame.search.notation import spliced, told
 from mechanics.blame.search.point import Family, Point
-from mechanics.blame.search.told import spliced, told
+from mechanics.blame.search.syntax_tree import Forest
 from mechanics.checks.ledger import check_row
+from mechanics.claims.claim import Trees, Written, row_of
+from mechanics.claims.place import Refused
+from mechanics.claims.spelling import Spelling
+from mechanics.claims.tree import Name, parts
 from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.reading.place import Refused
-from mechanics.reading.spelling import Spelling
-from mechanics.reading.tree import Name, parts
-from mechanics.reading.written import Trees, Written, row_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 

@@ -12,16 +12,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 
-from mechanics.blame.search.added import Added
+from mechanics.blame.search.added_terms import Added
 from mechanics.blame.search.change import DROPPED, Change
 from mechanics.blame.search.cover import Piece, covers
-from mechanics.blame.search.growth import Growth
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.differing_terms import Wrongs, wrongs
+from mechanics.blame.search.edit_effects import steps
+from mechanics.blame.search.homogeneity_test import Growth
 from mechanics.blame.search.pieces import Pieces
-from mechanics.blame.search.rest import completed
+from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.blame.search.second_edit import completed
 from mechanics.blame.search.squares import borrowed
-from mechanics.blame.search.steps import steps
-from mechanics.blame.search.wrongs import Wrongs, wrongs
 from mechanics.errors import ExpressionError
 from mechanics.kernel.field import Inadmissible
 from mechanics.kernel.ring import TooLarge

@@ -11,10 +11,10 @@ from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, minus, plus, size_of, times
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.sheet import integer_exponent
-from mechanics.reading.tree import Call, Node, Number, Sum, parts, with_parts
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.inverse_evaluation import integer_exponent
+from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.claims.tree import Call, Node, Number, Sum, parts, with_parts
 
 NUMBERS = (Fraction(1), Fraction(1, 2), Fraction(2))
 

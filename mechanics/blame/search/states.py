@@ -9,10 +9,10 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.judge import Problem
-from mechanics.blame.search.sheet import InsideHere
+from mechanics.blame.search.inverse_evaluation import InsideHere
+from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.claims.tree import Product, Sum
 from mechanics.kernel.field import DivisionHere
-from mechanics.reading.tree import Product, Sum
 
 Entry = tuple[int, tuple[int, ...], Change]
 """Below which factor it is, the ratio of the term at each state, the edit."""

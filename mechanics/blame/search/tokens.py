@@ -9,11 +9,11 @@ from fractions import Fraction
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, raised, size_of
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.maker import Maker
-from mechanics.blame.search.sheet import integer_exponent, power, scaled
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
+from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
 from mechanics.kernel.field import DivisionHere
-from mechanics.reading.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
 
 MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")
 """Kinds of words that nobody writes a number for."""

@@ -12,11 +12,11 @@ from mechanics.blame.difference import Group, groups
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change, plus
 from mechanics.blame.search.claim import Claim
-from mechanics.blame.search.inside import worth
-from mechanics.blame.search.judge import Problem
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.terms import difference, written
-from mechanics.reading.from_sympy import Untreeable
-from mechanics.reading.statement import Statement
+from mechanics.claims.from_sympy import Untreeable
+from mechanics.claims.statement import Statement
 from mechanics.scene.quantities import MassMatrix, ReactionValue
 
 MOST = 3

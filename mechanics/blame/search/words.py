@@ -9,10 +9,10 @@ from functools import cached_property
 
 from sympy import Symbol
 
-from mechanics.blame.search.sheet import Sheet
+from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.claims.claim import Written
+from mechanics.claims.tree import Call, Name, Node
 from mechanics.equations import Equations
-from mechanics.reading.tree import Call, Name, Node
-from mechanics.reading.written import Written
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from rich.console import Group
 
+from mechanics.claims.names import Match
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
-from mechanics.reading.names import Match
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.notebook import notebook
 from mechanics.report.answer.spelled import numbered, once, spelled

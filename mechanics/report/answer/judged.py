@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from mechanics.blame.result import Blame
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.statement import Statement
 from mechanics.scene.dimensions import BY_DIMENSION
 
 

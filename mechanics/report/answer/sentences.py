@@ -6,8 +6,8 @@ write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
 from collections.abc import Sequence
 
 from mechanics.blame.result import Edit
-from mechanics.reading.names import Match
-from mechanics.reading.statement import Statement
+from mechanics.claims.names import Match
+from mechanics.claims.statement import Statement
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 

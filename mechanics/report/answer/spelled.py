@@ -8,14 +8,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mechanics.blame.result import Repair
+from mechanics.blame.search.notation import sides_of
 from mechanics.blame.search.repair import assigned
-from mechanics.blame.search.told import sides_of
-from mechanics.reading.from_sympy import Untreeable
-from mechanics.reading.names import Naming, Vocabulary
-from mechanics.reading.place import Refused
-from mechanics.reading.spelling import Spelling
-from mechanics.reading.statement import Statement
-from mechanics.reading.written import Written, row_trees
+from mechanics.claims.claim import Written, row_trees
+from mechanics.claims.from_sympy import Untreeable
+from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.place import Refused
+from mechanics.claims.spelling import Spelling
+from mechanics.claims.statement import Statement
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.places import placed
 from mechanics.scene import Scene

@@ -7,14 +7,14 @@ from fractions import Fraction
 
 from sympy import Add, Expr, S
 
+from mechanics.claims.from_sympy import Untreeable
+from mechanics.claims.spelling import Spelling
+from mechanics.claims.statement import Statement
 from mechanics.errors import ExpressionError
 from mechanics.kernel import Witness
 from mechanics.kernel.balls import enclose
 from mechanics.program import Builder
 from mechanics.program.sympy_reader import read
-from mechanics.reading.from_sympy import Untreeable
-from mechanics.reading.spelling import Spelling
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.witness import short_value
 
 Values = list[tuple[str, str]]

@@ -14,9 +14,9 @@ from rich.console import Console, Group, RenderableType
 from rich.text import Text
 
 from mechanics.blame.result import Blame, Edit, Repair
+from mechanics.claims.names import Match
+from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict
-from mechanics.reading.names import Match
-from mechanics.reading.statement import Statement
 from mechanics.report.answer.differences import Differences
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line

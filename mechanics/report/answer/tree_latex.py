@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from mechanics.reading.tree import (
+from mechanics.claims.tree import (
     Call,
     Name,
     Node,

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechanics.blame.result import Edit
+from mechanics.claims.functions import FUNCTIONS
+from mechanics.claims.lines import Line
+from mechanics.claims.names import Naming
+from mechanics.claims.place import Refused
+from mechanics.claims.statement import Statement
+from mechanics.claims.text.read import read_text
 from mechanics.errors import InputError
-from mechanics.reading.functions import FUNCTIONS
-from mechanics.reading.lines import Line
-from mechanics.reading.names import Naming
-from mechanics.reading.place import Refused
-from mechanics.reading.statement import Statement
-from mechanics.reading.text.read import read_text
 from mechanics.report.answer.marks import Piece, pieces, printable
 from mechanics.report.answer.person_latex import clean, marked
 from mechanics.report.answer.safe_mathml import safe_mathml

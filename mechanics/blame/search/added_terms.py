@@ -1,0 +1,104 @@
+"""A term added for each term that differs, to a sum or a side.
+
+slope of a sum * number * term = -wrong        a'' = N / Q:  Q lacks what is wrong, without a''
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, partial
+from itertools import islice
+
+from sympy import Expr, Rational, S, Symbol
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.cover import Piece
+from mechanics.blame.search.differing_terms import Wrong, Wrongs
+from mechanics.blame.search.edit_effects import steps
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.blame.search.residues import rational
+from mechanics.claims.from_sympy import Untreeable
+from mechanics.claims.tree import Name, Number, Sum
+
+MET = 0.6
+"""What a term costs more that stands there already, with another factor."""
+
+
+@dataclass(frozen=True, eq=False)
+class Added:
+    """Makes these edits.
+
+    Attributes
+    ----------
+    claim : Claim
+    problem : Problem
+    wrongs : Wrongs
+    """
+
+    claim: Claim
+    problem: Problem
+    wrongs: Wrongs
+
+    def pieces(self) -> list[Piece]:
+        """A term added for each wrong."""
+        changes = (next(self._added(wrong), None) for wrong in self.wrongs.each)
+        return [Piece(1 << i, (c,)) for i, c in enumerate(changes) if c is not None]
+
+    def _added(self, wrong: Wrong) -> Iterator[Change]:
+        p, sheets = self.problem.prime, self.problem.sheets
+        for index, slopes, divisor in self._sums_and_sides:
+            term = wrong.term / divisor
+            values = tuple(sheet.point.value(term) for sheet in sheets)
+            grows = [s * v for s, v in zip(slopes, values, strict=True)]
+            whole = (grows[0] - (grows[1] if len(grows) > 1 else 0)) % p
+            factor = rational(-wrong.share * pow(whole, -1, p), p) if whole else None
+            if not factor:
+                continue
+            try:
+                number = Rational(factor.numerator, factor.denominator)
+                added = self.claim.written.tree(number * term)
+            except Untreeable:
+                return
+            worths = worth(sheets, added)
+            if worths is not None:
+                wrap = partial(plus, added)
+                new = wrap(self.problem.forest.nodes[index])
+                sums = tuple((s.has[index] + v) % p for s, v in zip(sheets, worths, strict=True))
+                cost = ADDED + (MET if wrong.meets else 0.0)
+                yield Change(index, new, Mistake.MISSING, cost, index, sums, wrap)
+
+    @cached_property
+    def _sums_and_sides(self) -> list[tuple[int, list[int], Expr]]:
+        """Sums and sides, how the residual grows with each, and what a wrong is divided by there.
+
+        Where a'' = N / Q is wrong by a term with a'', Q lacks that without a''.
+        """
+        forest = self.problem.forest
+        found: list[tuple[int, list[int], Expr]] = []
+        for index, node in enumerate(forest.nodes):
+            side = forest.term(index) and not forest.place[index][1]
+            if not (side or isinstance(node, Sum)) or isinstance(node, Number):
+                continue
+            if not forest.written(index) or not forest.single(index) or forest.rates[index]:
+                continue
+            slopes = self.problem.slopes(index)
+            if slopes is not None:
+                found.append((index, slopes, S.One))
+            elif self._alone is not None and self.wrongs.cleared:
+                more = steps(self.problem, self._one_more(index), True)
+                found += [(index, [step], self._alone) for step in islice(more, 1, None)]
+        return found
+
+    def _one_more(self, index: int) -> Change:
+        """A node with one added to it."""
+        values = tuple(sheet.has[index] + 1 for sheet in self.problem.sheets)
+        return Change(index, None, Mistake.MISSING, ADDED, index, values)
+
+    @cached_property
+    def _alone(self) -> Symbol | None:
+        """What stands alone on the left."""
+        left = self.claim.entries[self.problem.numbers[0]]
+        value = self.claim.written.builder()(left) if isinstance(left, Name) else None
+        return value if isinstance(value, Symbol) and self.problem.plain else None

@@ -1,0 +1,126 @@
+"""One edit and one missing term at once.
+
+    d = needed - has with the edit          d(2 s) / d(s) = 2**e for a few quantities s at first
+
+What passes is looked at in full: the edit is put in, and the missing term looked for.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from sympy import Symbol
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.candidates import Candidates
+from mechanics.blame.search.change import ADDED, Change
+from mechanics.blame.search.claim import edited_claim
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet
+from mechanics.blame.search.missing import Missing
+from mechanics.blame.search.words import Words
+from mechanics.claims.tree import Sum
+from mechanics.kernel.field import DivisionHere
+
+TESTS = 3
+"""Quantities that are doubled at first."""
+
+FULL = 6
+"""Edits that are looked at in full."""
+
+
+@dataclass(frozen=True, eq=False)
+class Both:
+    """Looks for an edit and a missing term.
+
+    Attributes
+    ----------
+    growth : Growth
+        Of the statement without an edit.
+    """
+
+    growth: Growth
+
+    @property
+    def _p(self) -> int:
+        return self.growth.problem.prime
+
+    def pairs(self) -> list[tuple[Change, Change]]:
+        """Edits with a missing term each, the cheapest first."""
+        grown = self.growth.problems
+        if not self.growth.problem.plain or len(grown) < 2:
+            return []
+        problems = [grown[None], *(grown[symbol] for symbol in self._tests)]
+        sheets = tuple(problem.sheets[0] for problem in problems)
+        words = self.growth.words
+        words = Words(words.truth, words.written, sheets, words.held)
+        changes = Candidates(Maker(self.growth.problem.forest, sheets, words)).all()
+        hopeful = sorted(self._hopeful(sheets, changes), key=lambda change: change.cost)
+        found: list[tuple[Change, Change]] = []
+        for change in hopeful[:FULL]:
+            found += self._completed(change)
+        return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
+
+    @cached_property
+    def _tests(self) -> list[Symbol]:
+        """Parameters that stand in most terms: what is left tells most when these are doubled."""
+        scene, grown = self.growth.claim.truth.scene, self.growth.problems
+        held = [s for s in grown if s is not None and s in scene.parameters]
+        return (held or [s for s in grown if s is not None])[:TESTS]
+
+    def _hopeful(self, sheets: Sequence[Sheet], changes: Sequence[Change]) -> Iterator[Change]:
+        forest = self.growth.problem.forest
+        for change in changes:
+            if not forest.single(change.at):
+                continue
+            for index in forest.ways_up(change.at):
+                top = isinstance(forest.nodes[index], Sum) or not forest.place[index][1]
+                plain = forest.written(index) and not forest.rates[index]
+                if top and plain and self._grows(sheets, change, index):
+                    yield change
+                    break
+
+    def _grows(self, sheets: Sequence[Sheet], change: Change, index: int) -> bool:
+        """Whether what a sum lacks with an edit in it may be a product."""
+        lacks = []
+        for k, sheet in enumerate(sheets):
+            need = sheet.needs[index]
+            if need is None:
+                return False
+            value, child = change.values[k], change.at
+            try:
+                while child != index:
+                    above = sheet.forest.parent[child]
+                    value, child = sheet.above(above, child, value), above
+            except (DivisionHere, InsideHere):
+                return False
+            lacks.append((need - value) % self._p)
+        if not lacks[0]:
+            return False
+        inverse = pow(lacks[0], -1, self._p)
+        return all(
+            lack * inverse % self._p in ratios
+            for lack, ratios in zip(lacks[1:], self._ratios, strict=True)
+        )
+
+    @cached_property
+    def _ratios(self) -> list[set[int]]:
+        """How a product may grow with each quantity that is doubled: with what it may hold."""
+        p, found = self._p, []
+        for symbol in self._tests:
+            steps = [f.inverse[None] * pow(f.inverse[symbol], -1, p) for f in self.growth.factors]
+            found.append({step * power % p for step in steps for power in self.growth.doubling})
+        return found
+
+    def _completed(self, change: Change) -> Iterator[tuple[Change, Change]]:
+        """An edit with the term that is missing beside it."""
+        forest = self.growth.problem.forest
+        growth = self.growth.edited(edited_claim(self.growth.claim, [(forest, change)]))
+        if growth is None:
+            return
+        for added in Missing(growth).changes():
+            place = growth.problem.forest.place[added.index]
+            indices = forest.copies.get(place, [])
+            if added.mistake is Mistake.MISSING and indices and added.cost < 2 * ADDED:
+                yield change, replace(added, index=indices[0], at=indices[0])

@@ -1,0 +1,53 @@
+"""Edits of nodes: a node in place of another, or around it."""
+
+from dataclasses import dataclass
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import Change, Wrap
+from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.words import Words
+from mechanics.claims.tree import Node
+
+
+@dataclass(frozen=True, eq=False)
+class Maker:
+    """Makes edits.
+
+    Attributes
+    ----------
+    forest : Forest
+    sheets : tuple of Sheet
+    words : Words
+    """
+
+    forest: Forest
+    sheets: tuple[Sheet, ...]
+    words: Words
+
+    @property
+    def p(self) -> int:
+        """The modulus."""
+        return self.sheets[0].point.prime
+
+    def has(self, index: int) -> tuple[int, ...]:
+        """What a node is worth at each point."""
+        return tuple(sheet.has[index] for sheet in self.sheets)
+
+    def around(self, index: int) -> Node | None:
+        """The node that a node is a part of; None for the root."""
+        above = self.forest.parent[index]
+        return self.forest.nodes[above] if above >= 0 else None
+
+    def change(
+        self, index: int, node: Node | None, mistake: Mistake, cost: float, values: tuple[int, ...]
+    ) -> Change:
+        """Something else, or nothing, in place of a node."""
+        return Change(index, node, mistake, cost, index, values)
+
+    def wrapped(
+        self, index: int, wrap: Wrap, mistake: Mistake, cost: float, values: tuple[int, ...]
+    ) -> Change:
+        """Something around a node, which goes together with edits in it."""
+        node = wrap(self.forest.nodes[index])
+        return Change(index, node, mistake, cost, index, values, wrap)

@@ -1,0 +1,114 @@
+"""Edits of what a function is taken of, and what it is worth then.
+
+sin(theta_1 - theta_2)  ->  sin(theta_1 + theta_2), sin(theta_1), sin(theta_1 - theta_3), ...
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import (
+    DROPPED,
+    HINT,
+    RATIOS,
+    SECOND,
+    TOKEN,
+    Change,
+    minus,
+    size_of,
+    times,
+)
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.blame.search.syntax_tree import Forest, edited
+from mechanics.blame.search.words import Words
+from mechanics.claims.place import Refused
+from mechanics.claims.tree import Call, Name, Node, Number, Sum, parts
+from mechanics.errors import MechanicsError
+
+Inner = tuple[int, Node | None, Mistake, float]
+
+
+def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
+    """What a node is worth at each point; None where it has no value."""
+    try:
+        return tuple(sheet.opaque(node) for sheet in sheets)
+    except (MechanicsError, Refused):
+        return None
+
+
+def inside_of(make: Maker, index: int) -> Iterator[Change]:
+    """Edits below a function."""
+    return valued(make, index, Inside(make.forest, make.words).of(index))
+
+
+def valued(make: Maker, index: int, edits: Iterable[Inner]) -> Iterator[Change]:
+    """Edits at or below a node that is known as a whole only, with what it is worth then."""
+    forest = make.forest
+    node, depth = forest.nodes[index], len(forest.place[index][1])
+    for below, other, mistake, cost in edits:
+        if below == index:
+            new = other
+        else:
+            new = edited(node, [(forest.place[below][1][depth:], other)])
+        if new is None:
+            yield Change(below, None, mistake, cost, index, (0,) * len(make.sheets))
+            continue
+        values = None if new == node else worth(make.sheets, forest.as_told(index, new))
+        if values is not None:
+            yield Change(below, other, mistake, cost, index, values)
+
+
+@dataclass(frozen=True)
+class Inside:
+    """Edits of what a function is taken of.
+
+    Attributes
+    ----------
+    forest : Forest
+    words : Words
+    """
+
+    forest: Forest
+    words: Words
+
+    def of(self, index: int) -> Iterator[Inner]:
+        """Edits of the parts of a node, and of theirs."""
+        node = self.forest.nodes[index]
+        for kid in self.forest.kids[index]:
+            if self.forest.place[kid][0] != self.forest.place[index][0]:
+                continue  # a definition, which is worth something at other places, too
+            part = self.forest.nodes[kid]
+            yield from self.edits(kid, part, node)
+            if parts(part):
+                yield from self.of(kid)
+
+    def edits(self, index: int, part: Node, around: Node) -> Iterator[Inner]:
+        """Edits of one part."""
+        if isinstance(part, Name) and not self.forest.kids[index]:
+            yield from self._symbols(index, part)
+        if isinstance(part, Number) and part.value not in (-1, 0):
+            for ratio in RATIOS[:8]:
+                value = part.value * ratio
+                number = Number(part.at, value)
+                yield index, number, Mistake.FACTOR, TOKEN + size_of(value)
+        if isinstance(around, Sum):
+            # Nobody wrote a sign before the first of several terms.
+            first = 2 * HINT if part is around.terms[0] else 0.0
+            yield index, minus(part), Mistake.SIGN, TOKEN + first
+            yield index, None, Mistake.EXTRA, DROPPED
+        elif isinstance(around, Call) and not isinstance(part, Number):
+            for ratio in (Fraction(2), Fraction(1, 2)):
+                scaled = times(Number(0, ratio), part)
+                yield index, scaled, Mistake.FACTOR, TOKEN + SECOND
+            for word in self.words.symbols:
+                if word.kind == "time":  # cos(omega) for cos(omega t)
+                    yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND
+
+    def _symbols(self, kid: int, part: Name) -> Iterator[Inner]:
+        own = self.words.word(part)
+        for word in self.words.symbols:
+            alike = own is not None and word.kind == own.kind
+            if word != own:
+                yield kid, word.name, Mistake.SYMBOL, TOKEN if alike else TOKEN + HINT

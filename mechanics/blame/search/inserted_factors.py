@@ -1,0 +1,81 @@
+"""Factors in front of a term: numbers where it has none, symbols, their inverses, sines, cosines.
+
+k x  ->  2 k x, m k x, k x / m, cos(theta) k x, ...
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, partial
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, size_of, times
+from mechanics.blame.search.circular import Circular
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.inverse_evaluation import integer_exponent, scaled
+from mechanics.claims.tree import Call, Node, Number, Power, Product
+
+
+@dataclass(frozen=True, eq=False)
+class Inserted:
+    """Makes these edits.
+
+    Attributes
+    ----------
+    make : Maker
+    circular : tuple of Circular
+    """
+
+    make: Maker
+    circular: tuple[Circular, ...]
+
+    def of(self, index: int, far: float) -> Iterator[Change]:
+        """Factors in front of a term: numbers where it has none, symbols and their inverses."""
+        if not self._number_below(index):
+            for ratio in RATIOS:
+                wrap = partial(times, Number(0, ratio))
+                cost = TOKEN + far + size_of(ratio)
+                yield self.make.wrapped(
+                    index, wrap, Mistake.FACTOR, cost, scaled(self.make.sheets, index, ratio)
+                )
+        yield from self._turned(index, far)
+        p, has = self.make.p, self.make.has(index)
+        for word in self.make.words.symbols:
+            values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
+            cost = TOKEN + far + SECOND
+            yield self.make.wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
+            if all(word.values):
+                over = Power(0, word.name, Number(0, Fraction(-1)))
+                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
+                yield self.make.wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
+
+    def _turned(self, index: int, far: float) -> Iterator[Change]:
+        """Sines, cosines and tangents in front of a term."""
+        for call, worths in self._calls:
+            values = tuple(
+                a * b % self.make.p for a, b in zip(self.make.has(index), worths, strict=True)
+            )
+            cost = TOKEN + far + SECOND + HINT
+            yield self.make.wrapped(index, partial(times, call), Mistake.FACTOR, cost, values)
+
+    @cached_property
+    def _calls(self) -> tuple[tuple[Node, tuple[int, ...]], ...]:
+        found = [(c.factors[0], c.values) for c in self.circular if len(c.factors) == 1]
+        for call, _ in tuple(found):
+            if isinstance(call, Call) and call.function == "sin":
+                tangent = Call(0, "tan", call.arguments)
+                values = worth(self.make.sheets, tangent)
+                found += [] if values is None else [(tangent, values)]
+        return tuple(found)
+
+    def _number_below(self, index: int) -> bool:
+        """Whether a term has a number that can be another one."""
+        node = self.make.forest.nodes[index]
+        if isinstance(node, Number):
+            return node.value not in (-1, 0)
+        if isinstance(node, Product):
+            return any(self._number_below(kid) for kid in self.make.forest.kids[index])
+        if isinstance(node, Power) and integer_exponent(node) in (1, -1):
+            return self._number_below(self.make.forest.kids[index][0])
+        return False

@@ -1,0 +1,224 @@
+"""The values that nodes have at a point, and those that they have to have.
+
+    needed(root) = target
+    needed(term) = needed(sum) - other terms        needed(factor) = needed(product) / others
+    needed(base of 1/x) = 1 / needed                needed(radicand) = needed ** 2
+
+The terms below d/dt are worth their derivatives.
+
+A node is right as something else if that is worth what is needed there.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from mechanics.blame.search.point import Point
+from mechanics.blame.search.syntax_tree import Forest
+from mechanics.claims.build import Builder
+from mechanics.claims.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
+from mechanics.kernel.field import DivisionHere
+
+
+class InsideHere(Exception):
+    """What stands inside of a function is not known by its value; nobody outside of the search
+    meets it.
+    """
+
+
+@dataclass(eq=False)
+class Sheet:
+    """Residues by the numbers of the nodes.
+
+    Attributes
+    ----------
+    forest : Forest
+    point : Point
+    builder : Builder
+        Makes expressions of nodes.
+    target : int
+        What the root has to be.
+    has : list of int
+    needs : list of int or None
+        None where that is not known, as inside of functions.
+    squares : dict of int to int
+        What the square of a node has to be.
+    """
+
+    forest: Forest
+    point: Point
+    builder: Builder
+    target: int
+    has: list[int]
+    needs: list[int | None]
+    squares: dict[int, int] = field(default_factory=dict)
+
+    def opaque(self, node: Node) -> int:
+        """The residue of a node as an expression."""
+        return self.point.value(self.builder(node))
+
+    def needed(self, index: int) -> list[int]:
+        """What a node has to be; one of two below a square."""
+        need, p = self.needs[index], self.point.prime
+        if need is not None:
+            return [need]
+        square = self.squares.get(index)
+        if square is None:
+            return []
+        root = pow(square, (p + 1) // 4, p)
+        return [root, p - root] if root * root % p == square else []
+
+    def above(self, parent: int, child: int, value: int) -> int:
+        """What a node is worth when one part of it has another value.
+
+        Raises
+        ------
+        DivisionHere
+            For a power of zero.
+        InsideHere
+            For a part inside of a function.
+        """
+        p, node, has = self.point.prime, self.forest.nodes[parent], self.has
+        if isinstance(node, Sum):
+            return (has[parent] - has[child] + value) % p
+        if self.forest.opaque(parent):
+            raise InsideHere
+        if isinstance(node, Rate):
+            return value
+        if isinstance(node, Product):
+            total = value
+            for kid in self.forest.kids[parent]:
+                if kid != child:
+                    total = total * has[kid] % p
+            return total
+        if isinstance(node, Name):
+            return value
+        exponent = integer_exponent(node)
+        if exponent is None or child != self.forest.kids[parent][0]:
+            raise InsideHere
+        return power(value, exponent, p)
+
+
+def integer_exponent(node: Node) -> int | None:
+    """The exponent of a power, where it is an integer."""
+    if not isinstance(node, Power):
+        return None
+    number = constant(node.exponent)
+    return int(number) if number is not None and number.denominator == 1 else None
+
+
+def power(base: int, exponent: int, p: int) -> int:
+    """A power of a residue.
+
+    Raises
+    ------
+    DivisionHere
+        For one divided by zero.
+    """
+    if exponent < 0 and base % p == 0:
+        raise DivisionHere("division by zero")
+    return pow(base, exponent, p)
+
+
+def scaled(sheets: Sequence[Sheet], index: int, ratio: Fraction) -> tuple[int, ...]:
+    """What a node is worth at each point, times a number."""
+    p = sheets[0].point.prime
+    factor = ratio.numerator * pow(ratio.denominator, -1, p)
+    return tuple(sheet.has[index] * factor % p for sheet in sheets)
+
+
+def sheet_of(forest: Forest, point: Point, builder: Builder, target: int) -> Sheet:
+    """Values from the leaves up, and what is needed from the root down."""
+    count = len(forest.nodes)
+    sheet = Sheet(forest, point, builder, target, [0] * count, [None] * count)
+    for index in reversed(range(count)):
+        sheet.has[index] = _value(sheet, index)
+    return _from_root(sheet)
+
+
+def again(sheet: Sheet) -> Sheet:
+    """What is needed where the nodes have other values."""
+    needs: list[int | None] = [None] * len(sheet.has)
+    return _from_root(replace(sheet, needs=needs, squares={}))
+
+
+def _from_root(sheet: Sheet) -> Sheet:
+    """What is needed from the root down; not where a node stands at several places."""
+    forest = sheet.forest
+    sheet.needs[0] = sheet.target % sheet.point.prime
+    for index in range(len(forest.nodes)):
+        if sheet.needs[index] is not None and forest.kids[index]:
+            _needed_below(sheet, index)
+    for indices in forest.copies.values():
+        if len(indices) > 1:
+            for index in indices:
+                sheet.needs[index] = None
+    return sheet
+
+
+def _value(sheet: Sheet, index: int) -> int:
+    forest, p = sheet.forest, sheet.point.prime
+    node, kids = forest.nodes[index], forest.kids[index]
+    values = [sheet.has[kid] for kid in kids]
+    if isinstance(node, Sum):
+        return sum(values) % p
+    if forest.opaque(index):
+        return sheet.opaque(forest.as_told(index, node))
+    if isinstance(node, Rate):
+        return values[0]
+    if isinstance(node, Product):
+        total = 1
+        for value in values:
+            total = total * value % p
+        return total
+    if isinstance(node, Number):
+        ratio = Fraction(node.value)
+        return ratio.numerator * pow(ratio.denominator, -1, p) % p
+    if isinstance(node, Name) and kids:
+        return values[0]
+    exponent = integer_exponent(node)
+    if exponent is not None:
+        return power(values[0], exponent, p)
+    return sheet.opaque(node)
+
+
+def _needed_below(sheet: Sheet, index: int) -> None:
+    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
+    node, kids, need = forest.nodes[index], forest.kids[index], sheet.needs[index]
+    if need is None:
+        return
+    if isinstance(node, Sum):
+        for kid in kids:
+            sheet.needs[kid] = (need - has[index] + has[kid]) % p
+    elif forest.opaque(index):
+        return
+    elif isinstance(node, Rate):
+        sheet.needs[kids[0]] = need
+    elif isinstance(node, Product):
+        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+            sheet.needs[kid] = need * pow(others, -1, p) % p if others else None
+    elif isinstance(node, Name):
+        sheet.needs[kids[0]] = need
+    elif isinstance(node, Power):
+        exponent = constant(node.exponent)
+        if exponent == 1:
+            sheet.needs[kids[0]] = need
+        elif exponent == -1 and need:
+            sheet.needs[kids[0]] = pow(need, -1, p)
+        elif exponent == Fraction(1, 2):
+            sheet.needs[kids[0]] = need * need % p
+        elif exponent == 2:
+            sheet.squares[kids[0]] = need
+
+
+def _others(values: list[int], p: int) -> list[int]:
+    """For every factor the product of the others."""
+    before, found = 1, []
+    for value in values:
+        found.append(before)
+        before = before * value % p
+    after = 1
+    for i in reversed(range(len(values))):
+        found[i] = found[i] * after % p
+        after = after * values[i] % p
+    return found

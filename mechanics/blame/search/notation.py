@@ -1,0 +1,198 @@
+r"""Edits in the person's own notation, with their places in the source.
+
+sign: "-" -> "+"       term added: "" -> "+ 2 k x"       anything else: what stands there -> instead
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+from sympy.matrices import MatrixBase
+
+from mechanics.blame.result import Edit, Mistake
+from mechanics.blame.search.change import Change, is_minus, minus
+from mechanics.blame.search.claim import Claim
+from mechanics.blame.search.syntax_tree import Forest
+from mechanics.claims.claim import Trees
+from mechanics.claims.spelling import Spelling, hidden_minus
+from mechanics.claims.tree import Call, Node, Number, Power, Product, Sum
+from mechanics.scene.published import Published
+
+SIGN = re.compile(r"[-+\u2212]\s*$")
+PLUS = re.compile(r"\s*\+\s*")
+TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
+TIMES_BEFORE = re.compile(r"\s*(?:(?<!\*)\.?\*|\\cdot|\\times)\s*$")
+OPENS = re.compile(r"(?:\\left\s*)?\(\s*$")
+CLOSES = re.compile(r"\s*(?:\\right\s*)?\)")
+Span = tuple[int, int]
+
+
+def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Edit:
+    """An edit as a person makes it."""
+    home = forest.place[change.index][0]
+    if isinstance(home, str):
+        place = claim.written.places.get(home, "")
+        if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
+            term = change.wrap(Number(0, Fraction(0)))
+            return Edit(change.mistake, "", _signed(spelling, term), None, home, place)
+        # It stands elsewhere, so that a sign alone would say nothing.
+        old, fitting = spelling(forest.nodes[change.index]), _fitting(forest, change, spelling)
+        return Edit(change.mistake, old, fitting, None, home, place)
+    node, new = forest.nodes[change.index], change.node
+    span = spelling.span(node)
+    above = forest.parent[change.index]
+    around = forest.nodes[above] if above >= 0 else None
+    if span is None and isinstance(around, Power) and new is not None and spelling.span(around):
+        # The sine of sin^2(x) has no place of its own.
+        power = Power(around.at, new, around.exponent)
+        return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
+    sign = None if span is None else _sign_before(claim, span)
+    if change.mistake is Mistake.SIGN and sign is not None:
+        mark = claim.written.text[sign[0]]
+        return _edit(claim, change, mark, "-" if mark == "+" else "+", sign)
+    if _adds(forest, change) and isinstance(new, Sum):
+        at = None if span is None else (span[1], span[1])
+        return _edit(claim, change, "", _signed(spelling, new.terms[-1]), at)
+    if new is None and not forest.place[change.index][1]:
+        return _edit(claim, change, spelling(node), "0", span)
+    if span is None or (sign is None and hidden_minus(node)):
+        return _edit(claim, change, spelling(node), _fitting(forest, change, spelling), None)
+    if new is None and isinstance(around, Sum):
+        # A bracket of its own goes with a term, and the sign before it.
+        span = _with_brackets(claim.written.text, span)
+        sign = _sign_before(claim, span)
+    written = " ".join(claim.written.text[slice(*span)].split())
+    if new is None:
+        if sign is not None and isinstance(around, Sum):
+            written, span = f"{claim.written.text[sign[0]]} {written}", (sign[0], span[1])
+            return _edit(claim, change, written, "", span)
+        if isinstance(around, Sum) and (plus := PLUS.match(claim.written.text, span[1])):
+            return _edit(claim, change, written, "", (span[0], plus.end()))
+        span, right = _left_out(claim.written.text, span)
+        return _edit(claim, change, written, right, span)
+    if hidden_minus(node) and is_minus(new):
+        return _edit(claim, change, written, spelling(minus(new)), span)
+    in_sum = forest.parent[change.index] >= 0 and isinstance(
+        forest.nodes[forest.parent[change.index]], Sum
+    )
+    if sign is not None and in_sum and (is_minus(new) or hidden_minus(node)):
+        written = f"{claim.written.text[sign[0]]} {written}"
+        return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
+    return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+
+
+def _left_out(text: str, span: Span) -> tuple[Span, str]:
+    """Where a factor is left out, with the sign of multiplication; what has to stand there."""
+    span = start, end = _with_brackets(text, span)
+    if after := TIMES_AFTER.match(text, end):
+        return (start, after.end()), ""
+    if before := TIMES_BEFORE.search(text, 0, start):
+        return (before.start(), end), ""
+    alone = text[:start].rstrip()[-1:] in ("{", "/") and text[end:].lstrip()[:1] in ("}", "")
+    return span, "1" if alone or text[:start].rstrip()[-1:] == "/" else ""
+
+
+def _with_brackets(text: str, span: Span) -> Span:
+    """The place of a part with all brackets that hold nothing else."""
+    start, end = span
+    while (opens := OPENS.search(text, 0, start)) and (closes := CLOSES.match(text, end)):
+        start, end = opens.start(), closes.end()
+    return start, end
+
+
+def _edit(claim: Claim, change: Change, written: str, right: str, span: Span | None) -> Edit:
+    return Edit(change.mistake, written, right, _within(claim, span))
+
+
+def _adds(forest: Forest, change: Change) -> bool:
+    """Whether a term is added to a sum, or to what stands alone as a term."""
+    if change.mistake not in (Mistake.MISSING, Mistake.TERM) or change.wrap is None:
+        return False
+    return isinstance(forest.nodes[change.index], Sum) or forest.term(change.index)
+
+
+def _signed(spelling: Spelling, node: Node) -> str:
+    """A term with its sign in front."""
+    text = spelling.tight(node, 1) if isinstance(node, Sum) else spelling(node)
+    return f"- {text[1:].lstrip()}" if text.startswith("-") else f"+ {text}"
+
+
+def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
+    """The new text, in brackets where it would fall apart at its place."""
+    new = change.node
+    if new is None:
+        return ""
+    above = forest.parent[change.index]
+    if above < 0 or not forest.place[change.index][1]:
+        return spelling(new)
+    around = forest.nodes[above]
+    level = 0
+    if isinstance(around, Product):
+        level = 2 if not spelling.latex and isinstance(new, Product) else 1
+    if isinstance(around, Power):
+        level = 3
+        # A denominator has its own braces, unless a slash stands before it; an exponent, too.
+        fraction = around.exponent.end < 0 and _in_braces(spelling, forest.nodes[change.index])
+        if spelling.latex and (fraction or change.index != forest.kids[above][0]):
+            level = 0
+    if isinstance(around, Sum) and is_minus(new):
+        level = 0 if change.index == forest.kids[above][0] else 1
+    if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
+        level = 1
+    return spelling.tight(new, level)
+
+
+def _in_braces(spelling: Spelling, node: Node) -> bool:
+    return spelling.written.text[: max(node.at, 0)].rstrip()[-1:] == "{"
+
+
+def _sign_before(claim: Claim, span: Span) -> Span | None:
+    """Where the sign stands that belongs to what begins at a place."""
+    match = SIGN.search(claim.written.text, 0, span[0])
+    return None if match is None else (match.start(), match.start() + 1)
+
+
+def _within(claim: Claim, span: Span | None) -> Span | None:
+    """A span of the text as one of the source of the statement, which has single blanks."""
+    if span is None or span[0] < claim.written.start:
+        return None
+    text, start = claim.written.text, claim.written.start
+
+    def place(at: int) -> int:
+        return len(re.sub(r"\s+", " ", text[start:at]))
+
+    return place(span[0]), place(span[1])
+
+
+def spliced(
+    spelling: Spelling, source: str, edits: Sequence[Edit], entries: Trees, row: Published
+) -> str:
+    """The source with the edits put in; spelled anew where they have no place there."""
+    here = [edit for edit in edits if not edit.definition]
+    spans = sorted((edit.span, edit.right) for edit in here if edit.span is not None)
+    apart = all(a[0][1] <= b[0][0] for a, b in pairwise(spans))
+    if len(spans) < len(here) or not apart:
+        sides = sides_of(map(spelling, entries), row)
+        named = spelling.written.sides[: len(spelling.written.sides) - len(row.sides)]
+        return " = ".join((*map(spelling, named), *sides))
+    found, at = "", 0
+    for (start, end), right in spans:
+        gap = " " if start == end and start and source[start - 1] != " " else ""
+        found += source[at:start] + gap + right
+        # 2 l times 3 without l is 2 times 3, not 23.
+        if found.rstrip()[-1:].isdigit() and source[end:].lstrip()[:1].isdigit():
+            found += r" \cdot " if spelling.latex else "*"
+        at = end
+    return " ".join((found + source[at:]).split())
+
+
+def sides_of(texts: Iterator[str], row: Published) -> Iterator[str]:
+    """Texts of the entries, put together to the sides of the row; matrices row by row."""
+    for side in row.sides:
+        if isinstance(side, MatrixBase):
+            lines = (", ".join(next(texts) for _ in range(side.cols)) for _ in range(side.rows))
+            yield "[" + ", ".join(f"[{line}]" for line in lines) + "]"
+        else:
+            yield next(texts)

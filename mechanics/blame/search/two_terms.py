@@ -1,0 +1,99 @@
+"""Two terms that a sum lacks at once, told apart by how they grow with one quantity s.
+
+    d = t1 + t2,    t1 ~ s**a,    t2 ~ s**b        t1 = (d(2 s) - 2**b d(s)) / (2**a - 2**b)
+
+Each of the two is then a product of its own, with the same question about every other quantity.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+from mechanics.blame.result import Mistake
+from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.factors import Series
+from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.products import Products
+from mechanics.claims.tree import Node, Sum
+
+EXPONENTS = ((1, 0), (0, 1), (2, 0), (0, 2), (2, 1), (1, 2))
+MOST_SYMBOLS = 2
+"""Quantities that the terms are told apart by."""
+
+
+@dataclass(frozen=True, eq=False)
+class Two:
+    """Looks for two missing terms of one sum or side.
+
+    Attributes
+    ----------
+    growth : Growth
+    """
+
+    growth: Growth
+
+    @property
+    def _p(self) -> int:
+        return self.growth.problem.prime
+
+    @cached_property
+    def _products(self) -> Products:
+        return Products(self.growth)
+
+    def pairs(self) -> list[tuple[Change, Change]]:
+        """Pairs of terms that are added to one sum, the cheapest first."""
+        if not self.growth.problem.plain or not self.growth.problems:
+            return []
+        forest = self.growth.problem.forest
+        found: list[tuple[Change, Change]] = []
+        for index, node in enumerate(forest.nodes):
+            side = forest.term(index) and not forest.place[index][1]
+            plain = forest.written(index) and forest.single(index) and not forest.rates[index]
+            if plain and (isinstance(node, Sum) or side):
+                found += self._at(index)
+        return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
+
+    def _at(self, index: int) -> Iterator[tuple[Change, Change]]:
+        products = self._products
+        whole = self._series(self.growth, index)
+        if not whole or not whole[None]:
+            return
+        inverse = pow(whole[None], -1, self._p)
+        mixed = [s for s, v in whole.items() if v * inverse % self._p not in self.growth.doubling]
+        for symbol in [s for s in mixed if s is not None][:MOST_SYMBOLS]:
+            grown = self._series(self.growth.after(symbol), index)
+            for a, b in EXPONENTS if grown else ():
+                first = self._split(whole, grown, a, b)
+                second = {s: (v - first[s]) % self._p for s, v in whole.items()}
+                one, two = self._told(products, first), self._told(products, second)
+                if one is not None and two is not None:
+                    yield self._change(index, *one), self._change(index, *two)
+                    return
+
+    def _series(self, growth: Growth, index: int) -> Series:
+        """What a node lacks everywhere; empty where that is not known."""
+        found: Series = {}
+        for symbol, problem in growth.problems.items():
+            need = problem.sheets[0].needs[index]
+            if need is None:
+                return {}
+            found[symbol] = (need - problem.sheets[0].has[index]) % self._p
+        return found
+
+    def _split(self, whole: Series, grown: Series, a: int, b: int) -> Series:
+        scale = pow(2**a - 2**b, -1, self._p)
+        return {s: (grown[s] - 2**b * v) * scale % self._p for s, v in whole.items()}
+
+    def _told(self, products: Products, series: Series) -> tuple[Node, float] | None:
+        if not series[None]:
+            return None
+        return min(products.of(series), key=lambda entry: entry[1], default=None)
+
+    def _change(self, index: int, term: Node, extra: float) -> Change:
+        sheets = self.growth.problem.sheets
+        values = worth(sheets, term) or (0,)
+        sums = tuple((s.has[index] + v) % self._p for s, v in zip(sheets, values, strict=True))
+        wrap = partial(plus, term)
+        node = wrap(self.growth.problem.forest.nodes[index])
+        return Change(index, node, Mistake.MISSING, ADDED + extra, index, sums, wrap)

@@ -1,0 +1,321 @@
+"""Lines as statements: names matched, definitions put in, and what each line is about.
+
+T = ...   with T unknown     the person's own definition, put in below
+N1 = ...                     a reaction along the motion
+... x'' ...                  an equation of motion
+T = ..., V = ..., L = ...    energies, where the scene has no such names
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from sympy import Expr, Symbol
+from sympy.matrices import MatrixBase
+
+from mechanics.claims.about import (
+    ENERGY_NAMES,
+    LETTERS,
+    MATRIX_NAMES,
+    WORDS,
+    as_asked,
+    named_quantity,
+)
+from mechanics.claims.arguments import applied_alike
+from mechanics.claims.build import Builder, Value
+from mechanics.claims.claim import Written
+from mechanics.claims.definitions import (
+    defines,
+    definitions,
+    gathers,
+    in_order,
+    needed,
+    reached,
+    used,
+    without_unknown_rates,
+)
+from mechanics.claims.demands import Demand, Demands
+from mechanics.claims.kind import kind_of, letter_on_left, moves_a_constant
+from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
+from mechanics.claims.name_resolution import Read, named
+from mechanics.claims.names import Naming, Vocabulary, unexplained
+from mechanics.claims.place import Refused, line_and_column, located
+from mechanics.claims.prose import said_of
+from mechanics.claims.sides import (
+    distinct,
+    entries,
+    held,
+    holds,
+    is_named,
+    known_first,
+    scalar,
+    shape,
+)
+from mechanics.claims.statement import Letter, Reading, Statement
+from mechanics.claims.tree import Name, Node
+from mechanics.claims.weight import Weight, weight
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.published import Quantity, published
+from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+
+LARGEST_WEIGHT = 50_000
+"""Of all lines with their definitions put in; one that doubles makes a million in twenty."""
+
+DEEPEST = 100
+"""Levels of a line with its definitions put in."""
+
+MOST_STATEMENTS = 200
+
+
+def assemble(
+    scene: Scene, read: Read, text: str, origin: str, given: dict[str, str], about: str | None,
+    notation: str = "text",
+) -> Reading:  # fmt: skip
+    """Statements of a text.
+
+    Parameters
+    ----------
+    scene : Scene
+    read : callable
+        Makes lines, given how names are to be understood.
+    text, origin : str
+        The text, and what messages call it.
+    given : dict of str to str
+        The person's names, and what they mean in the scene.
+    about : str or None
+        What every line is about, where the person says so.
+    notation : str
+        In which the text is.
+    """
+    words = {name: meaning for name, meaning in given.items() if meaning in WORDS}
+    plain = {name: meaning for name, meaning in given.items() if meaning not in WORDS}
+    naming, lines = named(read, Naming(Vocabulary(scene), plain))
+    lines, told = told_once(without_unknown_rates(lines, naming))
+    work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
+    work.learn(lines)
+    for line in lines:
+        work.add(line)
+    matches = naming.matches(name.name for name in used(lines))
+    return Reading(tuple(work.statements), matches, (*work.remarks, *told))
+
+
+class _Assembly:
+    """Learns all definitions, then goes through the lines in order."""
+
+    def __init__(
+        self, scene: Scene, naming: Naming, text: str, origin: str,
+        words: dict[str, str], about: str | None, needed: frozenset[str], notation: str,
+    ) -> None:  # fmt: skip
+        self.needed, self.notation = needed, notation
+        self.scene, self.naming, self.text, self.origin = scene, naming, text, origin
+        self.words, self.about = words, about
+        self.defined: dict[str, Value] = {}
+        self.trees: dict[str, Node] = {}
+        self.weights: dict[str, Weight] = {}
+        self.weight = 0
+        self.vague: dict[str, list[str]] = {}
+        self.own: dict[str, Line] = {}
+        self.learnt: dict[int, tuple[tuple[Value, ...], Builder] | Refused] = {}
+        self.demanded: dict[str, list[Demand]] = {}
+        self.reached: frozenset[str] = frozenset()
+        self.statements: list[Statement] = []
+        self.remarks: list[str] = []
+
+    def learn(self, lines: Sequence[Entry]) -> None:
+        """Build what lines define; it holds in those before them, too."""
+        if self.about is not None:
+            return
+        defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
+        self.own = defined
+        if defined:
+            plain = partial(held, Builder(self.naming, {}, {}))
+            self.reached = reached(lines, defined, self.needed, plain)
+        for name in in_order(defined):
+            line = defined[name]
+            try:
+                self.learnt[id(line)] = self._learn(name, line)
+            except Refused as reason:
+                self.learnt[id(line)] = reason
+
+    def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], Builder]:
+        size = self._weighed(line)
+        builder = self._builder()
+        sides, first = known_first(builder, line)
+        self.weights[name] = size
+        self.defined[name], self.trees[name] = sides[0], first
+        self.vague[name] = [n for n in dict.fromkeys(builder.unknown) if holds(sides[0], n)]
+        self.demanded[name] = list(dict.fromkeys(builder.demands))
+        return sides, builder
+
+    def _builder(self) -> Builder:
+        return Builder(self.naming, self.defined, self.vague, self.trees, self.demanded)
+
+    def add(self, line: Entry) -> None:
+        """Take one line."""
+        number, _ = line_and_column(self.text, line.at)
+        if isinstance(line, Aside):
+            self.remarks.append(f"line {number}: {line.words}")
+            return
+        place = f"{self.origin}, line {number}"
+        tag = line.tag or str(len(self.statements) + 1)
+        if isinstance(line, Unread):
+            self._append(Statement(None, line.source, tag, place, doubt=line.words), line.at)
+            return
+        try:
+            self._line(line, tag, place)
+        except Refused as reason:
+            doubt = located(self.text, reason.at, reason.words, self.origin)
+            found = Statement(None, line.source, tag, place, line.notes, doubt)
+            self._append(found, line.at)
+
+    def _line(self, line: Line, tag: str, place: str) -> None:
+        left, learnt = line.sides[0], self.learnt.get(id(line))
+        if isinstance(learnt, Refused):
+            raise learnt
+        if learnt is not None and isinstance(left, Name):
+            self._define(line, left.name, *learnt, tag, place)
+            return
+        self._weighed(line)
+        builder = self._builder()
+        sides = tuple(builder(side) for side in line.sides)
+        letter = None
+        if self.about is None:
+            letter = letter_on_left(self.naming, self.words, left, sides[1:])
+        if letter is not None and (letter.said or moves_a_constant(self.naming, letter)):
+            builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
+            self._letter(line, tag, place, letter, sides[1:], builder)
+            return
+        if self.about == "mass matrix" and defines(line, self.naming):
+            builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
+            sides = sides[1:]
+        if any(isinstance(side, MatrixBase) for side in sides):
+            self._matrices(line, tag, place, sides, builder)
+            return
+        if letter is not None and (said := said_of(self.text, letter.name)):
+            letter = replace(letter, said=said)
+        self._scalars(line, tag, place, sides, builder, letter)
+
+    def _weighed(self, line: Line) -> Weight:
+        """What the sides of a line come to, if it is little enough to be built and judged."""
+        applied_alike(line.sides, self.own)
+        sides = [weight(side, self.weights) for side in line.sides]
+        self.weight += sum(side.amount for side in sides)
+        if self.weight > LARGEST_WEIGHT:
+            raise Refused(line.at, "too large with the definitions and derivatives put in")
+        if max(side.depth for side in sides) > DEEPEST:
+            words = f"nested too deeply with the definitions put in: {DEEPEST} levels are the limit"
+            raise Refused(line.at, words)
+        return max(sides, key=lambda side: side.amount)
+
+    def _letter(
+        self, line: Line, tag: str, place: str, letter: Letter, sides: tuple[Value, ...],
+        builder: Builder,
+    ) -> None:  # fmt: skip
+        """A name that may mean several things, first of all what is said or of rank 1."""
+        if not letter.said:
+            letter = replace(letter, said=said_of(self.text, letter.name))
+        words = letter.said or LETTERS[letter.name][0][0]
+        self._keep(line, tag, place, named_quantity(words), sides, builder, letter=letter)
+
+    def _define(
+        self, line: Line, name: str, sides: tuple[Value, ...], builder: Builder, tag: str,
+        place: str,
+    ) -> None:  # fmt: skip
+        """A definition: it is judged where it is used, or is an energy or the mass matrix."""
+        letter = letter_on_left(self.naming, {}, line.sides[0], sides)
+        if letter is not None and name in ENERGY_NAMES and name not in self.needed:
+            self._letter(line, tag, place, letter, sides, builder)
+            return
+        size = len(self.scene.u)
+        unused = name not in self.reached
+        if letter is not None and unused and name not in self.needed:
+            self._letter(line, tag, place, letter, sides, builder)
+            return
+        if unused and name in MATRIX_NAMES and all(shape(s) == (size, size) for s in sides):
+            note = f"{name}, a square matrix, is read as the mass matrix"
+            self._keep(line, tag, place, MassMatrix(), sides, builder, note)
+            return
+        before, moves = len(self.statements), False
+        if len(sides) > 1:
+            # The other sides have to be equal; where these move, the name says nothing more.
+            noted = replace(line, notes=(*line.notes, f"{name} as defined"))
+            judge = self._scalars if scalar(sides) else self._matrices
+            judge(noted, tag, place, sides, builder)
+            rows = [found.row for found in self.statements[before:] if found.row is not None]
+            moves = any(not isinstance(row.quantity, Identity) for row in rows)
+        if not unused or moves or gathers(line.sides[1:]):
+            self.remarks.append(f"{name} is taken as defined by: {line.source}")
+            return
+        doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
+        tag = line.tag or str(len(self.statements) + 1)
+        value = () if isinstance(sides[0], MatrixBase) else (self.scene.pressed(sides[0]),)
+        row = published(tag, Identity(), Symbol(name, real=True), *value, label=line.source)
+        written = self._written(line)
+        self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
+
+    def _matrices(
+        self, line: Line, tag: str, place: str, sides: tuple[Value, ...], builder: Builder
+    ) -> None:
+        """A matrix alone is the mass matrix; an equation of matrices is one for each entry."""
+        shapes = {side.shape for side in sides if isinstance(side, MatrixBase)}
+        if len(shapes) > 1 or any(s != 0 for s in sides if not isinstance(s, MatrixBase)):
+            raise Refused(line.at, "the sides are matrices of different shapes")
+        rows, columns = shapes.pop()
+        if len(sides) == 1 and self.about is None and rows == columns > 1:
+            note = "a square matrix alone is read as the mass matrix"
+            self._keep(line, tag, place, MassMatrix(), sides, builder, note)
+            return
+        if self.about is not None:
+            quantity = named_quantity(self.about)
+            if isinstance(quantity, MassMatrix):
+                self._keep(line, tag, place, quantity, sides, builder)
+                return
+        for number, parts in entries(sides):
+            self._scalars(line, f"{tag} row {number}", place, parts, builder)
+
+    def _scalars(
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder,
+        letter: Letter | None = None,
+    ) -> None:  # fmt: skip
+        if self.about is not None:
+            self._asked(line, tag, place, sides, builder)
+            return
+        quantity, sides, note = kind_of(self.scene, distinct(sides))
+        self._keep(line, tag, place, quantity, sides, builder, note, letter)
+
+    def _asked(
+        self, line: Line, tag: str, place: str, sides: tuple[Expr, ...], builder: Builder
+    ) -> None:
+        quantity = named_quantity(self.about or "")
+        if not isinstance(quantity, EquationOfMotion | Identity) and len(sides) > 1:
+            sides = sides[1:] if isinstance(line.sides[0], Name) else sides
+        self._keep(line, tag, place, quantity, as_asked(quantity, sides), builder)
+
+    def _keep(
+        self, line: Line, tag: str, place: str, quantity: Quantity, sides: tuple[Value, ...],
+        builder: Builder, note: str = "", letter: Letter | None = None,
+    ) -> None:  # fmt: skip
+        doubt = ""
+        if builder.unknown:
+            doubt = unexplained(self.scene, builder.unknown)
+        elif isinstance(quantity, Identity) and len(sides) == 1 and letter is None:
+            doubt = "an expression without an equals sign: say what it is about"
+        notes = (*line.notes, note) if note else line.notes
+        row = published(tag, quantity, *map(self.scene.pressed, sides), label=line.source)
+        written = self._written(line)
+        demands = Demands(tuple(dict.fromkeys(builder.demands)))
+        found = Statement(
+            row, line.source, tag, place, notes, doubt, written, line.others, demands, letter
+        )
+        self._append(found, line.at)
+
+    def _written(self, line: Line) -> Written:
+        trees = tuple(self.trees.items())
+        return Written(line.sides, trees, self.naming, self.notation, self.text, line.at)
+
+    def _append(self, found: Statement, at: int) -> None:
+        if len(self.statements) >= MOST_STATEMENTS:
+            words = f"more than {MOST_STATEMENTS} statements: split them"
+            raise InputError(located(self.text, at, words, self.origin))
+        self.statements.append(found)

@@ -1,0 +1,249 @@
+"""What the arguments of code are: a name of the scene, or a vector of them.
+
+f(x, theta, x_dot, theta_dot, F)        f(q, qd, u)        f(t, state, params)        p["m"]
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from sympy import Expr, Symbol
+
+from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.integrators import STEP
+from mechanics.claims.code.unpacking import Apart, Record
+from mechanics.claims.names import Match, Naming
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import DOTS
+
+STATES = ("state", "states", "y", "z", "s", "x", "X", "Y", "xs")
+POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
+SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "speeds", "w")
+ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
+INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
+PARAMETERS = ("p", "params", "parameters", "args", "theta", "constants")
+
+MOST = 6
+"""Names that a message tells."""
+
+Value = Any
+"""A symbol, or a tuple of them."""
+
+
+Groups = tuple[tuple[Sequence[str], Sequence[Expr]], ...]
+"""Usual names of a vector, and its entries."""
+
+
+@dataclass(frozen=True)
+class Arguments:
+    """What every argument is.
+
+    Attributes
+    ----------
+    values : dict of str to symbol or symbols
+    state : tuple of Symbol
+        Entries of the argument that holds q and u together; empty where there is none.
+    matches : tuple of Match
+    """
+
+    values: dict[str, Value]
+    state: tuple[Expr, ...]
+    matches: tuple[Match, ...]
+
+
+def arguments_of(
+    naming: Naming,
+    names: Sequence[str],
+    sizes: Mapping[str, int | None],
+    given: Mapping[str, str],
+    interleaved: bool = False,
+    apart: Mapping[str, Apart] | None = None,
+) -> Arguments:
+    """Match arguments.
+
+    Parameters
+    ----------
+    naming : Naming
+    names : sequence of str
+    sizes : mapping of str to int or None
+        Number of entries where that is known; None where it is not.
+    given : mapping of str to str
+        By the person; several names of the scene are separated by blanks.
+    interleaved : bool
+        Whether a state is x, x_dot, theta, theta_dot, ...
+    apart : mapping of str to Apart, optional
+        How the code takes them apart.
+
+    Raises
+    ------
+    InputError
+        For an argument that nothing explains.
+    """
+    scene = naming.vocabulary.scene
+    told = {n: m for n, m in given.items() if naming.vocabulary.target(m) is not None}
+    aware = replace(naming, given={**naming.given, **told})
+    # x[2] is no coordinate x, whatever the scene calls x.
+    parted = {n for n, known in (apart or {}).items() if known.vector}
+    vectors = [n for n in names if n not in given and (n in parted or not naming.knows(n))]
+    groups = _groups(scene, names, vectors, sizes, interleaved)
+    values: dict[str, Value] = {}
+    matches: list[Match] = []
+    state: tuple[Expr, ...] = ()
+    used: set[int] = set()
+    unexplained: list[str] = []
+    for name in names:
+        if name in given:
+            values[name] = _given(naming, name, given[name], sizes.get(name))
+            why = "as given"
+        elif name in ("t", "time") and not naming.knows(name):
+            values[name], why = TIME, "the time"
+        elif name in STEPS and not naming.knows(name) and name not in parted:
+            values[name], why = STEP, "the time of a step"
+        elif known := named_entries(aware, name, (apart or {}).get(name)):
+            values[name], why = known, "the names that the code gives its entries"
+        elif naming.knows(name) and sizes.get(name) in (None, 1) and name not in parted:
+            symbol = naming.symbol(name, 0)
+            values[name], why = symbol, naming.matches([name])[0].why
+        else:
+            group = _group(name, sizes.get(name), groups, used)
+            if group is None:
+                unexplained.append(name)
+                continue
+            values[name], why, k = group
+            used.add(k)
+            if name in parted and isinstance(values[name], Expr):
+                values[name] = (values[name],)
+        found = values[name]
+        entries = (found,) if isinstance(found, Expr) else tuple(found)
+        if set(entries) == {*scene.q, *scene.u} and len(entries) > 1:
+            state = entries
+        matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
+    if unexplained:
+        raise InputError(_unexplained(naming, unexplained, apart or {}))
+    return Arguments(values, state, tuple(matches))
+
+
+def vectors_of_motion(naming: Naming, names: Sequence[str]) -> frozenset[str]:
+    """Arguments that are all coordinates, all speeds or all accelerations: ``f(q, qd, qdd)``.
+
+    None where a coordinate is an argument by its own name, or there is only one.
+    """
+    scene = naming.vocabulary.scene
+    own = {str(q) for q in scene.q}
+    if len(scene.q) < 2 or any((found := naming.lookup(n)) and found[0] in own for n in names):
+        return frozenset()
+    usual = {*POSITIONS, *SPEEDS, *ACCELERATIONS}
+    return frozenset(n for n in names if n in usual) if {*names} & {*POSITIONS} else frozenset()
+
+
+def _groups(
+    scene: Scene, names: Sequence[str], vectors: Sequence[str], sizes: Mapping[str, int | None],
+    interleaved: bool,
+) -> Groups:  # fmt: skip
+    """What vectors of these usual names are."""
+    both: list[Expr] = [*scene.q, *scene.u]
+    if interleaved:
+        both = [symbol for pair in zip(scene.q, scene.u, strict=True) for symbol in pair]
+    groups: Groups = (
+        (POSITIONS, scene.q), (SPEEDS, scene.u), (STATES, both), (ACCELERATIONS, scene.ud),
+        (INPUTS, scene.input_symbols), (PARAMETERS, scene.parameters),
+    )  # fmt: skip
+    whole = [n for n in vectors if n in STATES and sizes.get(n) in (None, len(both))]
+    if whole and not any(n in POSITIONS for n in names):
+        # Beside a whole state, u is no vector of speeds.
+        groups = tuple(group for group in groups if group[0] is not SPEEDS)
+    return groups
+
+
+def _given(naming: Naming, name: str, meaning: str, size: int | None) -> Value:
+    words = meaning.replace(",", " ").split()
+    found: list[Expr] = []
+    for word in words:
+        target = naming.vocabulary.lookup(word)
+        if target is None and word != "t":
+            raise InputError(f"argument {name}={meaning}: the scene has no {word!r}")
+        base, order = target or ("t", 0)
+        constants = naming.vocabulary.constants
+        symbol = Symbol(base + DOTS[order], real=True)
+        found.append(TIME if word == "t" else constants.get(base, symbol))
+    if size is not None and size != len(found):
+        raise InputError(f"argument {name} has {size} entries, {len(found)} names are given")
+    return tuple(found) if len(found) > 1 or (size or 0) > 1 else found[0]
+
+
+def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
+    """What the entries of an argument are by the names that code has for them; () if not plain.
+
+    Raises
+    ------
+    InputError
+        For a key or an attribute that the scene does not have.
+    """
+    if apart is None:
+        return ()
+    attributes = {a: line for a, line in apart.attributes.items() if not hasattr(np.ndarray, a)}
+    known = [a for a in attributes if naming.knows(a)]
+    if asked := apart.keys or (apart.attributes if known and not apart.places else {}):
+        symbols = [naming.symbol(e, 0) if naming.knows(e) else None for e in asked]
+        strange = [e for e, symbol in zip(asked, symbols, strict=True) if symbol is None]
+        if strange:
+            places = (f'{name}["{e}"]' if apart.keys else f"{name}.{e}" for e in strange)
+            where = (f"{p} in line {asked[e]}" for p, e in zip(places, strange, strict=True))
+            raise InputError(
+                f"{', '.join(where)}: the scene has no {', '.join(map(repr, strange))}: say what"
+                f" {'it is' if len(strange) == 1 else 'they are'}: {_options(naming, strange)}"
+            )
+        return Record(tuple(asked), tuple(symbols), not apart.keys)
+    found = [naming.lookup(entry) for entry in apart.order]
+    if len(found) < 2 or None in found or len(set(found)) < len(found):
+        return ()
+    bases = {target[0] for target in found if target is not None}
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    constants = naming.vocabulary.constants.keys()
+    moving = naming.vocabulary.functions.keys() - inputs
+    if not apart.fields and not (bases <= inputs or bases <= constants or bases <= moving):
+        return ()  # q, u = z takes a state apart, whatever the scene calls q and u
+    return tuple(naming.symbol(entry, 0) for entry in apart.order)
+
+
+def _group(
+    name: str, size: int | None, groups: Groups, used: set[int]
+) -> tuple[Value, str, int] | None:
+    """The vector that an argument's name stands for, if that group is not taken already."""
+    for k, (words, symbols) in enumerate(groups):
+        fits = size is None or size == len(symbols)
+        if name in words and symbols and fits and k not in used:
+            scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
+            value: Value = symbols[0] if scalar else tuple(symbols)
+            why = "the usual name of such a vector"
+            if words in (INPUTS, PARAMETERS) and not scalar and len(symbols) > 1:
+                order = " ".join(str(symbol) for symbol in symbols)
+                why = f"{why}, its order a guess: --name '{name}={order}' gives it"
+            return value, why, k
+    return None
+
+
+def _unexplained(naming: Naming, names: Sequence[str], apart: Mapping[str, Apart]) -> str:
+    """What to say of arguments that nothing explains: all of them, and the options that do."""
+    asked: list[str] = []
+    wanted: list[str] = []
+    for name in names:
+        attributes = list(apart[name].attributes)[:MOST] if name in apart else []
+        asked += [f"{name}.{entry}" for entry in attributes] or [name]
+        wanted += attributes or [name]
+    many, are = ("", "it is") if len(asked) == 1 else ("s", "they are")
+    return (
+        f"argument{many} {', '.join(asked)}: nothing says what {are}: give, several names for a"
+        f" vector, {_options(naming, wanted)}"
+    )
+
+
+def _options(naming: Naming, names: Sequence[str]) -> str:
+    """What says what names are, and which names the scene has."""
+    known = ", ".join([*naming.vocabulary.functions, *naming.vocabulary.constants])
+    options = " ".join(f"--name '{name}=...'" for name in names)
+    table = ", ".join(f"{name!r}: ..." for name in names)
+    return f"{options} (names={{{table}}}); the scene has {known}"

@@ -1,0 +1,165 @@
+"""Names that code gives to what it computes, with their places: the definitions of a claim.
+
+    temp = (force + polemass_length*theta_dot**2*sintheta)/total_mass        cart.py, line 12
+
+A name that is given twice to different formulas stands for the first; the other is written out.
+"""
+
+import inspect
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from types import CodeType, FrameType
+from typing import Any
+
+import numpy as np
+from sympy import Symbol
+
+from mechanics.claims.claim import Written
+from mechanics.claims.code.formulas import (
+    LOCAL,
+    Assignment,
+    Assignments,
+    Authored,
+    given_a_name,
+    renamed,
+)
+from mechanics.claims.code.tracer import Traced
+from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.tree import (
+    Call,
+    Name,
+    Node,
+    Power,
+    Product,
+    Rate,
+    Sum,
+    Table,
+    names,
+)
+from mechanics.scene.symbols import DOTS
+
+LARGEST_ARRAY = 36
+"""Entries that get names of their own."""
+
+
+@contextmanager
+def recorded(function: Callable[..., Any], found: dict[str, Assignment]) -> Iterator[None]:
+    """Learn what the lines of a function's file assign while it runs; traced numbers get names.
+
+    Parameters
+    ----------
+    function : callable
+    found : dict of str to Assignment
+    """
+    inner = inspect.unwrap(function)
+    inner = getattr(inner, "__func__", inner)
+    code = getattr(inner, "__code__", getattr(type(inner).__call__, "__code__", None))
+    if not isinstance(code, CodeType):
+        yield
+        return
+    lines: dict[int, int] = {}
+    file = code.co_filename
+    words = f"{Path(file).name}, line" if file.endswith(".py") else "line"
+
+    def called(frame: FrameType, event: str, _: Any) -> Any:
+        return line if event == "call" and frame.f_code.co_filename == file else None
+
+    def line(frame: FrameType, event: str, _: Any) -> Any:
+        if id(frame) in lines:
+            for name, value in frame.f_locals.items():
+                _name(name, value, f"{words} {lines[id(frame)]}", found)
+        lines[id(frame)] = frame.f_lineno
+        if event == "return":
+            del lines[id(frame)]
+        return line
+
+    before = sys.gettrace()
+    sys.settrace(called)
+    try:
+        yield
+    finally:
+        sys.settrace(before)
+
+
+def _name(name: str, value: Any, place: str, found: dict[str, Assignment]) -> None:
+    """Give a traced number, or those of an array, the name that it is assigned to."""
+    if isinstance(value, np.ndarray) and value.dtype == object and value.size <= LARGEST_ARRAY:
+        for index, entry in np.ndenumerate(value):
+            _name(f"{name}[{', '.join(map(str, index))}]", entry, place, found)
+    if isinstance(value, Traced) and value.formula is not None:
+        value.formula = given_a_name(value.formula, name, place, found)
+
+
+def written_out(tree: Node, table: Mapping[str, Node]) -> Node:
+    """A tree with others in place of names."""
+
+    def put(part: Node) -> Node:
+        return written_out(part, table)
+
+    match tree:
+        case Name(name=name):
+            return table.get(name, tree)
+        case Sum(terms=inner):
+            return Sum(tree.at, tuple(map(put, inner)))
+        case Product(factors=inner):
+            return type(tree)(tree.at, tuple(map(put, inner)))
+        case Power(base=base, exponent=exponent):
+            return Power(tree.at, put(base), put(exponent))
+        case Call(function=function, arguments=inner):
+            return Call(tree.at, function, tuple(map(put, inner)))
+        case Rate(of=of, order=order):
+            return Rate(tree.at, put(of), order)
+        case Table(rows=rows):
+            return Table(tree.at, tuple(tuple(map(put, row)) for row in rows))
+    return tree
+
+
+def written_of(formulas: Sequence[Authored], naming: Naming) -> Written:
+    """Formulas of one call under the names of the scene, the code's own names as definitions.
+
+    Parameters
+    ----------
+    formulas : sequence of Authored
+    naming : Naming
+    """
+    vocabulary, empty = naming.vocabulary, Written((), (), naming, "code", "")
+
+    def name_of(symbol: Symbol) -> Name:
+        return empty.name_of(vocabulary.constants.get(symbol.name, symbol))
+
+    taken = {name_of(symbol).name for symbol in _symbols(vocabulary)}
+    taken |= {base + dots for base in tuple(taken) for dots in DOTS}
+    trees = [formula.tree for formula in formulas]
+    used = _used(trees, formulas[0].assigned)
+    table: dict[str, Node] = {}
+    definitions: list[tuple[str, Node]] = []
+    places: dict[str, str] = {}
+    for key, assignment in formulas[0].assigned.items():
+        if key not in used:
+            continue
+        name = key.removeprefix(LOCAL)
+        tree = written_out(renamed(assignment.tree, name_of), table)
+        table[key] = tree if name in taken else Name(0, name)
+        if name not in taken:
+            definitions.append((name, tree))
+            places[name] = assignment.place
+    sides = tuple(written_out(renamed(tree, name_of), table) for tree in trees)
+    return Written(sides, tuple(definitions), naming, "code", "", places=places)
+
+
+def _symbols(vocabulary: Vocabulary) -> list[Symbol]:
+    return [*vocabulary.functions.values(), *vocabulary.constants.values()]
+
+
+def _used(trees: Sequence[Node], assigned: Assignments) -> set[str]:
+    """Names that formulas are made with."""
+    found: set[str] = set()
+    todo = list(trees)
+    while todo:
+        for name in names(todo.pop()):
+            if name.name in assigned and name.name not in found:
+                found.add(name.name)
+                todo.append(assigned[name.name].tree)
+    return found

@@ -1,0 +1,168 @@
+"""A person's C in plainer words, line by line the same: doubles only, arrays for structs.
+
+    sinf(0.5f*x)                                   ->  sin (0.5 *x)
+    typedef struct { double m, l; } par;  p->l     ->  p[1]        with p a const double *
+
+What is judged is exact mathematics, so precision does not matter to it; a struct of numbers is an
+array whose entries have names.
+"""
+
+import re
+from dataclasses import dataclass
+
+from mechanics.claims.code.c_library import NAMES
+from mechanics.claims.code.unpacking import Apart
+from mechanics.errors import ExpressionError
+from mechanics.program.c.library import FUNCTIONS, FUSED, SINCOS
+from mechanics.program.c.tokens import TOKEN
+
+SINGLE = (
+    {name: known.kind for name, known in FUNCTIONS.items()} | SINCOS | FUSED
+    | {f"{name}f": "float" for name in NAMES if not name.startswith("is")}
+)  # fmt: skip
+"""Functions of the C library, and what they take."""
+
+SINGLE_NOTE = "single precision (float, sinf, 0.5f) is read as exact numbers"
+
+CALLED = re.compile(r"\s*\(")
+STRUCT = re.compile(
+    r"(?P<typedef>\btypedef\s+)?\bstruct\s*(?P<tag>\w*)\s*\{(?P<fields>[^{}]*)\}\s*(?P<name>\w*)\s*;"
+)
+DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
+WORDS = frozenset({"float", "double", "const", "struct", "typedef"})
+
+MOST, LARGEST = 8, 64
+"""Structs, and their fields."""
+
+FIELDS = re.compile(r"\s*double\s+(\w+(?:\s*,\s*\w+)*)\s*")
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A file in plainer words.
+
+    Attributes
+    ----------
+    text : str
+    apart : dict of str to Apart
+        Names of the entries of what was a struct.
+    notes : tuple of str
+    """
+
+    text: str
+    apart: dict[str, Apart]
+    notes: tuple[str, ...]
+
+
+def plain(text: str, origin: str) -> Plain:
+    """The file in doubles and arrays.
+
+    Raises
+    ------
+    ExpressionError
+        For a macro that gives words another meaning, a struct of other things than numbers, or one
+        that is no argument, by line and column.
+    """
+    doubled = re.sub(TOKEN, _doubled, text)
+    notes = (SINGLE_NOTE,) if doubled != text else ()
+    records = re.search(r"\bstruct\b", doubled) is not None
+    for name in DEFINE.findall(_blank(text)) if records or notes else ():
+        if name in SINGLE or name in WORDS:
+            raise ExpressionError(f"{origin}: {name} is a word of C, and a macro here: remove it")
+    if not records:
+        return Plain(doubled, {}, notes)
+    apart: dict[str, Apart] = {}
+    structs = list(STRUCT.finditer(_blank(doubled)))
+    if len(structs) > MOST:
+        raise ExpressionError(f"{origin}:1: it has {len(structs)} structs: {MOST} at most")
+    for match in reversed(structs):
+        doubled = _as_arrays(doubled, match, origin, apart)
+    return Plain(doubled, apart, notes)
+
+
+def _doubled(match: re.Match[str]) -> str:
+    """A token in double precision, as long as it was."""
+    token = match[0]
+    if match.lastgroup == "number" and not token.lower().startswith("0x"):
+        return token[:-1] + " " if token[-1] in "fF" else token
+    if match.lastgroup != "name":
+        return token
+    if token == "float":
+        return "double"
+    called = SINGLE.get(token) == "float" and CALLED.match(match.string, match.end())
+    return token[:-1] + " " if called else token
+
+
+def _blank(text: str) -> str:
+    """The text with blanks for comments and strings; all keeps its place."""
+    return re.sub(
+        TOKEN,
+        lambda m: re.sub(r"[^\n]", " ", m[0]) if m.lastgroup in ("comment", "string") else m[0],
+        text,
+    )
+
+
+def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, Apart]) -> str:
+    """The text without a struct, and with arrays for its arguments."""
+    kind = struct["name"] if struct["typedef"] else f"struct {struct['tag']}"
+    fields = _fields(struct, kind, _place(text, struct.start(), origin))
+    head, tail = text[: struct.start()], text[struct.end() :]
+    gone = re.sub(r"[^\n]", " ", struct[0])
+    words = r"\s+".join(re.escape(word) for word in kind.split())
+    names = [words, rf"struct\s+{struct['tag']}"] if struct["tag"] else [words]
+    uses = re.compile(rf"(?P<const>\bconst\s+)?\b(?:{'|'.join(names)})\b\s*(?P<star>\*?)\s*"
+                      r"(?:const\b\s*)?(?P<name>\w*)\s*(?P<end>.)")  # fmt: skip
+    blank = _blank(tail)
+    variables: dict[str, None] = {}
+    pieces, at = [], 0
+    for use in uses.finditer(blank):
+        if not use["name"] or use["end"] not in ",)":
+            raise ExpressionError(
+                f"{_place(text, struct.end() + use.start(), origin)}: {kind} is known here as the"
+                " type of an argument only: pass numbers and arrays"
+            )
+        name = use["name"]
+        written = re.search(rf"\b{name}\s*(?:->|\.)\s*\w+\s*(?:[-+*/]?=(?!=)|\+\+|--)", blank)
+        if name not in variables and (
+            len(variables) == MOST
+            or re.search(rf"\bdouble\s*\*?\s*(?:const\s*)?{name}\b", blank)
+            or (written and not use["star"])
+        ):
+            raise ExpressionError(
+                f"{_place(text, struct.end() + use.start(), origin)}: {name} is a {kind} that is"
+                " changed, or of two types: name it otherwise, or pass numbers and arrays"
+            )
+        const = "" if written and use["star"] and not use["const"] else "const "
+        pieces += [tail[at : use.start()], f"{const}double *{name}{use['end']}"]
+        at = use.end()
+        variables[name] = None
+    tail = "".join((*pieces, tail[at:]))
+    for name in variables:
+        if name in apart:
+            raise ExpressionError(f"{origin}:1: {name} is of two structs: name one otherwise")
+        places = {k: {field} for k, field in enumerate(fields)}
+        apart[name] = Apart(places, size=len(fields), fields=True)
+        for k, field in enumerate(fields):
+            tail = re.sub(rf"\b{name}\s*(?:->|\.)\s*{field}\b", f"{name}[{k}]", tail)
+    return head + gone + tail
+
+
+def _fields(struct: re.Match[str], kind: str, place: str) -> list[str]:
+    """Names of the numbers of a struct."""
+    fields: list[str] = []
+    for part in struct["fields"].split(";"):
+        found = FIELDS.fullmatch(part)
+        if part.strip() and found is None:
+            raise ExpressionError(
+                f"{place}: {kind} has {part.strip()!r}: structs of"
+                " double alone are known: pass numbers and arrays"
+            )
+        fields += [name.strip() for name in found[1].split(",")] if found else []
+    if not 0 < len(fields) <= LARGEST:
+        raise ExpressionError(f"{place}: {kind} has {len(fields)} fields: 1 to {LARGEST} are known")
+    return fields
+
+
+def _place(text: str, at: int, origin: str) -> str:
+    before = text[:at].split("\n")
+    return f"{origin}:{len(before)}:{len(before[-1]) + 1}"

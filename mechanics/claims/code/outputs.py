@@ -1,0 +1,287 @@
+"""What the outputs of code claim.
+
+as many as speeds            the accelerations               u'_k = output k
+as many as entries of state  the rate of the state           q' = output, u' = output
+... and a step among the arguments    the next state         by which integrator is found out
+with u' among the arguments  what drives each speed           inverse dynamics
+... and the inputs, too      residuals                       0 = output k
+a square matrix              the mass matrix                 with a vector beside it: M u' = f
+"""
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+from itertools import islice, permutations
+
+from sympy import Expr, Matrix, S
+from sympy.matrices import MatrixBase
+
+from mechanics.claims.about import QUANTITIES, named_quantity
+from mechanics.claims.code.assignments import written_of
+from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
+from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.demands import Demands
+from mechanics.claims.names import Naming
+from mechanics.claims.statement import Statement
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.published import Published, Quantity, published
+from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
+from mechanics.scene.rates import rate_table
+
+Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
+
+ACC = re.compile(r"_?acc$")
+"""Ends the name of an acceleration; in a text such a name is one of the author's own."""
+
+MOST_ORDERED = 3
+"""Outputs whose orders are tried."""
+
+
+def claims(
+    naming: Naming,
+    outputs: Outputs,
+    state: Sequence[Expr],
+    about: str | None,
+    title: str,
+    passed: Collection[Expr] = (),
+) -> list[Claim]:
+    """Rows of the ledger for outputs.
+
+    `state` are the entries of a state vector, if there is one; `passed` all that is an argument.
+
+    Raises
+    ------
+    InputError
+        When the number of outputs fits nothing.
+    """
+    scene, values = naming.vocabulary.scene, outputs.values
+    if about is not None:
+        return _asked(naming, values, about)
+    size = len(scene.u)
+    if len(values) == 2 and values[0].shape == (size, size) and len(values[1]) == size > 1:
+        ud = Matrix(scene.ud)
+        rows = zip(values[0] * ud, values[1], strict=True)
+        return [
+            (f"row {i}", EquationOfMotion(), (left, right))
+            for i, (left, right) in enumerate(rows, 1)
+        ]
+    if len(values) == 1 and values[0].shape == (size, size) and size > 1:
+        return [("mass matrix", MassMatrix(), (values[0],))]
+    entries = [entry for value in values for entry in value]
+    held = set().union(*(entry.free_symbols for entry in entries))
+    if {*passed, *held} & set(scene.ud):
+        driven = _driven(scene, outputs, title, passed)
+        return (
+            driven
+            if driven
+            else [
+                (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
+                for i, entry in enumerate(entries, 1)
+            ]
+        )
+    if named := _accelerations(naming, outputs.names or (title,), len(entries)):
+        return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
+    if len(entries) == size:
+        return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
+    both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
+    if len(entries) == len(both) and STEP in passed:
+        return _stepped(naming, both, entries, title, passed)
+    if len(entries) == len(both):
+        return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
+    raise InputError(
+        f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
+        f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
+    )
+
+
+def taken_otherwise(
+    naming: Naming, outputs: Outputs, found: Sequence[Claim], about: str | None, title: str
+) -> list[tuple[str, list[Claim]]]:
+    """Other things that outputs may be, in words, each with its claims in the order of the outputs.
+
+    Accelerations without names in other orders; of a scene without inputs, what drives the speeds
+    as residuals.
+    """
+    scene = naming.vocabulary.scene
+    if about is not None or not 0 < len(found) == len(scene.u) <= MOST_ORDERED:
+        return []
+    if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
+        rows: list[Claim] = [
+            (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
+            for i, (_, _, sides) in enumerate(found, 1)
+        ]
+        words = f"{title} returns residuals: say so, about 'equation of motion'"
+        return [] if scene.inputs else [(words, rows)]
+    if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
+        return []
+    if _accelerations(naming, outputs.names or (title,), len(found)):
+        return []
+    every = []
+    for order in islice(permutations(scene.u), 1, None):
+        pairs = zip(order, found, strict=True)
+        claimed = [_rate_of(scene, u, sides[1]) for u, (_, _, sides) in pairs]
+        names = " ".join(tag for tag, _, _ in claimed)
+        every.append((f"{title} returns {names}: say so, about {names!r}", claimed))
+    return every
+
+
+def _stepped(
+    naming: Naming, state: Sequence[Expr], entries: Sequence[Expr], title: str,
+    passed: Collection[Expr],
+) -> list[Claim]:  # fmt: skip
+    """The rates with which code steps, and the integrator that it is."""
+    scene = naming.vocabulary.scene
+    step = step_of(scene, state, entries, passed)
+    if step is None:
+        raise InputError(
+            f"{title} has {STEP} among its arguments and returns {len(entries)} numbers, but these"
+            f" are no state after a step: at {STEP} = 0 they are not the state that it is given"
+        )
+    known = [_rate_of(scene, symbol, value) for symbol, value in step.rates.items()]
+    if not step.integrator:
+        raise InputError(
+            f"{title} steps by none of {', '.join(INTEGRATORS)}: pass the function that it steps"
+            " with, or a BlackBox"
+        )
+    words = f"a step of {step.integrator}"
+    return [*known, (words, Identity(), (Matrix(entries), Matrix(step.composed)))]
+
+
+def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
+    """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau)."""
+    entries = [entry for value in outputs.values for entry in value]
+    inputs, words = scene.input_symbols, " ".join((title, *outputs.names)).lower()
+    if set(inputs) & set(passed) or "resid" in words:
+        return []
+    if len(entries) == len(scene.u):
+        return [
+            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+            for u, entry in zip(scene.u, entries, strict=True)
+        ]
+    if len(entries) == len(inputs):
+        pairs = zip(inputs, entries, strict=True)
+        return [(str(symbol), EquationOfMotion(), (symbol, entry)) for symbol, entry in pairs]
+    return []
+
+
+def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Expr]:
+    """The speeds whose rates code says that it returns; nothing unless all have such a name.
+
+    ``double theta_ddot(...)``, ``return xdd, thdd`` and ``*xdd = ...``: in this order, not ours.
+    """
+    table = {rate: u for u, rate in rate_table(naming.vocabulary.scene).items()}
+    found = [table.get(naming.symbol(*known)) for n in names if (known := _second(naming, n))]
+    speeds = [u for u in found if u in naming.vocabulary.scene.u]
+    return speeds if len(set(speeds)) == len(names) == count else []
+
+
+def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
+    """The state in the order in which code names the rates that it returns; () for other names.
+
+    ``{"theta_ddot": ..., "theta_dot": ...}``
+    """
+    scene = naming.vocabulary.scene
+    table = {rate: s for s, rate in rate_table(scene).items()}
+    found = [naming.lookup(name) for name in names]
+    moving = [known for known in found if known and known[0] in naming.vocabulary.functions]
+    state = [table.get(naming.symbol(*known)) for known in moving]
+    whole = len(state) == len(names) and set(state) == {*scene.q, *scene.u}
+    return tuple(s for s in state if s is not None) if whole else ()
+
+
+def _second(naming: Naming, name: str) -> tuple[str, int] | None:
+    """The scene's name, and no more dots, of what a name is an acceleration of."""
+    found = naming.lookup(ACC.sub("_ddot", name))
+    if found is None or found[0] not in naming.vocabulary.functions:
+        return None
+    symbol = naming.symbol(found[0], found[1])
+    return (found[0], found[1]) if symbol in naming.vocabulary.scene.ud else None
+
+
+def _choices(naming: Naming) -> str:
+    rates = [str(ud) for ud in naming.vocabulary.scene.ud]
+    return f"--about (about=) can be {', '.join([*QUANTITIES, *rates])}"
+
+
+def _rate_of(scene: Scene, symbol: Expr, value: Expr) -> Claim:
+    rate = rate_table(scene)[symbol]
+    if symbol in scene.u:
+        return str(rate), EquationOfMotion(), (rate, value)
+    return f"{symbol}_dot", Identity(), (rate, value)
+
+
+def _asked(naming: Naming, values: Sequence[Matrix], about: str) -> list[Claim]:
+    count = sum(len(value) for value in values)
+    if about not in QUANTITIES:
+        named = _accelerations(naming, about.replace(",", " ").split(), count)
+        if not named:
+            raise InputError(f"about {about!r}, for {count} outputs of code: {_choices(naming)}")
+        entries = [entry for value in values for entry in value]
+        scene = naming.vocabulary.scene
+        return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
+    quantity = named_quantity(about)
+    if isinstance(quantity, MassMatrix):
+        return [("mass matrix", quantity, (value,)) for value in values]
+    found: list[Claim] = []
+    for value in values:
+        for entry in value:
+            sides = (entry, S.Zero) if isinstance(quantity, EquationOfMotion) else (entry,)
+            found.append((f"output {len(found) + 1}", quantity, sides))
+    return found
+
+
+def in_order(scene: Scene, values: Sequence[Matrix], state: Sequence[Expr]) -> bool:
+    """Whether the rates of the coordinates are where a state of this order has them."""
+    entries = [entry for value in values for entry in value]
+    if len(entries) != len(state):
+        return True
+    table = rate_table(scene)
+    pairs = zip(state, entries, strict=True)
+    return all(table[s] == entry for s, entry in pairs if s in scene.q)
+
+
+def state_of_scalars(
+    scene: Scene, values: Sequence[Matrix], arguments: Iterable[object]
+) -> tuple[Expr, ...]:
+    """The state whose rates code returns that takes its entries one by one; empty for no state.
+
+    In the order of the arguments, or x, theta, ..., x_dot, theta_dot, ..., or x, x_dot, theta,
+    theta_dot, ...: the first in which the rates of the coordinates are where they belong.
+    """
+    both = (*scene.q, *scene.u)
+    given = tuple(symbol for symbol in arguments if symbol in both)
+    if set(given) != set(both):
+        return ()
+    mixed = tuple(symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair)
+    orders = [given, both, mixed] if len(mixed) == len(both) else [given, both]
+    return next((order for order in orders if in_order(scene, values, order)), given)
+
+
+def statement(
+    claim: Claim, title: str, outputs: Outputs, naming: Naming,
+    others: Sequence[tuple[str, Claim]] = (),
+) -> Statement:  # fmt: skip
+    """A claim as a statement, with what else it may be; constants stand in its notes."""
+    tag, _, sides = claim
+    source = f"{title}: {tag}"
+    entries = [e for side in sides for e in (side if isinstance(side, MatrixBase) else [side])]
+    known = [outputs.formulas[entry] for entry in entries if entry in outputs.formulas]
+    ways = {} if known else {e: written_of([f], naming) for e, f in outputs.formulas.items()}
+    return Statement(
+        _row(claim, title), source, tag, notes=outputs.notes, doubt=outputs.doubt,
+        written=written_of(known, naming) if known else None, ways=ways,
+        taken=tuple((words, _row(other, title)) for words, other in others),
+        demands=_demands(entries, outputs),
+    )  # fmt: skip
+
+
+def _row(claim: Claim, title: str) -> Published:
+    tag, quantity, sides = claim
+    return published(tag, quantity, *sides, label=f"{title}: {tag}")
+
+
+def _demands(entries: Sequence[Expr], outputs: Outputs) -> Demands:
+    """What the outputs that a claim is about ask for; all of them, where it is made of several."""
+    known = [outputs.demands[entry] for entry in entries if entry in outputs.demands]
+    every = known or list(outputs.demands.values())
+    return Demands(tuple(dict.fromkeys(d for demands in every for d in demands)), code=True)

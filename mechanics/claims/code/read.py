@@ -1,0 +1,334 @@
+"""Code that computes equations: Python functions, CasADi functions, C source.
+
+    arguments -> symbols of the scene,   code -> formulas,   outputs -> rows of the ledger
+
+The code itself is read, so that its own formulas are judged, for all values of its arguments.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import casadi
+from sympy import Expr, Matrix, S
+
+from mechanics.claims.about import WORDS
+from mechanics.claims.assemble import Reading
+from mechanics.claims.code.arguments import Arguments, arguments_of, vectors_of_motion
+from mechanics.claims.code.c_constants import with_constants
+from mechanics.claims.code.c_flat import flat
+from mechanics.claims.code.c_library import with_library
+from mechanics.claims.code.c_macros import without_macros
+from mechanics.claims.code.c_person import defaults, known_meaning, of_the_header, without_comments
+from mechanics.claims.code.c_place import placed
+from mechanics.claims.code.c_plain import plain
+from mechanics.claims.code.c_plus_plus import SUFFIXES as CPP
+from mechanics.claims.code.c_plus_plus import in_c as in_plain_c
+from mechanics.claims.code.c_target import Instructions
+from mechanics.claims.code.c_untyped import with_types
+from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
+from mechanics.claims.code.determinism import doubt_when_repeated
+from mechanics.claims.code.doubles import doubt_as_doubles
+from mechanics.claims.code.execution_paths import ways_of
+from mechanics.claims.code.formulas import (
+    Assignment,
+    Assignments,
+    Authored,
+    Formula,
+    Formulas,
+    of_graph,
+)
+from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.liveness import demands_of
+from mechanics.claims.code.numerical_check import doubt_when_called
+from mechanics.claims.code.out_arguments import returning
+from mechanics.claims.code.outputs import (
+    claims,
+    in_order,
+    state_of_scalars,
+    statement,
+    taken_otherwise,
+)
+from mechanics.claims.code.python_call import beside, signature_of
+from mechanics.claims.code.sympy_expressions import Constants, expressions
+from mechanics.claims.code.tracing import Outputs, trace
+from mechanics.claims.code.unpacking import Apart, in_c
+from mechanics.claims.code.wrappers import unwrapped
+from mechanics.claims.demands import Demand
+from mechanics.claims.guess import guess
+from mechanics.claims.names import Match, Naming, Vocabulary
+from mechanics.claims.place import bounded
+from mechanics.claims.tree import Name
+from mechanics.errors import ExpressionError, InputError
+from mechanics.program.c.function import Parameter
+from mechanics.program.c.parse import parse
+from mechanics.program.c.reader import read_function as read_c_function
+from mechanics.program.c.select import latest
+from mechanics.program.casadi_reader import Instruction as Node
+from mechanics.program.casadi_reader import single_assignment
+from mechanics.scene import Scene
+
+LARGEST_C = 30_000
+"""Characters of a C file."""
+
+LARGEST_FORMULA = 300_000
+"""Operations of one output, written out without sharing."""
+
+Run = Callable[[Arguments], Outputs]
+
+
+def read_function(
+    scene: Scene,
+    function: Callable[..., Any],
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+) -> Reading:
+    """Statements of a Python function on numbers and NumPy arrays, by tracing it.
+
+    It is then called with numbers: where it returns others than its formulas, they have a doubt.
+
+    Parameters
+    ----------
+    scene : Scene
+    function : callable
+    names : mapping of str to str, optional
+        What arguments are: ``{"state": "x x_dot theta theta_dot", "force": "F"}``.
+    about : str, optional
+        What it returns, where that is not plain.
+
+    Raises
+    ------
+    InputError
+        When an argument is unexplained, or the code hides a formula.
+    """
+    size = len(scene.q) + len(scene.u)
+    function = returning(unwrapped(function), size, names or {})
+    title = getattr(function, "__name__", type(function).__name__)
+    called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
+
+    def run(given: Arguments) -> Outputs:
+        passed = [symbol for value in given.values.values() for symbol in _entries(value)]
+        standing, told = beside(function, called.standing, passed)
+        outputs = trace(function, given.values, standing)
+        doubt = doubt_when_repeated(function, given.values, outputs, standing)
+        doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
+        notes = (*outputs.notes, *told)
+        return replace(outputs, notes=notes, doubt=doubt, names=outputs.names or called.returned)
+
+    sizes = dict.fromkeys(called.wanted)
+    found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart)
+    return replace(found, remarks=(*found.remarks, *called.remarks))
+
+
+def read_casadi(
+    scene: Scene,
+    function: casadi.Function,
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+) -> Reading:
+    """Statements of a CasADi function; arguments as for `read_function`, by their names."""
+    function = function if function.is_a("SXFunction") else function.expand()
+    wanted = [function.name_in(i) for i in range(function.n_in())]
+    sizes = {name: function.numel_in(i) for i, name in enumerate(wanted)}
+
+    def run(given: Arguments) -> Outputs:
+        nodes, stores = single_assignment(function)
+        held = [
+            [group[i] for i in function.sparsity_in(k).find()]
+            for k, group in enumerate(_entries(given.values[name]) for name in wanted)
+        ]
+        constants = Constants()
+        made = expressions(nodes, held, constants)
+        numbers = [[S.Zero] * function.numel_out(i) for i in range(function.n_out())]
+        for out, entry, node in stores:
+            numbers[out][function.sparsity_out(out).find()[entry]] = made[node]
+        shapes = [function.size_out(i) for i in range(function.n_out())]
+        # CasADi counts entries column by column.
+        values = [Matrix(c, r, n).T for (r, c), n in zip(shapes, numbers, strict=True)]
+        formulas = of_graph(nodes, held, constants)
+        known = {made[node]: formulas[node] for _, _, node in stores}
+        demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
+        notes = tuple(constants.notes)
+        return Outputs(tuple(values), notes, formulas=_known(known), demands=demands)
+
+    return _read(scene, function.name(), wanted, sizes, run, names, about)
+
+
+def read_c(
+    scene: Scene,
+    text: str,
+    function: str | None = None,
+    names: Mapping[str, str] | None = None,
+    about: str | None = None,
+    origin: str = "code.c",
+) -> Reading:
+    """Statements of a C function: numbers and arrays as arguments, what it writes as outputs.
+
+    Parameters
+    ----------
+    text : str
+    function : str, optional
+        Its name; the last function of the file when not given.
+
+    Raises
+    ------
+    InputError
+        For C that is not known here, by line and column.
+    """
+    bounded(text, origin)
+    if len(text) > LARGEST_C:
+        raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
+    coord = ""
+    try:
+        if origin.endswith(CPP):
+            text = in_plain_c(without_comments(text), origin)
+        if re.search(r"\bvoid\b", text):
+            text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
+        text = with_constants(of_the_header(without_macros(text, origin)), origin)
+        source = known_meaning(parse(text, origin), text)
+        taken = defaults(source, text)
+        written = plain(text, origin)
+        text = written.text
+        call = wrapped(flat(parse(text, origin)), text, function)
+        coord, wanted = call.coord, list(call.inputs)
+
+        def run(given: Arguments) -> Outputs:
+            sizes = {name: len(_entries(given.values[name])) for name in wanted}
+            outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
+            notes = (*outputs.notes, *written.notes, *taken)
+            return replace(outputs, names=call.outputs, notes=notes)
+
+        apart = {**in_c(without_comments(text)), **written.apart}
+        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart)
+    except (ExpressionError, InputError) as error:
+        raise InputError(placed(text, str(error), origin, coord)) from None
+    except RecursionError:
+        words = "its expressions are nested too deeply"
+        raise InputError(placed(text, words, origin, coord)) from None
+
+
+def _c_outputs(
+    text: str, origin: str, wanted: Sequence[str], given: Arguments, size: int
+) -> Outputs:
+    exact, unread = with_library(parse(text, origin), WRAPPER)
+    source = flat(exact)
+    entries = [_entries(given.values[name]) for name in wanted]
+    parameters = [
+        *(
+            Parameter(name, "double", len(group))
+            for name, group in zip(wanted, entries, strict=True)
+        ),
+        Parameter("outputs", "double", size, output=True),
+    ]
+    target = Instructions()
+    program, nodes = read_c_function(source, WRAPPER, parameters, target), target.nodes
+    if program.beyond:
+        raise InputError(f"{program.beyond[0]} is read beyond the end of the array")
+    last: list[int] = []
+    place = len(wanted)
+    for entry in range(size):
+        if (place, entry) not in program.outputs:
+            raise InputError(f"{origin}: output {entry} is not written")
+        node = latest(target, program.outputs[place, entry], True, "double", origin)
+        if node is None:
+            raise InputError(f"{origin}: output {entry} is written under a condition only")
+        last.append(node)
+    bounded_code(nodes, origin)
+    constants = Constants()
+    numbers = expressions(nodes, entries, constants)
+    places = {node: (name, _line(where, origin)) for node, (name, where) in program.named.items()}
+    assigned: dict[str, Assignment] = {}
+    formulas = of_graph(nodes, entries, constants, places, assigned)
+    found = [numbers[node] for node in last]
+    known = {numbers[node]: formulas[node] for node in last}
+    ways = ways_of(nodes, last, entries, places)
+    asked = [(numbers[node], demands_of(nodes, numbers, node)) for node in last]
+    outputs = Outputs(
+        (Matrix(found),),
+        (*constants.notes, *unread),
+        formulas={**ways, **_known(known, assigned)},
+        demands=_demanded(asked),
+    )
+    return replace(outputs, doubt=doubt_as_doubles(nodes, last, entries, outputs))
+
+
+def _demanded(asked: Iterable[tuple[Expr, tuple[Demand, ...]]]) -> dict[Expr, tuple[Demand, ...]]:
+    """Demands by the values that ask for them."""
+    found: dict[Expr, tuple[Demand, ...]] = {}
+    for value, demands in asked:
+        found[value] = tuple(dict.fromkeys((*found.get(value, ()), *demands)))
+    return found
+
+
+def _line(where: str, origin: str) -> str:
+    """``file:12:5`` as ``file, line 12``."""
+    line = re.search(r":(\d+):\d+$", where)
+    return f"{Path(origin).name}, line {line[1]}" if line else Path(origin).name
+
+
+def _known(formulas: Mapping[Expr, Formula], assigned: Assignments | None = None) -> Formulas:
+    """Those that are known, with the assignments that they are made with."""
+    own = assigned or {}
+    return {e: Authored(known.node, own) for e, known in formulas.items() if known is not None}
+
+
+def _read(
+    scene: Scene, title: str, wanted: Sequence[str], sizes: Mapping[str, int | None], run: Run,
+    names: Mapping[str, str] | None, about: str | None,
+    apart: Mapping[str, Apart] | None = None,
+) -> Reading:  # fmt: skip
+    apart = {n: a for n, a in (apart or {}).items() if n in wanted}
+    given = {n: m for n, m in (names or {}).items() if m not in WORDS}
+    naming = Naming(Vocabulary(scene))
+    sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
+    parted = {n for n, known in apart.items() if known.vector}
+    parted |= vectors_of_motion(naming, [n for n in wanted if sizes[n] is None])
+    scalars = [n for n in wanted if n not in given and sizes[n] in (None, 1) and n not in parted]
+    open_names = [Name(0, n) for n in scalars if n not in STEPS]
+    naming = replace(naming, guessed=guess(naming, open_names, ()))
+    arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
+    outputs = run(arguments)
+    told = set(arguments.state) and any(
+        m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
+    )
+    if arguments.state and not told and not in_order(scene, outputs.values, arguments.state):
+        other = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
+        again = run(other)
+        if in_order(scene, again.values, other.state):
+            arguments, outputs = other, again
+    state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
+    passed = [entry for value in arguments.values.values() for entry in _entries(value)]
+    found = claims(naming, outputs, state, about, title, passed)
+    naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
+    others = taken_otherwise(naming, outputs, found, about, title)
+    statements = tuple(
+        statement(claim, title, outputs, naming, [(words, other[k]) for words, other in others])
+        for k, claim in enumerate(found)
+    )
+    return Reading(statements, arguments.matches, ())
+
+
+def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:
+    """Arguments that are one thing of the scene, under another name: formulas are told with it."""
+    return [m for m in matches if m.name != m.meaning and naming.vocabulary.target(m.meaning)]
+
+
+def bounded_code(nodes: Sequence[Node], origin: str) -> None:
+    """Refuse code whose formulas, written out, are larger than can be looked at.
+
+    Raises
+    ------
+    InputError
+    """
+    sizes: list[int] = []
+    for node in nodes:
+        inner = () if node.op == casadi.OP_INPUT else node.operands
+        sizes.append(min(1 + sum(sizes[i] for i in inner), LARGEST_FORMULA + 1))
+    if max(sizes, default=0) > LARGEST_FORMULA:
+        raise InputError(f"{origin}: its formulas have more than {LARGEST_FORMULA} operations")
+
+
+def _entries(value: Any) -> list[Expr]:
+    return [value] if isinstance(value, Expr) else list(value)

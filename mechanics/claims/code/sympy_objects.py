@@ -1,0 +1,187 @@
+"""SymPy's own objects: expressions, equations, matrices, KanesMethod, LagrangesMethod, System.
+
+x(t), Derivative(x(t), t), x_dot        are matched by name with the scene's x, x_dot, x_dot
+KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations, one a row
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sympy import Derivative, Eq, Expr, Matrix, S, Symbol, linsolve, sympify
+from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase
+from sympy.physics.mechanics import KanesMethod
+from sympy.physics.vector import dynamicsymbols
+
+from mechanics.claims.about import WORDS, as_asked, named_quantity
+from mechanics.claims.demands import Demand, Demands, within
+from mechanics.claims.guess import guess
+from mechanics.claims.kind import kind_of
+from mechanics.claims.names import Naming, Vocabulary, unexplained
+from mechanics.claims.statement import Reading, Statement
+from mechanics.claims.tree import Name
+from mechanics.errors import WrongKindError
+from mechanics.importers.sympy_model import KINDS as MODELS
+from mechanics.importers.sympy_model import form_equations, is_model
+from mechanics.scene import Scene
+from mechanics.scene.declared import decimals
+from mechanics.scene.published import published
+from mechanics.scene.quantities import Identity, MassMatrix
+
+Sides = tuple[Any, ...]
+KINDS = (Expr, MatrixBase, Eq, *MODELS)
+
+
+def read_sympy(
+    scene: Scene, thing: Any, names: Mapping[str, str] | None = None, about: str | None = None
+) -> Reading:
+    """Statements of one of SymPy's objects.
+
+    Parameters
+    ----------
+    scene : Scene
+    thing : Expr, Eq, Matrix, KanesMethod, LagrangesMethod or System
+        An expression alone is taken to be zero where it holds an acceleration.
+    names, about
+        As for `read_source`.
+    """
+    rows = sides_of(thing)
+    used = [name for sides in rows for side in sides for name in _names(side)]
+    given = {n: m for n, m in (names or {}).items() if m not in WORDS}
+    naming = Naming(Vocabulary(scene), given)
+    naming = replace(naming, guessed=guess(naming, used, ()))
+    statements = [
+        _statement(scene, naming, sides, str(i), about) for i, sides in enumerate(rows, 1)
+    ]
+    return Reading(tuple(statements), naming.matches(n.name for n in used), ())
+
+
+def sides_of(thing: Any) -> list[Sides]:
+    """The sides of every row that an object claims.
+
+    Raises
+    ------
+    WrongKindError
+        For another kind of object.
+    """
+    if is_model(thing):
+        method = form_equations(thing)
+        if isinstance(method, KanesMethod):
+            return _kane(method)
+        return [(row, S.Zero) for row in method.eom]
+    if isinstance(thing, Eq):
+        return [(thing.lhs, thing.rhs)]
+    if isinstance(thing, MatrixBase):
+        held = {n.order for n in _names(thing)}
+        if thing.rows == thing.cols > 1 and 2 not in held:
+            return [(Matrix(thing),)]
+        return [(entry,) for entry in thing]
+    if isinstance(thing, Expr):
+        return [(thing,)]
+    raise WrongKindError(
+        f"check: {type(thing).__name__} found: pass LaTeX, text, a Path, a SymPy object, a CasADi"
+        " Function or a Python function"
+    )
+
+
+def _kane(method: KanesMethod) -> list[Sides]:
+    """M u' = f row by row, with u and u' in terms of q' and q''."""
+    t = dynamicsymbols._t
+    rates, speeds = [q.diff(t) for q in method.q], list(method.u)
+    known = method.kindiffdict()
+    rows = [rate - known[rate] for rate in rates if rate in known]
+    (solution,) = linsolve(rows, *speeds)
+    table = {u: value for u, value in zip(speeds, solution, strict=True) if u != value}
+    fast = {u.diff(t): table.get(u, u).diff(t) for u in speeds}
+    left = method.mass_matrix * Matrix([u.diff(t) for u in speeds])
+
+    def written(entry: Expr) -> Expr:
+        return entry.xreplace(fast).xreplace(table)
+
+    pairs = zip(left, method.forcing, strict=True)
+    return [(written(a), written(b)) for a, b in pairs if a != 0 or b != 0]
+
+
+def _names(side: Any) -> list[Name]:
+    """Every name in an expression, with the order of its derivative, in order of their names."""
+    side = side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
+    found = [Name(0, *_function(d)) for d in side.atoms(Derivative)]
+    found += [Name(0, f.func.__name__, 0, True) for f in side.atoms(AppliedUndef)]
+    found += [Name(0, s.name) for s in side.free_symbols if s != dynamicsymbols._t]
+    return sorted(found, key=lambda name: (name.name, name.order))
+
+
+def _function(derivative: Derivative) -> tuple[str, int]:
+    base = derivative.expr
+    name = base.func.__name__ if isinstance(base, AppliedUndef) else str(base)
+    return name, sum(count for _, count in derivative.variable_count)
+
+
+def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
+    """A side in the scene's plain symbols."""
+    if isinstance(side, MatrixBase):
+        return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown))
+    side = decimals(sympify(side, strict=True).doit())
+    table: dict[Any, Any] = {}
+    atoms = (side.atoms(Derivative), side.atoms(AppliedUndef), side.free_symbols)
+    for atom in (atom for kind in atoms for atom in sorted(kind, key=str)):
+        if isinstance(atom, Derivative):
+            name, order = _function(atom)
+        elif isinstance(atom, AppliedUndef):
+            name, order = atom.func.__name__, 0
+        elif atom == dynamicsymbols._t:
+            continue
+        else:
+            name, order = atom.name, 0
+        table[atom] = _symbol(naming, name, order, unknown)
+    return side.xreplace(table)
+
+
+def _symbol(naming: Naming, name: str, order: int, unknown: list[str]) -> Symbol:
+    try:
+        symbol = naming.symbol(name, order)
+    except KeyError:
+        symbol = None
+    if symbol is None:
+        unknown.append(name)
+        return Symbol(name + "'" * order, real=True)
+    return symbol
+
+
+def _statement(
+    scene: Scene, naming: Naming, sides: Sides, tag: str, about: str | None
+) -> Statement:
+    unknown: list[str] = []
+    plain = tuple(_plain(naming, side, unknown) for side in sides)
+    source = " = ".join(str(side) for side in sides)
+    note = ""
+    if about is not None:
+        quantity = named_quantity(about)
+        plain = as_asked(quantity, plain)
+    elif isinstance(plain[0], MatrixBase):
+        quantity, note = MassMatrix(), "a square matrix alone is read as the mass matrix"
+    else:
+        quantity, plain, note = kind_of(scene, plain)
+    doubt = unexplained(scene, unknown) if unknown else ""
+    if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
+        doubt = "an expression that is not equal to anything: say what it is about"
+    row = published(tag, quantity, *plain, label=source)
+    asked = dict.fromkeys(d for side in sides for entry in _entries(side) for d in within(entry))
+    demands = Demands(tuple(_in_plain(naming, demand) for demand in asked))
+    return Statement(row, source, tag, notes=(note,) if note else (), doubt=doubt, demands=demands)
+
+
+def _entries(side: Any) -> list[Any]:
+    return list(side) if isinstance(side, MatrixBase) else [side]
+
+
+def _in_plain(naming: Naming, demand: Demand) -> Demand:
+    operands = tuple(_plain(naming, operand, []) for operand in demand.operands)
+    conditions = tuple((_plain(naming, c, []), answer) for c, answer in demand.conditions)
+    return Demand(demand.operation, operands, conditions)
+
+
+def is_sympy(thing: Any) -> bool:
+    """Whether it is one of the objects that `read_sympy` takes."""
+    return isinstance(thing, KINDS)

@@ -1,0 +1,335 @@
+"""Which names the lines of a person use, and which they define themselves.
+
+    T = L - 2 x    T is defined where the scene has no such name        x' = v    defines v
+
+A definition holds in all lines, also in those before it. One that nothing judged uses is no part of
+any verdict.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import replace
+
+from mechanics.claims.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES
+from mechanics.claims.lines import Entry, Line
+from mechanics.claims.names import Naming, column
+from mechanics.claims.partials import undifferentiated
+from mechanics.claims.tree import (
+    COMPOSED,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Rate,
+    Table,
+    constant,
+    inverse,
+    names,
+    parts,
+)
+
+
+def used(lines: Sequence[Entry]) -> list[Name]:
+    """Every name, in order."""
+    return [
+        n for line in lines if isinstance(line, Line) for side in line.sides for n in names(side)
+    ]
+
+
+def own(lines: Sequence[Entry], naming: Naming) -> list[str]:
+    """Names that lines define; those of momenta are the scene's."""
+    defined = definitions(lines, naming)
+    counts = Counter(name.name for name in used(lines))
+    again = {name for name, count in counts.items() if count > 1}
+    return [name for name, line in defined.items() if not _momentum(line, defined, again, naming)]
+
+
+def defines(line: Line, naming: Naming) -> bool:
+    """Whether a name that nothing explains stands alone on the left."""
+    left = line.sides[0]
+    return (
+        len(line.sides) > 1
+        and isinstance(left, Name)
+        and left.order == 0
+        and not naming.knows(left.name)
+        and not (_of_inputs(left.name, naming) and not gathers(line.sides[1:]))
+    )
+
+
+def _of_inputs(name: str, naming: Naming) -> bool:
+    """Whether a name is the column of inputs: tau = M q'' + ... is what they are for a motion."""
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    return any((naming.lookup(entry) or ("",))[0] in inputs for entry in column(naming, name))
+
+
+def definitions(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
+    """The first definition of each name."""
+    found: dict[str, Line] = {}
+    for line in lines:
+        if isinstance(line, Line) and defines(line, naming) and isinstance(line.sides[0], Name):
+            found.setdefault(line.sides[0].name, line)
+    return found
+
+
+def apart(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; ``a = b = c`` with a and b unknown defines both: M_12 = M_21 = ... ."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and len(line.sides) > 2 and defines(line, naming):
+            *lefts, last = line.sides
+            others = [side for side in lefts[1:] if isinstance(side, Name)]
+            free = {side.name for side in others} - known
+            plain = all(not side.order and naming.target(side.name) is None for side in others)
+            if len(others) == len(lefts) - 1 == len(free) and plain:
+                found += [replace(line, sides=(side, last)) for side in lefts]
+                known |= free
+                continue
+        found.append(line)
+    return found
+
+
+def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; ``x' = v`` is turned round where nothing else says what v is.
+
+    So is ``a = v = b``: a name amid other sides is what the person calls them. Of ``w^2 = k/m`` w
+    is the root.
+    """
+    lines = _rooted(lines, naming)
+    known = set(definitions(lines, naming))
+    lines = _rooted([_divided(line, naming, known, lines) for line in lines], naming)
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        amid = _named_amid(line, naming, known) if isinstance(line, Line) else None
+        if isinstance(line, Line) and amid is not None:
+            known.add(amid.name)
+            rest = tuple(side for side in line.sides if side is not amid)
+            line = replace(line, sides=(amid, *rest))
+        elif isinstance(line, Line) and (name := _named_rate(line, naming)) not in (None, *known):
+            known.add(str(name))
+            line = replace(line, sides=line.sides[::-1])
+        found.append(line)
+    return found
+
+
+def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence[Entry]) -> Entry:
+    """``2 zeta w = c/m``, where w is known and zeta used elsewhere, as what zeta is."""
+    if not isinstance(line, Line) or len(line.sides) != 2 or not isinstance(line.sides[0], Product):
+        return line
+    left, right = line.sides
+    assert isinstance(left, Product)
+
+    def free(node: Node) -> bool:
+        base = node.base if isinstance(node, Power) else node
+        unknown = isinstance(base, Name) and not base.order and base.name not in known
+        return unknown and isinstance(base, Name) and naming.target(base.name) is None
+
+    wanted = [factor for factor in left.factors if free(factor)]
+    rest = [factor for factor in left.factors if not free(factor)]
+    held = [name for factor in rest for name in names(factor)]
+    if len(wanted) != 1 or not all(
+        n.order == 0 and (n.name in known or naming.is_function(n.name) is False) for n in held
+    ):
+        return line
+    name = names(wanted[0])[0].name
+    elsewhere = [other for other in lines if isinstance(other, Line) and other is not line]
+    if name not in {n.name for n in used(elsewhere)} or name in {n.name for n in names(right)}:
+        return line
+    sides = (wanted[0], Product(right.at, (right, *map(inverse, rest))))
+    return replace(line, sides=sides, notes=(*line.notes, f"{name} is defined by this"))
+
+
+def _rooted(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines with definitions of powers of names as those of the names."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and (rooted := _root(line, naming, known)) is not None:
+            line, name = rooted
+            known.add(name)
+        found.append(line)
+    return found
+
+
+def _root(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str] | None:
+    """A definition of a power of a name, as one of the name, and which name."""
+    left, *others = line.sides
+    if not isinstance(left, Power) or not isinstance(left.base, Name) or not others:
+        return None
+    name, power = left.base, constant(left.exponent)
+    if name.order or power is None or power <= 1 or power.denominator != 1:
+        return None
+    if naming.target(name.name) is not None or name.name in known:
+        return None
+    if any(name.name == held.name for side in others for held in names(side)):
+        return None
+    root = Number(COMPOSED, 1 / power)
+    sides = (name, *(Power(side.at, side, root) for side in others))
+    notes = line.notes
+    if power % 2 == 0:
+        notes = (*notes, f"{name.name} is the positive root")
+    return replace(line, sides=sides, notes=notes), name.name
+
+
+def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines without sides that only name the rate of what nothing explains: x'' = w' = ... ."""
+    known = set(definitions(lines, naming))
+    found: list[Entry] = []
+    for line in lines:
+        if isinstance(line, Line) and len(line.sides) > 2:
+            kept = tuple(side for side in line.sides if not _unknown_rate(side, naming, known))
+            if 1 < len(kept) < len(line.sides):
+                note = "the rate of a name that the scene does not have is what the others are"
+                line = replace(line, sides=kept, notes=(*line.notes, note))
+        found.append(line)
+    return found
+
+
+def _unknown_rate(side: Node, naming: Naming, known: Container[str]) -> bool:
+    if not isinstance(side, Name) or not side.order or side.name in known:
+        return False
+    return naming.target(side.name) is None
+
+
+def _named_amid(line: Line, naming: Naming, known: Container[str]) -> Name | None:
+    """A name that nothing explains among more than two sides of which the first is no such name."""
+    if len(line.sides) < 3 or defines(line, naming):
+        return None
+    for side in line.sides[1:]:
+        if isinstance(side, Name) and not side.order and naming.target(side.name) is None:
+            return None if side.name in known else side
+    return None
+
+
+def _named_rate(line: Line, naming: Naming) -> str | None:
+    """The unknown name on the right of a rate of the scene."""
+    if len(line.sides) != 2:
+        return None
+    left, right = line.sides
+    if not (isinstance(left, Name) and isinstance(right, Name)) or right.order:
+        return None
+    if _order(left, naming) != 1 or naming.target(right.name) is not None:
+        return None
+    return right.name
+
+
+def _order(name: Name, naming: Naming) -> int:
+    """How often what a name of the scene means is differentiated; 0 for any other name."""
+    found = naming.lookup(name.name)
+    return 0 if found is None else name.order + found[1]
+
+
+def momenta(lines: Sequence[Entry], naming: Naming) -> dict[str, tuple[str, int]]:
+    """Momenta that lines define by another name than the scene's: p_1, p_theta."""
+    defined = definitions(lines, naming)
+    counts = Counter(name.name for name in used(lines))
+    again = {name for name, count in counts.items() if count > 1}
+    return {
+        name: meant for name, line in defined.items()
+        if (meant := naming.momentum(name)) is not None
+        and naming.vocabulary.momentum(name) is None and _momentum(line, defined, again, naming)
+    }  # fmt: skip
+
+
+def _momentum(
+    line: Line, defined: Mapping[str, Line], elsewhere: Container[str], naming: Naming
+) -> bool:
+    """Whether a definition is that of a generalized momentum: by its name, and it holds rates.
+
+    A text may call a position p_x; and what it goes on with is its own, as the momentum of a body.
+    """
+    left = line.sides[0]
+    if not isinstance(left, Name) or naming.momentum(left.name) is None:
+        return False
+    if left.name in elsewhere:
+        return False
+    todo, seen = list(line.sides[1:]), {left.name}
+    while todo:
+        node = todo.pop()
+        if isinstance(node, Rate) or (isinstance(node, Name) and _order(node, naming)):
+            return True
+        if isinstance(node, Name) and node.name in defined and node.name not in seen:
+            seen.add(node.name)
+            todo += defined[node.name].sides[1:]
+        todo += parts(node)
+    return False
+
+
+def needed(lines: Sequence[Entry]) -> frozenset[str]:
+    """Names that lines use which are no definitions of energies themselves.
+
+    An energy that is differentiated only, as in Lagrange's equations, is judged beside these.
+    """
+    found: set[str] = set()
+    for line in lines:
+        if isinstance(line, Line):
+            left, *others = line.sides
+            name = left.name if isinstance(left, Name) and others else ""
+            if name not in ENERGY_NAMES:
+                sides = others if name in LETTERS else line.sides
+                found |= {name for side in sides for name in undifferentiated(side)}
+    return frozenset(found)
+
+
+def in_order(defined: Mapping[str, Line]) -> list[str]:
+    """Names, each behind those that its definition uses; of a circle, the first one last."""
+    needs = {name: iter(_needs(line, defined)) for name, line in defined.items()}
+    found: list[str] = []
+    begun: set[str] = set()
+    for start in defined:
+        path = [] if start in begun else [start]
+        while path:
+            begun.add(path[-1])
+            after = next((n for n in needs[path[-1]] if n not in begun), None)
+            if after is None:
+                found.append(path.pop())
+            else:
+                path.append(after)
+    return found
+
+
+def _needs(line: Line, defined: Mapping[str, Line]) -> list[str]:
+    return [n.name for side in line.sides[1:] for n in names(side) if n.name in defined]
+
+
+def reached(
+    lines: Sequence[Entry],
+    defined: Mapping[str, Line],
+    needed: Container[str],
+    held: Callable[[Sequence[Node]], Sequence[str]],
+) -> frozenset[str]:
+    """Names that judged lines hold, and that the definitions of these use in turn.
+
+    A definition is no judged line, but for that of an energy or mass matrix, and where further
+    sides are equal to it: these are judged by their right.
+    """
+    names_of = {id(line): name for name, line in defined.items()}
+    todo: list[str] = []
+    for line in lines:
+        if isinstance(line, Line):
+            name = names_of.get(id(line))
+            if name is None:
+                todo += held(line.sides)
+            elif len(line.sides) > 2:
+                todo += held(line.sides[1:])
+            elif (name in ENERGY_NAMES and name not in needed) or name in MATRIX_NAMES:
+                todo += [n.name for side in line.sides[1:] for n in names(side)]
+    found: set[str] = set()
+    while todo:
+        name = todo.pop()
+        if name not in found:
+            found.add(name)
+            todo += _needs(defined[name], defined) if name in defined else []
+    return frozenset(found)
+
+
+def gathers(sides: Sequence[Node]) -> bool:
+    """Whether a definition only puts names and numbers into a column or row: (F, 0)."""
+    (side,) = sides if len(sides) == 1 else (None,)
+    if not isinstance(side, Table) or min(len(side.rows), len(side.rows[0])) > 1:
+        return False
+    cells = [cell for row in side.rows for cell in row]
+    plain = all(isinstance(cell, Name) or constant(cell) is not None for cell in cells)
+    return plain and any(isinstance(cell, Name) for cell in cells)

@@ -1,0 +1,225 @@
+"""The best guess at what a name means that the scene does not have.
+
+    theta -> q1    the only coordinate that is left        m_c -> m0    the same first letter
+
+A guess is made only where one choice is left; every guess is reported, and the person can name
+another.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+from mechanics.claims.kinds import angular, kinds
+from mechanics.claims.names import GREEK, Match, Naming
+from mechanics.claims.spelled_rates import bases, families, key
+from mechanics.claims.tree import Name
+from mechanics.scene import Scene
+from mechanics.scene.symbols import DOTS
+
+ALPHABET = "abcdefghijklmnopqrstuvwxyz"
+NUMBER = re.compile(r"(\d+)$")
+MOMENTUM = re.compile(r"(p|pi)_?\d+")
+BY_UNIT: tuple[tuple[str, str], ...] = (
+    ("mM", "kg"), ("lLrRabdh", "m"), ("g", "m/s^2"), ("IJ", "kg*m^2"), ("kKc", "N/m"),
+    ("bcd", "N*s/m"),
+)  # fmt: skip
+"""First letters that are used for quantities of a unit."""
+AT_REST = re.compile(r"(?P<of>[A-Za-z]+)_(?:0|e|eq|s|star|ast)")
+RATES = frozenset(("omega", "Omega", "gamma", "nu", "w", "Omega_d", "omega_d"))
+"""Names of frequencies."""
+PER_SECOND = ("1/s", "rad/s", "Hz")
+
+SURE = (
+    "the same unit and number", "the same unit, its letters in order",
+    "an angle or not, the same number", "a momentum, the same number",
+)  # fmt: skip
+"""Reasons for a guess that nothing beside it turns."""
+CAPITALS = "the same but for capitals"
+SHORT = "short for "
+
+Rule = tuple[Callable[[str, str], bool], str]
+
+
+def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple[Match, ...]:
+    """Matches for the names that nothing explains.
+
+    Parameters
+    ----------
+    naming : Naming
+    used : sequence of Name
+        Every name of the text.
+    defined : iterable of str
+        Names that the text defines itself.
+    """
+    short = _short(naming, used)
+    naming = replace(naming, guessed=(*naming.guessed, *short))
+    own = {key(name) for name in defined if not naming.knows(name)}
+    moving: set[str] = set()
+    still: set[str] = set()
+    taken: set[str] = set()
+    for name in used:
+        found = naming.lookup(name.name)
+        if found is not None:
+            taken.add(found[0])
+        elif key(name.name) not in own and name.name != "t":
+            (moving if name.order or name.bracket else still).add(name.name)
+    rates = families(moving | still)
+    moving = (moving - rates.keys()) | set(rates.values())
+    still = {name for name in still if equilibrium_of(naming, name) is None}
+    still -= moving | rates.keys()
+    momenta = _momenta(naming, [n for n in used if n.name in moving | still], own, taken)
+    moving -= {match.name for match in momenta}
+    still -= moving | {match.name for match in momenta}
+    vocabulary = naming.vocabulary
+    scene = vocabulary.scene
+    inputs = {symbol.name for symbol in scene.input_symbols}
+    free = [name for name in vocabulary.functions if name not in taken]
+    coordinates = [name for name in free if name not in inputs]
+    found_moving = _pairs(sorted(moving), coordinates, _moving_rules(scene))
+    rest = [c for c in coordinates if c not in {match.meaning for match in found_moving}]
+    constants = [name for name in vocabulary.constants if name not in taken]
+    held = {symbol.name for symbol in scene.parameters}
+    constants = [name for name in constants if name in held]
+    left = [name for name in free if name in inputs] + constants
+    found_still = _pairs(sorted(still), left + rest, _still_rules(scene, inputs))
+    rated = {name.name for name in used if name.order}
+    missing = sorted(moving - {match.name for match in found_moving} - rated)
+    found_inputs = _pairs(
+        missing,
+        [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
+        [(lambda name, other: True, "the only input that is left")],
+    )
+    return (*short, *momenta, *found_moving, *found_still, *found_inputs)
+
+
+def equilibrium_of(naming: Naming, name: str) -> str | None:
+    """The coordinate of which a name is the value at an equilibrium: theta_0."""
+    part = AT_REST.fullmatch(name)
+    found = naming.lookup(part["of"]) if part else None
+    moves = found is not None and found[1] == 0 and found[0] in naming.vocabulary.functions
+    return found[0] if found is not None and moves else None
+
+
+def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:
+    """th for theta, where thdd or th'' is written, and no other name of the scene begins so."""
+    vocabulary = naming.vocabulary
+    orders: dict[str, int] = {}
+    for name in used:
+        if not naming.knows(name.name):
+            for base, order in ((key(name.name), 0), *bases(name.name)):
+                orders[base] = max(orders.get(base, 0), order + name.order)
+    found: dict[str, str] = {}
+    for base in (base for base, order in orders.items() if order > 1):
+        head = base.rstrip("0123456789")
+        fits = [
+            name for name in (*vocabulary.functions, *vocabulary.constants) if _begins(name, base)
+        ]
+        if len(fits) == 1 and len(head) > 1 and fits[0] in vocabulary.functions:
+            found[base] = fits[0]
+    once = Counter(found.values())
+    return tuple(
+        Match(base, name, f"{SHORT}{name}") for base, name in found.items() if once[name] == 1
+    )
+
+
+def _begins(name: str, base: str) -> bool:
+    """Whether a name begins with the letters of a base, and ends with its number."""
+    letters, whole = base.rstrip("0123456789"), key(name)
+    number = base[len(letters) :]
+    rest = whole.removeprefix(letters)
+    return whole.startswith(letters) and rest.lstrip(ALPHABET) == number
+
+
+def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str]) -> list[Match]:
+    """p_phi1, and p1, p_1 or pi_1: no name of which a second derivative is used."""
+    vocabulary = naming.vocabulary
+    names = {name.name for name in used} - {name.name for name in used if name.order > 1}
+    found = []
+    for name in sorted(names):
+        meant = vocabulary.momentum(name)
+        if meant is not None and key(meant[0]) not in own:
+            why = f"the generalized momentum of {meant[0].removeprefix('p_')}"
+            found.append(Match(name, meant[0] + DOTS[meant[1]], why))
+    taken = taken | {match.meaning for match in found}
+    free = [name for name in vocabulary.momenta if name not in taken]
+    numbered = sorted(name for name in names if MOMENTUM.fullmatch(name))
+    return [*found, *_pairs(numbered, free, [(_same_number, "a momentum, the same number")])]
+
+
+def _pairs(names: Sequence[str], targets: Sequence[str], rules: Sequence[Rule]) -> list[Match]:
+    """Pairs of which each rule leaves one choice on both sides, rule by rule."""
+    found: list[Match] = []
+    open_names, open_targets = list(names), list(targets)
+    for fits, why in rules:
+        choices = {n: [t for t in open_targets if fits(n, t)] for n in open_names}
+        for name, fitting in choices.items():
+            if len(fitting) != 1:
+                continue
+            rivals = [n for n, others in choices.items() if fitting[0] in others]
+            if rivals == [name]:
+                found.append(Match(name, fitting[0], why))
+                open_names.remove(name)
+                open_targets.remove(fitting[0])
+    return found
+
+
+def _moving_rules(scene: Scene) -> list[Rule]:
+    angles = {symbol.name for symbol in angular(scene)}
+
+    def kind(name: str, target: str) -> bool:
+        return ("angle" if target in angles else "length") in kinds(name)
+
+    return [
+        (_same_letters, CAPITALS),
+        (lambda n, t: kind(n, t) and _same_number(n, t), "an angle or not, the same number"),
+        (kind, "the only coordinate of its kind that is left"),
+    ]
+
+
+def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
+    units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
+
+    def unit(name: str, target: str) -> bool:
+        if name in RATES:
+            return units.get(target) in PER_SECOND
+        if _greek(name):
+            return False  # alpha is no length, though it begins with an a
+        return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)
+
+    def force(name: str, target: str) -> bool:
+        return target in inputs and (name[0] in "FfuUQ" or name.startswith("tau"))
+
+    def first(name: str, target: str) -> bool:
+        # mu is no mass, though it begins with an m; th is theta.
+        alike = _greek(name) == _greek(target) or target.startswith(name)
+        return name[0] == target[0] and alike
+
+    return [
+        (_same_letters, CAPITALS),
+        (lambda n, t: unit(n, t) and _same_number(n, t), "the same unit and number"),
+        (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
+        (unit, "the only quantity of its unit that is left"),
+        (force, "the only input that is left"),
+        (first, "the same first letter"),
+    ]
+
+
+def _greek(name: str) -> bool:
+    return re.split(r"[_\d]", name, maxsplit=1)[0] in GREEK
+
+
+def _same_letters(name: str, target: str) -> bool:
+    return key(name).lower() == key(target).lower()
+
+
+def _initials(name: str, target: str) -> bool:
+    """Whether the letters of the scene's name stand in the person's in this order: masscart, mc."""
+    rest = iter(key(name).lower())
+    return len(key(target)) > 1 and all(letter in rest for letter in key(target).lower())
+
+
+def _same_number(name: str, target: str) -> bool:
+    one, two = NUMBER.search(name), NUMBER.search(target)
+    return bool(one and two and one[1] == two[1])

@@ -1,0 +1,66 @@
+r"""What LaTeX does not print: comments, verbatim text, and what stands between conditions.
+
+    a = b  % c        \iffalse a = b \fi        \begin{comment} a = b \end{comment}
+
+It is blanked: no character moves, so that messages name the right place.
+"""
+
+import re
+
+from mechanics.claims.place import Refused
+
+COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+HIDDEN = re.compile(
+    r"\\begin\s*\{(?P<env>comment|verbatim\*?|lstlisting|minted|filecontents\*?)\}.*?"
+    r"(?:\\end\s*\{(?P=env)\}|\Z)"
+    r"|\\verb\*?(?P<mark>[^\sA-Za-z*])[^\n]*?(?P=mark)"
+    r"|\\end\s*\{document\}.*",
+    re.DOTALL,
+)
+CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")
+BODY = re.compile(r"\\begin\s*\{document\}")
+
+
+def without_hidden(text: str) -> str:
+    r"""The text with blanks for what is not printed.
+
+    Raises
+    ------
+    Refused
+        For a condition other than ``\iffalse`` and ``\iftrue``: what is printed is not known.
+    """
+    text = COMMENT.sub(lambda m: m[1] + " " * (len(m[0]) - len(m[1])), text)
+    text = HIDDEN.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+    return _decided(text) if CONDITION.search(text) else text
+
+
+def blank(out: list[str], start: int, end: int) -> None:
+    """Put blanks in place of characters; lines stay."""
+    out[start:end] = [c if c == "\n" else " " for c in out[start:end]]
+
+
+def _decided(text: str) -> str:
+    """The text with blanks for the branches of conditions that are not printed."""
+    body = BODY.search(text)
+    begins = body.end() if body else 0
+    out = list(text)
+    opened: list[tuple[bool, int]] = []  # whether the present branch is printed, where it begins
+    for match in CONDITION.finditer(text):
+        word = match[1]
+        if word in ("else", "fi"):
+            if not opened:
+                continue
+            printed, start = opened.pop()
+            blank(out, match.start() if printed else start, match.end())
+            if word == "else":
+                opened.append((not printed, match.start()))
+            continue
+        known = word in ("iffalse", "iftrue")
+        if not known and match.start() >= begins and all(printed for printed, _ in opened):
+            words = f"the condition {match[0]} is not known here: leave what is printed"
+            raise Refused(match.start(), words)
+        opened.append((word != "iffalse", match.start()))
+        blank(out, match.start(), match.end() if known else match.start())
+    hidden = [start for printed, start in opened if not printed]
+    blank(out, hidden[0] if hidden else len(out), len(out))
+    return "".join(out)

@@ -1,0 +1,281 @@
+r"""LaTeX as people write it: ``read_latex(text, naming) -> lines``.
+
+    \begin{equation*} (M+m) \ddot{x} + 2 k x + ... = 0 \tag{6} \end{equation*}
+
+A text that displays its equations ($$, \[, equation, align), or writes them in prose between single
+$, is a document; the prose between is not read. A line that begins with = or with a sign goes on
+from the one before.
+"""
+
+import re
+from functools import lru_cache
+from itertools import pairwise
+
+from lark import Token, Tree
+from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
+
+from mechanics.claims.columns import names_a_column
+from mechanics.claims.latex.bars import barred
+from mechanics.claims.latex.blocks import Block, blocks, claims, is_value
+from mechanics.claims.latex.fold import ALL, FIRST, GLUED, SLASH, Fold
+from mechanics.claims.latex.grammar import PARSER
+from mechanics.claims.latex.item import bare
+from mechanics.claims.latex.items import Items
+from mechanics.claims.latex.outside_formulas import stray, within
+from mechanics.claims.latex.pieces import Pieces, is_kind
+from mechanics.claims.latex.prepare import prepared
+from mechanics.claims.latex.rows import rows
+from mechanics.claims.latex.vectors import applied
+from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
+from mechanics.claims.names import Naming
+from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.claims.tree import Node, move
+
+ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
+BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
+TAG = re.compile(r"[{(]\s*(.*?)\s*[})]", re.DOTALL)
+
+
+def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
+    """Lines of a text in LaTeX, in order.
+
+    Parameters
+    ----------
+    text : str
+    naming : Naming
+        Settles what can be read in two ways: whether f(t) is a product, ML one name.
+    origin : str
+        What messages call the text.
+
+    Raises
+    ------
+    InputError
+        When the text is too long.
+    """
+    bounded(text, origin)
+    try:
+        clean = prepared(text)
+        every = blocks(clean)
+        spans = [b for b in every if not b.inline or claims(clean[b.start : b.end])]
+        bounded_mathematics(sum(block.end - block.start for block in spans), 0)
+    except Refused as reason:
+        raise refusal(text, reason, origin) from None
+    found: list[Entry] = []
+    for block in spans:
+        source = " ".join(text[block.start : block.end].split())
+        try:
+            found += _entries(clean, text, block, naming, origin)
+        except Refused as reason:
+            words = located(text, reason.at, reason.words, origin)
+            found.append(Unread(source, words, block.start, _tag_of(source)))
+    for start, end in (*stray(clean, every), *(s for b in spans for s in within(clean, b))):
+        words = located(text, start, STRAY, origin)
+        found.append(Unread(" ".join(text[start:end].split()), words, start))
+    return sorted(found, key=lambda entry: entry.at)
+
+
+def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -> list[Entry]:
+    """What a block says; what prose gives as a value is no claim."""
+    formula = clean[block.start : block.end]
+    if not block.closed:
+        raise Refused(block.start, "the end of this display is missing")
+    if not block.inline:
+        if block.bare:
+            formula = formula.replace("\n", END_OF_LINE)
+        lines = _block(formula, text, block.start, naming, origin, block.one)
+        return [_claim_or_value(entry, naming) for entry in lines]
+    entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
+    if is_value(formula) and not entries:
+        column = _column(formula, text, block, naming, origin)
+        return (
+            [column] if column is not None else [value(text[block.start : block.end], block.start)]
+        )
+    found: list[Entry] = []
+    for entry in entries or _block(formula, text, block.start, naming, origin):
+        if not isinstance(entry, Line):
+            found.append(entry)
+        elif gives(entry, naming) and entries:
+            words = located(text, block.start, SET, origin)
+            found.append(Unread(entry.source, words, block.start, entry.tag))
+        elif gives(entry, naming):
+            found.append(value(text[block.start : block.end], block.start))
+        elif len(entry.sides) > 1:
+            found.append(entry)
+    return found
+
+
+def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
+    """What is displayed, but for the value of a parameter and one at the beginning."""
+    if isinstance(entry, Aside) or _moves(entry.source, naming):
+        return entry
+    if isinstance(entry, Line) and gives_constants(entry, naming):
+        return value(entry.source, entry.at)
+    source = entry.source.replace("&", "")
+    given = is_value(source) and (
+        BEGINNING.search(source) is not None
+        or naming.is_function(bare(source.split("=")[0])) is not True
+    )
+    if isinstance(entry, Line) and names_a_column(entry, naming):
+        return entry
+    return value(entry.source, entry.at) if given else entry
+
+
+def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) -> Line | None:
+    """A list that a name of the person's own stands for: a column of names."""
+    try:
+        entries = _block(formula, text, block.start, naming, origin)
+    except Refused:
+        return None
+    (entry,) = entries if len(entries) == 1 else (None,)
+    found = isinstance(entry, Line) and names_a_column(entry, naming)
+    return entry if isinstance(entry, Line) and found else None
+
+
+SHORTER = "the argument of a function is its first factor: write brackets around it"
+STRAY = "an equation outside of a formula is not read: put it between \\[ and \\]"
+END_OF_LINE = "\u2028"
+FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
+BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
+SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
+UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
+ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
+
+
+def _moves(formula: str, naming: Naming) -> bool:
+    """Whether an acceleration or a reaction stands in a formula: given a value, that is a claim."""
+    # N is the unit newton, too.
+    letters = set(re.findall(r"\w+", UPRIGHT.sub(" ", formula)))
+    return ACCELERATED.search(formula) is not None or bool(letters & naming.vocabulary.reactions)
+
+
+@lru_cache(maxsize=64)
+def _tree(text: str) -> Tree:
+    """A text is read again when a name in it was guessed."""
+    return PARSER.parse(text)
+
+
+def _block(
+    text: str, whole: str, offset: int, naming: Naming, origin: str, one: bool = False
+) -> list[Entry]:
+    if by_cases := BY_CASES.search(text):
+        raise Refused(offset + by_cases.start(), "cases cannot be read here: give one of them")
+    try:
+        tree = _tree(barred(text))
+    except UnexpectedInput as error:
+        raise _unexpected(error, text, offset) from None
+    found: list[Entry] = []
+    for row in rows(tree, text, one):
+        pieces = row.pieces
+        try:
+            if row.doubt:
+                raise Refused(_span(pieces)[0], row.doubt)
+            line = _line(pieces, text, whole, offset, naming)
+        except Refused as reason:
+            # One line that cannot be read does not spoil the others.
+            line = _unread(pieces, whole, offset, Refused(offset + reason.at, reason.words), origin)
+        if line is not None:
+            found.append(line)
+    return found
+
+
+def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused, origin: str) -> Unread:
+    start, end = (offset + at for at in _span(pieces))
+    source = " ".join(whole[start:end].split())
+    words = located(whole, reason.at, reason.words, origin)
+    return Unread(source, words, start, _tag_of(source))
+
+
+def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
+    if isinstance(error, UnexpectedCharacters):
+        at = error.pos_in_stream
+        return Refused(offset + at, f"{text[at : at + 12].split(chr(10))[0]!r} cannot be read here")
+    if isinstance(error, UnexpectedToken) and error.token.type != "$END":
+        at = error.token.start_pos or 0
+        return Refused(offset + at, f"{str(error.token)[:20]!r} cannot be read here")
+    if isinstance(error, UnexpectedEOF | UnexpectedToken):
+        return Refused(offset + len(text.rstrip()), "a bracket or argument is not closed")
+    raise error
+
+
+def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) -> Entry | None:
+    tag, kept = "", []
+    for piece in pieces:
+        if isinstance(piece, Token) and piece.type == "TAG":
+            tag = _tag_of(piece.value)
+        else:
+            kept.append(piece)
+    if not kept:
+        return None
+    start, end = _span(kept)
+    if framed := FRAMED.search(whole[max(0, offset + start - 14) : offset + start]):
+        start -= len(framed[0])
+    source = " ".join(whole[offset + start : offset + end].split())
+    if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
+        if _moves(source, naming):
+            raise Refused(_span(kept)[0], "an inequality or approximation cannot be judged")
+        return _condition(kept, source, offset + start)
+    sides: list[Pieces] = [[]]
+    for piece in kept:
+        if is_kind(piece, "REL"):
+            sides.append([])
+        else:
+            sides[-1].append(piece)
+    notes: list[str] = []
+    fold = Fold(naming, notes)
+    nodes = _sides(sides, text, end, fold)
+    others = _others(sides, text, end, naming, nodes) if SLASH in notes else ()
+    if fold.several:
+        shorter = _sides(sides, text, end, Fold(naming, [], argument=FIRST))
+        others += ((SHORTER, shorter),) if shorter != nodes else ()
+    for tree in (*nodes, *(node for _, other in others for node in other)):
+        move(tree, offset)
+    unique = tuple(dict.fromkeys(notes))
+    return Line(nodes, tag, offset + start, source, unique, others)
+
+
+def _sides(sides: list[Pieces], text: str, end: int, fold: Fold) -> tuple[Node, ...]:
+    items = Items(text, fold.naming, fold, fold.notes)
+    parts = [items.of(side) for side in sides]
+    if len(parts) > 1:
+        parts[0] = applied(parts[0], fold.naming, fold.notes)
+    return tuple(
+        fold(part, _span(side)[0] if side else end) for part, side in zip(parts, sides, strict=True)
+    )
+
+
+def _others(
+    sides: list[Pieces], text: str, end: int, naming: Naming, first: tuple[Node, ...]
+) -> tuple[tuple[str, tuple[Node, ...]], ...]:
+    """The sides with more than one factor below a slash."""
+    found: dict[tuple[Node, ...], str] = {}
+    for below in (GLUED, ALL):
+        fold = Fold(naming, [], below)
+        nodes = _sides(sides, text, end, fold)
+        if fold.slash is not None and nodes != first:
+            words = " ".join(text[slice(*fold.slash)].split())
+            found.setdefault(nodes, f"/{words} is /({words}): write the brackets")
+    return tuple((words, nodes) for nodes, words in found.items())
+
+
+def _condition(pieces: Pieces, source: str, at: int) -> Aside:
+    """What compares names and numbers: ``b > 0``."""
+    kinds = [piece.type if isinstance(piece, Token) else "" for piece in pieces]
+    about = any(isinstance(p, Token) and p.value in ABOUT for p in pieces)
+    moves = any(isinstance(p, Tree) and isinstance(p.children[0], Tree) for p in pieces)
+    side_by_side = any(one == two == "" for one, two in pairwise(kinds))
+    if side_by_side or (about and moves) or set(kinds) - {"", "ORDER", "SIGN"}:
+        raise Refused(_span(pieces)[0], "an inequality or approximation cannot be judged")
+    return Aside(f"{source[:60]}: conditions in the text are not used", at)
+
+
+def _span(pieces: Pieces) -> tuple[int, int]:
+    first, last = pieces[0], pieces[-1]
+    start = first.start_pos if isinstance(first, Token) else first.meta.start_pos
+    end = last.end_pos if isinstance(last, Token) else last.meta.end_pos
+    return int(start or 0), int(end or 0)
+
+
+def _tag_of(text: str) -> str:
+    position = text.find("\\tag")
+    match = TAG.search(text, max(position, 0)) if position >= 0 or "eqno" in text else None
+    return f"({match[1].strip('()')})" if match else ""

@@ -1,0 +1,84 @@
+"""General laws in the prose, which say nothing of the scene: F = m a, tau = I alpha.
+
+They are told from claims by their names: on each side one that nothing explains, and used nowhere
+else; or one with an index, q_i, of which no scene has any.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from fractions import Fraction
+
+from mechanics.claims.lines import Aside, Entry, Line
+from mechanics.claims.names import Naming, column
+from mechanics.claims.tree import Name, Node, Number, Power, Product, Sum, constant, names, parts
+
+PLAIN = (Number, Name, Sum, Product, Power)
+INDEXED = re.compile(r"[A-Za-z]+_[ijk]")
+"""Any of several, as in Lagrange's equations for q_i."""
+FACTORS = (None, -1, Fraction(1, 2), 1, 2)
+"""Numbers in laws."""
+
+
+def without_laws(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines, with a remark in place of each general law that stands beside claims."""
+    used = [_used(line) for line in lines]
+    counts = Counter(name for held in used for name in held)
+    laws = [
+        isinstance(line, Line) and _is_law(line, naming, {n for n in held if counts[n] == 1})
+        for line, held in zip(lines, used, strict=True)
+    ]
+    claims = [isinstance(line, Line) and not law for line, law in zip(lines, laws, strict=True)]
+    if not any(claims):
+        return list(lines)
+    return [
+        _aside(line, naming) if law and isinstance(line, Line) else line
+        for line, law in zip(lines, laws, strict=True)
+    ]
+
+
+def _used(line: Entry) -> set[str]:
+    sides = line.sides if isinstance(line, Line) else ()
+    return {name.name for side in sides for name in names(side)}
+
+
+def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
+    """Whether it speaks of no state, and each side of what is only here; or of any coordinate."""
+    every = [name.name for side in line.sides for name in names(side)]
+    if any(INDEXED.fullmatch(name) and naming.target(name) is None for name in every):
+        return True
+    if len(line.sides) != 2 or not all(map(_is_plain, line.sides)):
+        return False
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    for name in (name for side in line.sides for name in names(side)):
+        if name.given or "(" in name.name or column(naming, name.name):
+            return False  # of columns and matrices
+        found = naming.target(name.name)
+        if found is not None and found[0] not in inputs and naming.is_function(name.name):
+            return False
+    if all(isinstance(side, Name) for side in line.sides):
+        return False
+    unknown = [{n.name for n in names(side)} & only_here for side in line.sides]
+    unknown = [{n for n in held if naming.target(n) is None} for held in unknown]
+    told = all(
+        held or _is_input(side, inputs) for side, held in zip(line.sides, unknown, strict=True)
+    )
+    return told and not unknown[0] & unknown[1]
+
+
+def _is_plain(node: Node) -> bool:
+    value = constant(node) if isinstance(node, Number) else None
+    return isinstance(node, PLAIN) and (value in FACTORS) and all(map(_is_plain, parts(node)))
+
+
+def _is_input(side: Node, inputs: set[str]) -> bool:
+    return isinstance(side, Name) and side.name in inputs
+
+
+def _aside(line: Line, naming: Naming) -> Aside:
+    unknown = dict.fromkeys(
+        n.name for side in line.sides for n in names(side) if naming.target(n.name) is None
+    )
+    held = ", ".join(unknown)
+    words = f"{line.source[:60]}: a general law, not judged: nothing else uses {held}"
+    return Aside(words, line.at)

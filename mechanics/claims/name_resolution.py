@@ -1,0 +1,48 @@
+"""Lines of a text, read again as it becomes known what its names mean.
+
+f(x) = ...  ->  f is a function: f(x) is no product        th  ->  theta, by the best guess
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from mechanics.claims.arguments import applied
+from mechanics.claims.columns import with_columns
+from mechanics.claims.definitions import apart, definitions, momenta, own, turned, used
+from mechanics.claims.guess import guess
+from mechanics.claims.laws import without_laws
+from mechanics.claims.lines import Entry
+from mechanics.claims.names import Match, Naming
+from mechanics.claims.sines import with_sines
+from mechanics.claims.text.elements import with_states
+from mechanics.scene.symbols import DOTS
+
+Read = Callable[[Naming], Sequence[Entry]]
+"""Makes lines, given how names are to be understood."""
+
+
+def named(read: Read, naming: Naming) -> tuple[Naming, list[Entry]]:
+    """What all names mean, and the lines under these meanings."""
+    lines = _lines(read, naming)
+    if functions := applied(lines, naming):
+        naming = replace(naming, applied=functions)
+        lines = _lines(read, naming)
+    lines, entries = with_states(lines, naming)
+    naming = replace(naming, guessed=entries)
+    lines = without_laws(lines, naming)
+    guessed = guess(naming, used(lines), own(lines, naming))
+    found = momenta(lines, replace(naming, guessed=(*entries, *guessed)))
+    of = "the generalized momentum, by what it is defined as"
+    guessed += tuple(Match(n, base + DOTS[order], of) for n, (base, order) in found.items())
+    trees = {name: line.sides[1] for name, line in definitions(lines, naming).items()}
+    if guessed or trees:
+        plain = replace(naming, guessed=(), own=trees)
+        naming = replace(naming, guessed=(*entries, *guessed), own=trees)
+        lines, _ = with_states(_lines(read, naming), plain)
+        lines = without_laws(lines, naming)
+    return naming, lines
+
+
+def _lines(read: Read, naming: Naming) -> list[Entry]:
+    lines = turned(apart(read(naming), naming), naming)
+    return with_columns(with_sines(lines, naming), naming)

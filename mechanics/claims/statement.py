@@ -1,0 +1,103 @@
+"""A statement of a person about a scene: a row of the ledger, with what it was read from.
+
+source -> row.sides, in the scene's plain symbols; row.quantity is what it is about
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sympy import Expr
+
+from mechanics.claims.claim import Trees, Written
+from mechanics.claims.demands import Demands
+from mechanics.claims.names import Match
+from mechanics.scene.published import Published
+
+NO_DEMANDS = Demands()
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A name on the left that may mean several things.
+
+    Attributes
+    ----------
+    name : str
+    sides : tuple of Expr
+        What it is said to be, in the scene's plain symbols.
+    said : str
+        What the person says that it means, a word of `mechanics.claims.about.WORDS`, or empty.
+    own : bool
+        Whether the scene has it.
+    """
+
+    name: str
+    sides: tuple[Expr, ...]
+    said: str = ""
+    own: bool = False
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One thing that a person claims.
+
+    Attributes
+    ----------
+    row : Published or None
+        What the ledger checks; None for what could not be read.
+    source : str
+        As it was written.
+    tag : str
+        The number that it has in its source, ``"(6)"``, or its place among the others, ``"1"``.
+    place : str
+        ``file, line 3``, where it has one.
+    notes : tuple of str
+        How what can be read in two ways was read, and what was added.
+    doubt : str
+        Why it has no verdict, one line: it could not be read, or holds a name that nothing
+        explains. Empty otherwise.
+    written : Written or None
+        The trees of what was written, where it was read from a text.
+    others : tuple of (str, tuple of Node)
+        Other ways to read it, in words, and its sides then.
+    demands : Demands
+        What was written that has no value everywhere, before anything was put together.
+    letter : Letter or None
+        The name on the left, where that may mean several things; `row` takes it as the first.
+    ways : mapping of Expr to Written
+        The trees of each way through code that decides, by what its output is then.
+    taken : tuple of (str, Published)
+        Other things that an output of code may be, in words, and the row then; the words are the
+        same for all outputs of one call.
+    """
+
+    row: Published | None
+    source: str
+    tag: str
+    place: str = ""
+    notes: tuple[str, ...] = ()
+    doubt: str = ""
+    written: Written | None = None
+    others: tuple[tuple[str, Trees], ...] = ()
+    demands: Demands = NO_DEMANDS
+    letter: Letter | None = None
+    ways: Mapping[Expr, Written] = field(default_factory=dict)
+    taken: tuple[tuple[str, Published], ...] = ()
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What was read.
+
+    Attributes
+    ----------
+    statements : tuple of Statement
+    names : tuple of Match
+        What each name of the person was taken for.
+    remarks : tuple of str
+        Definitions of the person, and what else was made of the text.
+    """
+
+    statements: tuple[Statement, ...]
+    names: tuple[Match, ...]
+    remarks: tuple[str, ...]

@@ -1,0 +1,246 @@
+"""Entries of arrays, as MATLAB and Julia write states: y(3), dy(2, 1), dydt = [...], u[1].
+
+    dydt(1) = y(3)    ->    y(3) is the rate of y(1)        theta = y(1)    ->    y(1) is theta
+
+The state is q, q' in the scene's order, in pairs where the text says so.
+"""
+
+import re
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from mechanics.claims.definitions import definitions
+from mechanics.claims.lines import Aside, Entry, Line
+from mechanics.claims.names import Match, Naming, column
+from mechanics.claims.tree import (
+    ENTRY,
+    Call,
+    Name,
+    Node,
+    Number,
+    Table,
+    constant,
+    ended,
+    names,
+    parts,
+    with_parts,
+)
+from mechanics.scene.symbols import DOTS
+
+ELEMENT = re.compile(r"(?P<array>\w+)(?P<open>[(\[])(?P<index>\d+)[)\]]")
+RATES = ("d{}dt", "d{}", "{}dot", "{}_dot", "{}d", "{}p", "D{}", "d{}_dt", "dot_{}", "{}prime")
+"""What people call the rate of an array."""
+INPUTS = ("u", "tau", "F", "Q", "U")
+WHY = "an entry of an array, in the scene's order"
+SAID = "an entry of an array, as the text has it"
+
+Meaning = tuple[str, int]
+"""Name of the scene, and order of the derivative."""
+
+
+def element(array: str, arguments: Sequence[Node], brackets: str = "()") -> str | None:
+    """The name of an entry; a column may have a second number: dy(2, 1)."""
+    numbers = [constant(one) for one in arguments]
+    if len(numbers) == 2 and 1 in numbers:
+        numbers = numbers[:1] if numbers[1] == 1 else numbers[1:]
+    first = 1 if brackets == "()" else 0
+    if len(numbers) != 1 or numbers[0] is None or numbers[0].denominator != 1:
+        return None
+    index = int(numbers[0])
+    return f"{array}{brackets[0]}{index}{brackets[1]}" if index >= first else None
+
+
+def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tuple[Match, ...]]:
+    """The lines with the rate of a state entry by entry, and what the entries mean."""
+    own = definitions(lines, naming)
+    lines = [_of_own(line, own) for line in lines]
+    arrays = _arrays(lines)
+    tables = [name for name, line in own.items() if isinstance(line.sides[1], Table)]
+    if not arrays:
+        return list(lines), ()
+    found: dict[str, tuple[str, str]] = {}
+    rates: dict[str, str] = {}
+    for array in arrays:
+        rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
+        said = _said(lines, naming, array)
+        if rate or said or not any(array in _named_rates(other) for other in arrays):
+            found |= _meanings(lines, naming, array, rate, arrays, said)
+            rates[rate] = array
+    expanded = [_expanded(line, rates, found, arrays) for line in lines]
+    matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
+    return [_told(line, naming, found) for line in expanded], matches
+
+
+def _of_own(line: Entry, own: Container[str]) -> Entry:
+    r"""The line with entries of what the text defines: qdd(1), where qdd = M \ f."""
+    if not isinstance(line, Line):
+        return line
+
+    def entry(node: Node) -> Node:
+        part = ELEMENT.fullmatch(node.name) if isinstance(node, Name) else None
+        if part is None or part["array"] not in own:
+            inside = parts(node)
+            new = tuple(map(entry, inside))
+            return node if new == inside else ended(with_parts(node, new), node.end)
+        index = Number(node.at, Fraction(int(part["index"]) + (part["open"] == "[")))
+        return ended(Call(node.at, ENTRY, (Name(node.at, part["array"]), index)), node.end)
+
+    return replace(line, sides=tuple(map(entry, line.sides)))
+
+
+def _named_rates(array: str) -> tuple[str, ...]:
+    return tuple(form.format(array) for form in RATES)
+
+
+def _arrays(lines: Sequence[Entry]) -> dict[str, set[int]]:
+    """Arrays of which entries are used, and which."""
+    found: dict[str, set[int]] = {}
+    for line in lines:
+        for side in line.sides if isinstance(line, Line) else ():
+            for name in names(side):
+                if part := ELEMENT.fullmatch(name.name):
+                    found.setdefault(part["array"], set()).add(int(part["index"]))
+    return found
+
+
+def _said(lines: Sequence[Entry], naming: Naming, array: str) -> dict[int, Meaning]:
+    """What ``theta = y(1)`` says of entries."""
+    found: dict[int, Meaning] = {}
+    for line in lines:
+        if not isinstance(line, Line) or len(line.sides) != 2:
+            continue
+        for one, other in (line.sides, line.sides[::-1]):
+            place = _place(other, array)
+            target = naming.lookup(one.name) if isinstance(one, Name) else None
+            if place is None or not isinstance(one, Name) or target is None:
+                continue
+            if naming.is_function(one.name) and not ELEMENT.match(one.name):
+                found.setdefault(place, (target[0], target[1] + one.order))
+    return found
+
+
+def _meanings(
+    lines: Sequence[Entry], naming: Naming, array: str, rate: str, arrays: Mapping[str, set[int]],
+    said: Mapping[int, Meaning],
+) -> dict[str, tuple[str, str]]:  # fmt: skip
+    """What the entries of an array mean, and those of its rate, by name."""
+    scene = naming.vocabulary.scene
+    if scene.speeds:
+        return {}
+    used = arrays[array] | arrays.get(rate, set())
+    first = 0 if 0 in used else 1
+    coordinates = [q.name for q in scene.q]
+    size = len(coordinates)
+    places: dict[int, Meaning]
+    why = WHY
+    if said:
+        places, why = dict(said), SAID
+    elif entries := column(naming, array) if max(used) - first < size else ():
+        places = {first + i: (entry, 0) for i, entry in enumerate(entries)}
+    elif rate:
+        order = _order(lines, array, rate, size, first)
+        places = {place: (coordinates[k % size], k // size) for k, place in enumerate(order)}
+    elif array in INPUTS and max(used) - first < len(scene.input_symbols):
+        inputs = [symbol.name for symbol in scene.input_symbols]
+        places = {first + i: (name, 0) for i, name in enumerate(inputs)}
+    else:
+        return {}
+    brackets = _brackets(lines, array)
+    of_rate = _brackets(lines, rate) or brackets
+    found: dict[str, tuple[str, str]] = {}
+    for place, (base, order_of) in places.items():
+        if order_of < len(DOTS):
+            found[f"{array}{brackets[0]}{place}{brackets[1]}"] = base + DOTS[order_of], why
+        if rate and order_of + 1 < len(DOTS):
+            found[f"{rate}{of_rate[0]}{place}{of_rate[1]}"] = base + DOTS[order_of + 1], why
+    return found
+
+
+def _brackets(lines: Sequence[Entry], array: str) -> str:
+    for line in lines:
+        for side in line.sides if isinstance(line, Line) else ():
+            for name in names(side):
+                part = ELEMENT.fullmatch(name.name)
+                if part and part["array"] == array:
+                    return "()" if part["open"] == "(" else "[]"
+    return ""
+
+
+def _order(lines: Sequence[Entry], array: str, rate: str, size: int, first: int) -> list[int]:
+    """Places of q and then of q': in blocks, unless lines say otherwise."""
+    blocks = list(range(first, first + 2 * size))
+    pairs = dict(_pairs(lines, array, rate, first))
+    if len(pairs) == size == len({*pairs.values()}) and not {*pairs} & {*pairs.values()}:
+        return [*sorted(pairs), *(pairs[place] for place in sorted(pairs))]
+    in_pairs = [*blocks[::2], *blocks[1::2]]
+    for order in (blocks, in_pairs):
+        next_of = dict(zip(order[:size], order[size:], strict=True))
+        if all(next_of.get(i) == j for i, j in pairs.items()):
+            return order
+    return blocks
+
+
+def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int) -> list[tuple[int, int]]:
+    """Places i and j of ``dy(i) = y(j)``."""
+    found: list[tuple[int, int]] = []
+    for line in lines:
+        if not isinstance(line, Line) or len(line.sides) != 2:
+            continue
+        left, right = line.sides
+        if not isinstance(left, Name):
+            continue
+        cells = [right]
+        places = [_place(left, rate)]
+        if left.name == rate and isinstance(right, Table):
+            cells = [cell for row in right.rows for cell in row]
+            places = list(range(first, first + len(cells)))
+        for i, cell in zip(places, cells, strict=True):
+            j = _place(cell, array)
+            if i is not None and j is not None:
+                found.append((i, j))
+    return found
+
+
+def _place(node: Node, array: str) -> int | None:
+    part = ELEMENT.fullmatch(node.name) if isinstance(node, Name) else None
+    return int(part["index"]) if part and part["array"] == array else None
+
+
+def _expanded(
+    line: Entry, rates: Mapping[str, str], found: Mapping[str, object],
+    arrays: Mapping[str, set[int]],
+) -> Entry:  # fmt: skip
+    """``dydt = [a; b]`` as an equation of columns."""
+    if not isinstance(line, Line) or len(line.sides) != 2:
+        return line
+    left, right = line.sides
+    if not isinstance(left, Name) or not isinstance(right, Table) or left.name not in rates:
+        return line
+    cells = [cell for row in right.rows for cell in row]
+    used = arrays[rates[left.name]] | arrays.get(left.name, set())
+    first = 0 if 0 in used else 1
+    labels = [
+        next((n for n in (f"{left.name}({i})", f"{left.name}[{i}]") if n in found), "")
+        for i in range(first, first + len(cells))
+    ]
+    if not all(labels):
+        return line
+    column_of = Table(left.at, tuple((ended(Name(left.at, n), left.end),) for n in labels))
+    return replace(line, sides=(column_of, Table(right.at, tuple((cell,) for cell in cells))))
+
+
+def _told(line: Entry, naming: Naming, found: Mapping[str, tuple[str, str]]) -> Entry:
+    """A line that only names an entry says nothing else."""
+    if not isinstance(line, Line) or len(line.sides) != 2:
+        return line
+    for one, other in (line.sides, line.sides[::-1]):
+        if not isinstance(one, Name) or not isinstance(other, Name) or other.name not in found:
+            continue
+        target = naming.lookup(one.name)
+        order = target[1] + one.order if target is not None else len(DOTS)
+        if target is None or order >= len(DOTS) or ELEMENT.match(one.name):
+            continue
+        if found[other.name] == (target[0] + DOTS[order], SAID):
+            return Aside(f"{line.source[:60]}: taken as the name of an entry", line.at)
+    return line

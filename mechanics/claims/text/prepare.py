@@ -1,0 +1,81 @@
+"""A text before it is parsed: comments and continued lines blanked, place by place.
+
+    [a -b; c d]  % mass matrix        ->        [a,-b; c d]
+
+A blank between two entries of a MATLAB matrix becomes the comma that it stands for; no character
+moves, so that messages name the right place.
+"""
+
+import re
+
+from mechanics.claims.latex.bars import barred
+from mechanics.claims.text.line_continuation import on_one_line, sentences
+
+COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
+ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
+STARTS = re.compile(r"[\w(\[.]")
+
+HEADER = re.compile(r"^[ \t]*(?:function\b|model\b)[^\n]*(?=\n)", re.MULTILINE)
+DECLARED = re.compile(
+    r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
+    r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
+    r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
+    re.MULTILINE,
+)
+"""Lines of a function or model that say nothing of it."""
+SIZED = re.compile(
+    r"^[ \t]*(?:\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*\([^\n;]*;?"
+    r"|(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?)[ \t\r]*$",
+    re.MULTILINE,
+)
+"""The size of an array."""
+
+
+def without_declarations(text: str) -> str:
+    """The text of a function or model with blanks for its head, its end and what it declares."""
+    text = SIZED.sub(lambda m: " " * len(m[0]), text)
+    if not HEADER.search(text):
+        return text
+    for lines in (HEADER, DECLARED):
+        text = lines.sub(lambda m: " " * len(m[0]), text)
+    return text
+
+
+def prepared(text: str) -> str:
+    """The text with blanks for comments and for ends of lines inside round brackets."""
+    text = COMMENT.sub(lambda m: " " * len(m[0]), text)
+    text = barred(without_declarations(text))
+    text = on_one_line(sentences(text))
+    out = list(text)
+    open_brackets: list[str] = []
+    for i, character in enumerate(text):
+        if character in "([":
+            open_brackets.append(character)
+        elif character in ")]" and open_brackets:
+            open_brackets.pop()
+        elif character == "\n" and open_brackets and _blank(text, i, open_brackets):
+            out[i] = " "
+        elif character in " \t" and open_brackets[-1:] == ["["] and _between(text, i):
+            out[i] = ","
+    return "".join(out)
+
+
+def _blank(text: str, i: int, open_brackets: list[str]) -> bool:
+    """Whether the end of a line means nothing: in round brackets, or beside a comma."""
+    if open_brackets[-1] == "(":
+        return True
+    before, after = text[:i].rstrip()[-1:], text[i:].lstrip()[:1]
+    return before in ",[;(" or after in ",]" or len(open_brackets) > 1
+
+
+def _between(text: str, i: int) -> bool:
+    """Whether a blank stands between two entries of a matrix."""
+    if i == 0 or not ENDS.fullmatch(text[i - 1]):
+        return False
+    rest = text[i:].lstrip(" \t")
+    if not rest:
+        return False
+    if rest[0] in "+-":
+        # MATLAB: [a -b] has two entries, [a - b] one.
+        return len(rest) > 1 and rest[1] not in " \t"
+    return bool(STARTS.fullmatch(rest[0]))

@@ -1,0 +1,146 @@
+"""Plain text in SymPy's or MATLAB's notation: ``read_text(text, naming) -> lines``.
+
+    (M + m)*x.diff(t, 2) + 2*k*x = 0        Eq(theta'', -g/L*sin(theta))        xdd = -k*x/m;
+
+A whitelist grammar makes a tree; no text is ever evaluated.
+"""
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+
+from lark import Tree
+from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
+
+from mechanics.claims.functions import FUNCTIONS
+from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_constant, value
+from mechanics.claims.names import Naming
+from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.claims.text.grammar import PARSER
+from mechanics.claims.text.nodes import Nodes
+from mechanics.claims.text.prepare import prepared
+
+BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
+VALUE = re.compile(
+    rf"(\w+) ?= ?[-+]?\d[\d.]*(?:[eE][-+]?\d+)? \[?{BASE}(?:[ */.]{{0,3}}{BASE}){{0,5}}\]?"
+)
+"""The value of a parameter with its unit."""
+ARRAYS = re.compile(r"\b(?:as)?array\s*\(")
+"""Of NumPy, which multiplies entry by entry."""
+ENDS = ("end", "endfunction")
+TAG = re.compile(r"(?:[%#]|^[ \t]{2,})\s*(\([\w.']{1,12}\))")
+
+
+def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
+    """Lines of a plain text, in order.
+
+    Parameters
+    ----------
+    text : str
+    naming : Naming
+        Settles whether ``M(x + 1)`` is a product.
+    origin : str
+        What messages call the text.
+
+    Raises
+    ------
+    InputError
+        When the text is too long.
+    """
+    bounded(text, origin)
+    try:
+        bounded_mathematics(len(text), 0)
+    except Refused as reason:
+        raise refusal(text, reason, origin) from None
+    clean = prepared(text)
+    try:
+        return _lines(clean, text, 0, naming, origin)
+    except Refused as reason:
+        whole = reason
+    # One line that cannot be read does not spoil the others.
+    found: list[Entry] = []
+    for part, start in _statements(clean):
+        source = " ".join(part.split())
+        if (given := VALUE.fullmatch(source)) and is_constant(given[1], naming):
+            found.append(value(source, start))
+            continue
+        try:
+            found += _lines(part, text, start, naming, origin)
+        except Refused as reason:
+            words = located(text, reason.at, reason.words, origin)
+            found.append(Unread(source, words, start))
+    if not any(isinstance(line, Line) for line in found):
+        words = located(text, whole.at, whole.words, origin)
+        return [Unread(" ".join(text.split())[:200], words, whole.at)]
+    return found
+
+
+def _statements(clean: str) -> Iterator[tuple[str, int]]:
+    """Lines, and what semicolons set apart in them outside of brackets; each with its place."""
+    for line in re.finditer(r"[^\n]+", clean):
+        depth, start = 0, 0
+        for i, character in enumerate(f"{line[0]};"):
+            depth += (character in "([") - (character in ")]")
+            if character == ";" and (depth == 0 or i == len(line[0])):
+                if line[0][start:i].strip():
+                    yield line[0][start:i], line.start() + start
+                start = i + 1
+
+
+@lru_cache(maxsize=64)
+def _tree(text: str) -> Tree:
+    """A text is read again when a name in it was guessed."""
+    return PARSER.parse(text)
+
+
+def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
+    try:
+        tree = _tree(clean)
+    except UnexpectedInput as error:
+        raise _unexpected(error, clean, offset) from None
+    found: list[Entry] = []
+    for statement in tree.children:
+        if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:
+            at = offset + statement.meta.start_pos
+            words = "the end of a MATLAB function: keep its equations only, one a line"
+            found.append(Unread("end", located(text, at, words, origin), at))
+            continue
+        notes: list[str] = []
+        arrays = ARRAYS.search(text) is not None
+        nodes = Nodes(naming, offset, notes, arrays=arrays)
+        sides = nodes.sides(statement)
+        other = Nodes(naming, offset, [], False, arrays).sides(statement) if nodes.slash else ()
+        others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
+        start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
+        rest = text[end:].split("\n", 1)[0]
+        tag = TAG.search(rest)
+        source = " ".join(text[start:end].split())
+        line = Line(sides, tag[1] if tag else "", start, source, tuple(notes), others)
+        told = VALUE.fullmatch(source)
+        given = is_constant(told[1], naming) if told else gives_constants(line, naming)
+        found.append(value(source, start) if given else line)
+    return found
+
+
+def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
+    if isinstance(error, UnexpectedCharacters):
+        at, found = error.pos_in_stream, text[error.pos_in_stream : error.pos_in_stream + 1]
+        return Refused(offset + at, f"{found!r} cannot be read here{_advice(text, at, found)}")
+    if isinstance(error, UnexpectedToken) and error.token.type != "$END":
+        at, found = error.token.start_pos or 0, str(error.token)[:20]
+        word = "the end of a line" if error.token.type == "_END" else repr(found)
+        return Refused(offset + at, f"{word} cannot be read here{_advice(text, at, found)}")
+    return Refused(offset + len(text.rstrip()), "something is missing at the end")
+
+
+def _advice(text: str, at: int, found: str) -> str:
+    """What to write instead where two operands stand side by side."""
+    before = text[max(0, text.rfind("\n", 0, at) + 1) : at].rstrip()[-60:]
+    if re.match(r"\s*function\b", before):
+        return ": a MATLAB function: keep its equations only, one a line, without function and end"
+    last = re.search(r"[\w'\u0307\u0308]+$|[)\]]$", before)
+    if last is None or not re.match(r"[\w(]", found):
+        return ""
+    if last[0] in FUNCTIONS:
+        return f": write {last[0]}({found})"
+    return ": write * between factors"
