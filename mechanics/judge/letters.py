@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 from sympy import Add, Symbol
 
-from mechanics.claims.about import ENERGY_NAMES, LETTERS, QUANTITIES
+from mechanics.claims.about import LETTERS, QUANTITIES
 from mechanics.claims.demands import Demands
 from mechanics.claims.statement import NO_DEMANDS, Letter, Statement
 from mechanics.compiled.dimensions import known_dimensions
@@ -223,11 +223,10 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
     moves = any(scene.plain(side).free_symbols & moving for side in letter.sides)
     first = letter.said or (*LETTERS.get(letter.name, ((OWN,),)),)[0][0]
     constant = first == "frequency"  # of what a text calls omega
-    if written is None or first not in UNITS or not (moves or letter.said or constant):
+    if written is None or first not in UNITS or not (moves or constant):
         return Settled(statement)
-    named = letter.said or letter.name in ENERGY_NAMES or first not in QUANTITIES
-    if not (constant or (moves and named)):
-        return Settled(statement)
+    if first in QUANTITIES:  # has a value: what differs from it can be mended
+        return Settled(_first(truth, statement, first))
     needed = words(dimension_of_unit(UNITS[first], first) or ())
     message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"
     return _of_no_dimension(statement, MixedDimensions(message, words(written), needed))

@@ -11,7 +11,7 @@ from functools import cache
 from types import ModuleType, UnionType
 from typing import Any, Protocol, get_args, get_origin, get_type_hints
 
-from sympy import Expr, Float, ImmutableMatrix, MatrixBase, Symbol
+from sympy import Expr, Float, ImmutableMatrix, MatrixBase, S, Symbol, sympify
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
@@ -86,7 +86,7 @@ def _side(writer: Writer, side: Any) -> Any:
         return {"relation": [side.rel_op, *(writer.expression(e) for e in side.args)]}
     if isinstance(side, MatrixBase):
         return {"matrix": _written(writer, side)}
-    return writer.expression(side)
+    return _printed(writer, side)
 
 
 def _written(writer: Writer, value: Any) -> Any:
@@ -96,7 +96,7 @@ def _written(writer: Writer, value: Any) -> Any:
         kept = [f.name for f in fields(kind) if required(f) or own[f.name] != f.default]
         return {"kind": NAME_OF[kind], **{n: _written(writer, own[n]) for n in kept}}
     if isinstance(value, MatrixBase):
-        return [[_entry(writer, e) for e in value.row(i)] for i in range(value.rows)]
+        return [[_printed(writer, e) for e in value.row(i)] for i in range(value.rows)]
     if isinstance(value, tuple | list):
         return [_written(writer, one) for one in value]
     if value is None or isinstance(value, str | bool | int):
@@ -104,9 +104,13 @@ def _written(writer: Writer, value: Any) -> Any:
     return writer.expression(value)
 
 
-def _entry(writer: Writer, entry: Any) -> Any:
-    """A number that is printed keeps its digits."""
-    return {"decimal": str(entry)} if isinstance(entry, Float) else writer.expression(entry)
+def _printed(writer: Writer, value: Expr | int) -> Any:
+    """A number that is printed, alone or in front of a product, keeps its digits."""
+    number, rest = sympify(value).as_coeff_Mul()
+    if not isinstance(number, Float) or not DECIMAL.fullmatch(str(number)):
+        return writer.expression(value)
+    times = {} if rest is S.One else {"times": writer.expression(rest)}
+    return {"decimal": str(number), **times}
 
 
 def read_rows(reader: Reader, rows: list[Any]) -> tuple[Published, ...]:
@@ -141,7 +145,9 @@ def _read_side(reader: Reader, side: Any, path: str) -> Any:
         return relation(inner, reader.names, f"{path}.relation")
     if kind == "matrix":
         return _matrix(reader, inner, f"{path}.matrix")
-    raise refuse(path, "a tree, or an object with one of word, relation, matrix expected")
+    if "decimal" in side:
+        return _number(reader, side, path)
+    raise refuse(path, "a tree, or an object with one of word, relation, matrix, decimal expected")
 
 
 def _value(reader: Reader, tree: Any, hint: Any, path: str) -> Any:
@@ -205,10 +211,13 @@ def _matrix(reader: Reader, tree: Any, path: str) -> ImmutableMatrix:
 def _number(reader: Reader, entry: Any, path: str) -> Expr:
     if not isinstance(entry, dict):
         return reader.expression(entry, path)
+    _known(entry, {"decimal", "times"}, path)
     text = entry.get("decimal")
-    if len(entry) != 1 or not isinstance(text, str) or not DECIMAL.fullmatch(text):
-        raise refuse(path, 'a tree, or {"decimal": "0.618"}, expected')
-    return Float(text, "")  # of as many digits as are printed
+    if not isinstance(text, str) or not DECIMAL.fullmatch(text):
+        raise refuse(path, 'a tree, or {"decimal": "0.618", "times": tree}, expected')
+    number = Float(text, "")  # of as many digits as are printed
+    times = reader.expression(entry["times"], f"{path}.times") if "times" in entry else S.One
+    return number * times
 
 
 def _text(value: Any, path: str) -> str:

@@ -99,7 +99,8 @@ def _borders() -> dict[str, Any]:
              "sides": {"type": "array", "minItems": 1, "items": {"anyOf": [
                  tree, _object({"word": text}, ["word"]),
                  _object({"relation": _to("relation")}, ["relation"]),
-                 _object({"matrix": {"type": "array"}}, ["matrix"])]}}},
+                 _object({"matrix": {"type": "array"}}, ["matrix"]),
+                 _object({"decimal": text, "times": tree}, ["decimal"])]}}},
             ["quantity", "sides"],
         ),
         "parameter": _object(
