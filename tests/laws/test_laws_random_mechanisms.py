@@ -8,6 +8,7 @@ them, a0 and w0' differences of velocities along q + q' t. A quaternion is four 
 norm a row of A. Nothing of the package is used but the scene's own points and frames.
 """
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -362,15 +363,27 @@ def test_quaternions_move_as_numpy_says(kind: str) -> None:
 
 
 @pytest.mark.campaign
-def test_random_mechanisms_agree(request: pytest.FixtureRequest) -> None:
-    compared = []
+def test_random_mechanisms_agree(
+    request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str]
+) -> None:
+    compared: dict[str, bool] = {}
+    kinds: Counter[str] = Counter()
 
     @seed(13)
     @settings(max_examples=request.config.getoption("draws"), deadline=None, database=None,
               phases=(Phase.explicit, Phase.generate))  # fmt: skip
     @given(make=MECHANISMS, number=st.integers(0, 99))
-    def agree(make: Callable[[], Made], number: int) -> None:
-        compared.append(assert_all_agree(make(), number))
+    def agree(make: partial[Made], number: int) -> None:
+        drawn = f"{make.func.__name__} {make.args} {number}"
+        if drawn not in compared:
+            compared[drawn] = assert_all_agree(make(), number)
+            kinds[make.func.__name__] += 1
 
-    agree()
-    assert compared.count(True) > len(compared) / 2
+    try:
+        agree()
+    finally:
+        with capsys.disabled():
+            words = ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items()))
+            moved = sum(compared.values())
+            print(f"\n{len(compared)} different mechanisms agree ({words}), {moved} in numbers, too")
+    assert moved > len(compared) / 2
