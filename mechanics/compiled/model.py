@@ -120,7 +120,7 @@ class Model(Functions):
             found, met = self._evaluated(name, np.float64, given, count, out, threads, check)
             if not check or not met:
                 return found
-        code, scene = self.program(name), self.equations.scene.name
+        code, scene = self.program(name), self.equations.scene
         look_at(code, out or {}, count, np.float64, threads)
         looked = checked(
             scene, code, self.entries, given,

@@ -52,6 +52,7 @@ from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes.derivation import as_program, by_route, steps_of
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.scene.joints.fixed import absolute_coordinates
 from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
@@ -126,6 +127,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     programs = derive_rows(mechanism, names, stage)
     derived, seconds = _equations(scene, programs, stage)
     own, told = _own(scene, made, programs, stage)
+    told = (*told, *absolute_coordinates(scene))
     if any(equations.textbook is None for equations in derived.values()):
         return _without_textbook(system, derived, programs, own, told, stage)
     stage("comparing routes")

@@ -23,6 +23,7 @@ from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SingularError, wanted
 from mechanics.kernel import Finding, Statement, Verdict, decide
+from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.kinematics.printer import symbols
 from mechanics.linear.algebra import written
 from mechanics.linear.effect import accelerations, depends, effective
@@ -291,9 +292,10 @@ class Expansion:
         carried = product(turn, padded(build, product(bends, reach), len(own)))
         by_rates = place.matrix(coefficients(moving.rows, moving.vd))
         if len(pivots(build, by_rates)) < len(own):
+            values = {q.name: value for q, value in self.point.coordinates.items()}
+            why = singular_angles(scene, values) or "use coordinates that are regular there"
             raise SingularError(
-                f"{scene.name}: the mass matrix is singular at the operating point: use coordinates"
-                " that are regular there, as other Euler angles"
+                f"{scene.name}: the mass matrix is singular at the operating point: {why}"
             )
         by_speeds = place.matrix(coefficients(moving.rows, moving.v))
         by_place = place.matrix(coefficients(moving.rows, coordinates))

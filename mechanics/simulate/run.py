@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.errors import InputError, SingularError
+from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.scene.physical import massive
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
 from mechanics.simulate.domain import Domain, domain
-from mechanics.simulate.euler_angles import singular_angles
 from mechanics.simulate.exits import at_the_start
 from mechanics.simulate.flow import flow
 from mechanics.simulate.march import METHODS, Flow, Tolerance

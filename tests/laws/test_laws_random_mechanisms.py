@@ -385,5 +385,7 @@ def test_random_mechanisms_agree(
         with capsys.disabled():
             words = ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items()))
             moved = sum(compared.values())
-            print(f"\n{len(compared)} different mechanisms agree ({words}), {moved} in numbers, too")
+            print(
+                f"\n{len(compared)} different mechanisms agree ({words}), {moved} in numbers, too"
+            )
     assert moved > len(compared) / 2

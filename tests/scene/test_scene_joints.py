@@ -20,13 +20,17 @@ from mechanics.scene import (
     holonomic,
     parameters,
     pin,
+    planar,
     reaction,
+    roll,
     slide,
     universal,
+    weld,
 )
+from mechanics.scene.joints.fixed import absolute_coordinates
 
 N, O = ReferenceFrame("N"), Point("O")
-q1, q2, q3 = dynamicsymbols("q1:4")
+q1, q2, q3, q4 = dynamicsymbols("q1:5")
 s = parameters("s", positive=False)[0]
 L, m, J = parameters("L m J", units="m kg kg*m^2", typical="1 1 1")
 
@@ -99,6 +103,79 @@ def test_a_point_of_another_body_is_named() -> None:
     rod = RigidBody("three", tip, third.frame, m, inertia(third.frame, J, J, J))
     with pytest.raises(SceneError, match=r"D: its point T moves against one by q2: take a point"):
         replace(scene, bodies=(*scene.bodies, rod), joints=(first, second, third))
+
+
+def tilted(joint: Callable[[Point, ReferenceFrame], Joint]) -> Scene:
+    """A body that turns about x, and on it a joint."""
+    first = pin("A", None, "one", at=O, axis=N.x, angle=q1)
+    second = joint(O.locatenew("E", L * first.frame.y), first.frame)
+    bodies = tuple(
+        RigidBody(own.child, own.point, own.frame, m, inertia(own.frame, J, J, J))
+        for own in (first, second)
+    )
+    return Scene("tilted", N, O, bodies=bodies, joints=(first, second))
+
+
+TURNING: dict[str, tuple[Callable[[Point, ReferenceFrame], Joint], str]] = {
+    "pin": (
+        lambda E, F: pin("B", "one", "two", at=E, axis=N.z, angle=q2),
+        r"joint B: N.z of its axis= turns against one by q1: .* as in axis=A\.z",
+    ),
+    "oblique pin": (
+        lambda E, F: pin("B", "one", "two", at=E, axis=N.x + N.y, angle=q2),
+        r"N.x \+ N.y of its axis= turns against one by q1: .* as in axis=A\.z",
+    ),
+    "slide along the axis": (
+        lambda E, F: slide("B", "one", "two", at=E, axis=N.x, distance=q2),
+        r"N.y of its axis= turns against one by q1: .* as in axis=A\.z",
+    ),
+    "weld": (
+        lambda E, F: weld("B", "one", "two", at=E, frame=N),
+        r"N.y of its frame= turns against one by q1: .* as in frame=A",
+    ),
+    "universal": (
+        lambda E, F: universal("B", "one", "two", at=E, frame=N, axes="yz", angles=(q2, q3)),
+        r"N.y of its frame= turns against one by q1: .* as in frame=A",
+    ),
+    "planar": (
+        lambda E, F: planar("B", "one", "two", at=E, frame=N, coordinates=(q2, q3), angle=q4),
+        r"N.z of its frame= turns against one by q1: .* as in frame=A",
+    ),
+    "wheel": (
+        lambda E, F: roll("B", "one", "two", at=E, normal=N.x, axis=N.z, radius=L,
+                          coordinates=(q2,), angles=(q3,)),
+        r"N.y of its normal= turns against one by q1: .* as in normal=A\.z",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", TURNING)
+def test_an_axis_that_turns_in_the_parent_is_named(kind: str) -> None:
+    make, message = TURNING[kind]
+    with pytest.raises(SceneError, match=message) as refusal:
+        tilted(make)
+    assert "\n" not in str(refusal.value)
+
+
+def test_an_axis_that_turns_in_the_child_is_named() -> None:
+    scene = arm()
+    one, two = scene.joints
+    closing = pin("D", None, "two", at=O, axis=N.z, onto=(two.point, N.x))
+    with pytest.raises(
+        SceneError, match=r"D: N.x of its onto= turns against two by q1, q2: .* onto=\(P, B"
+    ):
+        replace(scene, joints=(one, two, closing))
+
+
+@pytest.mark.parametrize("axis", [N.x, -2 * N.x])
+def test_the_angle_about_an_axis_of_the_ground_is_absolute_and_said_so(axis: Vector) -> None:
+    scene = tilted(lambda E, F: pin("B", "one", "two", at=E, axis=axis, angle=q2))
+    (said,) = absolute_coordinates(scene)
+    assert said == (
+        "Joint B counts q2 from N, against which one turns by q1: they are not relative to it."
+    )
+    relative = tilted(lambda E, F: pin("B", "one", "two", at=E, axis=F.x, angle=q2))
+    assert not [*absolute_coordinates(relative)]
 
 
 def test_a_loop_that_is_closed_twice_is_named() -> None:

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.c.status import WATCHED, watched
 from mechanics.errors import InputError, MechanicsError, RangeError, SingularError
+from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.program.routine import Routine
+from mechanics.scene import Scene
 
 Array = NDArray[np.floating]
 SHOWN = 16
@@ -20,7 +22,7 @@ SHOWN = 16
 
 
 def checked(
-    scene: str,
+    scene: Scene,
     code: Routine,
     entries: Mapping[str, tuple[str, ...]],
     given: Mapping[str, Array],
@@ -30,8 +32,8 @@ def checked(
 
     Parameters
     ----------
-    scene : str
-        Name, for the error.
+    scene : Scene
+        For the error.
     code : Routine
     entries : names of the entries of each input
     given : mapping of str to array
@@ -61,7 +63,7 @@ def checked(
 
 
 def _explained(
-    scene: str,
+    scene: Scene,
     entries: Mapping[str, tuple[str, ...]],
     values: Mapping[str, Array],
     divisors: Array,
@@ -74,15 +76,18 @@ def _explained(
     ]
     batch = "" if index is None else f"state {index} of the batch: "
     if bad := [f"{name} = {value}" for name, value in named if not np.isfinite(value)]:
-        return InputError(f"{scene}: {batch}{', '.join(bad[:SHOWN])}: give finite numbers")
+        return InputError(f"{scene.name}: {batch}{', '.join(bad[:SHOWN])}: give finite numbers")
     more = ", ..." if len(named) > SHOWN else ""
     state = ", ".join(f"{name} = {value:.6g}" for name, value in named[:SHOWN]) + more
     if (divisors == 0).any():
+        angles = singular_angles(scene, dict(named))
+        if angles:
+            return SingularError(f"{scene.name}: {batch}{angles}")
         return SingularError(
-            f"{scene}: {batch}the equations are singular, or too nearly to be told from it, at"
+            f"{scene.name}: {batch}the equations are singular, or too nearly to be told from it, at"
             f" {state}: look for a body without mass, or pass check=False to get what is divided"
         )
     return RangeError(
-        f"{scene}: {batch}a value is beyond the largest number at {state}: change the units, or"
-        " pass check=False to get the infinities"
+        f"{scene.name}: {batch}a value is beyond the largest number at {state}: change the units,"
+        " or pass check=False to get the infinities"
     )

@@ -45,9 +45,10 @@ def pin(
     at : Point
         Of the parent, on the axis.
     axis : Vector
-        Of any length, constant in a frame of the parent.
+        Of any length, constant in a frame, and fixed in the parent.
     angle : dynamic symbol
-        In rad, about the axis.
+        In rad, about the axis, from the frame in which that is written: absolute with an axis of
+        the ground, if a parent turns about it.
     onto : Point or (Point, Vector), optional
         In place of `angle`, of a child that other joints carry already: its point that stays at
         `at`, for a loop in the plane normal to the axis, in which two forces close it. In space

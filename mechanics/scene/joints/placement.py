@@ -8,6 +8,7 @@ from mechanics.errors import SceneError
 from mechanics.scene.attachment import moved_by, moving, turning
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.declaration import Declaration
+from mechanics.scene.joints.fixed import check_fixed
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.joints.rope import Rope
 
@@ -52,6 +53,7 @@ def check_joints(scene: Declaration) -> None:
         _attached(scene, f"joint {joint.name}", joint.at, joint.parent)
         if not joint.carries:
             _attached(scene, f"joint {joint.name}", joint.point, joint.child)
+        check_fixed(scene, joint)
     for rope in ropes:
         for end, point in rope.ends:
             if end is not None:

@@ -104,7 +104,12 @@ def roll(
     >>> [reaction.name for reaction in disc.reactions]
     ['disc_normal', 'disc_x', 'disc_y']
     """
-    ends = Ends(name, parent, child, at)
+    given = {
+        "kind": "roll", "radius": radius, "normal": normal, "axis": axis, "inside": inside,
+        "outside": outside, "coordinates": coordinates, "angles": angles, "speeds": speeds,
+        "onto": onto,
+    }  # fmt: skip
+    ends = Ends(name, parent, child, at, given)
     base = _base(ends, normal)
     if onto is not None:
         ends.alone(*coordinates, *angles, *speeds, inside, outside)
@@ -198,7 +203,7 @@ def _leaning(
     return Joint(
         name, ends.parent, ends.child, ends.at, wheel, centre, (x, y, yaw, lean, spin),
         (press, *forces), (base.normal, *(force.along for force in forces)), constraints, own=own,
-        hub=hub, contact=contact,
+        hub=hub, contact=contact, given=ends.given,
     )  # fmt: skip
 
 
@@ -272,7 +277,7 @@ def _guided(
     wheel, hub = frames
     return Joint(
         name, by, on, ends.at, wheel, centre, coordinates, held,
-        (press, along, axle, along, press), constraints, hub=hub, contact=contact,
+        (press, along, axle, along, press), constraints, hub=hub, contact=contact, given=ends.given,
     )  # fmt: skip
 
 
@@ -293,7 +298,7 @@ def _touching(ends: Ends, base: _Base, radius: Any, onto: Any, axis: Any) -> Joi
     return Joint(
         ends.name, ends.parent, ends.child, ends.at, frame, centre, (), (press, *forces),
         (n, *(force.along for force in forces)), (gap, *constraints), carries=False,
-        hub=base.frame, contact=contact,
+        hub=base.frame, contact=contact, given=ends.given,
     )  # fmt: skip
 
 

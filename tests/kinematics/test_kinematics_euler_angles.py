@@ -1,12 +1,13 @@
 """Where Euler angles end, the message names the angles; where a mechanism does, it does not."""
 
 import pytest
+import sympy
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics import compile, derive, simulate
+from mechanics import compile, derive, linearize, simulate
 from mechanics.errors import SingularError
+from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.scene import RigidBody, Scene, ball, euler, gravity, parameters
-from mechanics.simulate.euler_angles import singular_angles
 from mechanics.simulate.trajectory import Ending
 
 N, O = ReferenceFrame("N"), Point("O")
@@ -32,6 +33,27 @@ def test_the_angles_are_singular_where_two_turn_about_one_line(
 ) -> None:
     words = singular_angles(top(order), {"a": 0.3, "b": angle, "c": -1.0})
     assert words.startswith("the Euler angles a, b, c are singular at b = ") is said
+
+
+ANGLES = "the Euler angles a, b, c are singular at b = 0, where a and c turn about one line"
+
+
+def test_accelerations_name_the_angles_too() -> None:
+    model = compile(derive(top("zxz"), "kane"), compiler=None, form="elimination")
+    with pytest.raises(SingularError, match=f"^top: {ANGLES}"):
+        model.forward_dynamics([0.1, 0, 0.2], [0, 0, 0])
+
+
+def test_linear_equations_name_the_angles_too() -> None:
+    equations = derive(top("zxz"), "kane")
+    with pytest.raises(SingularError, match=f"at the operating point: {ANGLES}"):
+        linearize(equations, {"a": 0, "b": 0, "c": 0})
+
+
+def test_an_angle_that_is_no_number_is_not_blamed() -> None:
+    angle = sympy.Symbol("theta0")
+    assert not singular_angles(top("zxz"), {"a": 0, "b": angle, "c": 0})
+    assert singular_angles(top("zxz"), {"a": angle, "b": sympy.pi}).endswith("order of axes")
 
 
 @pytest.mark.campaign

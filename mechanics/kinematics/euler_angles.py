@@ -8,7 +8,7 @@ Only where nothing but the last frame has a body: with a body on each, the turns
 from collections.abc import Mapping
 from itertools import pairwise
 
-from sympy import Float, cos, sin
+from sympy import Expr, cos, sin, sympify
 
 from mechanics.mechanism import axis_angle
 from mechanics.scene import RigidBody, Scene
@@ -18,21 +18,21 @@ NEAR = 0.01
 """Sine or cosine at which the angles are blamed for a matrix that is singular."""
 
 
-def singular_angles(scene: Scene, coordinates: Mapping[str, float]) -> str:
+def singular_angles(scene: Scene, coordinates: Mapping[str, float | Expr]) -> str:
     """Which Euler angles are singular at a configuration, in words; empty if none are.
 
     Parameters
     ----------
     scene : Scene
-    coordinates : mapping of str to float
-        By plain name.
+    coordinates : mapping of str to float or Expr
+        By plain name; an angle that is missing, or no number, is not blamed.
 
     Returns
     -------
     str
     """
     carried = [body.frame for body in scene.bodies if isinstance(body, RigidBody)]
-    values = {symbol: Float(coordinates[symbol.name]) for symbol in scene.q}
+    values = {q: sympify(coordinates[q.name]) for q in scene.q if q.name in coordinates}
     for frame in carried:
         path = frame_path(scene.frame, frame)
         turns = [axis_angle(relative_rotation(*step)) for step in pairwise(path)]
