@@ -8,7 +8,8 @@
 A scene holds frames, points and reactions that its joints have made. Routes and other checks read
 these, so that a joint that turns about another axis, or the other way, is a right scene to them.
 This one reads what the author gave once more: turns are exponentials of matrices, a quaternion
-turns by Hamilton's product, and nothing of `mechanics.scene.joints` is used.
+turns by Hamilton's product, and nothing of `mechanics.scene.joints` is used. What rolls and ropes
+are stands in `rolling` and `ropes`.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,15 +20,14 @@ from flint import arb, arb_mat
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.checks.as_declared import Motion, cross, dot
+from mechanics.checks.joint_rows import AXES, LETTERS, NONE, place, rotation, same, turn, vector
+from mechanics.checks.rolling import rolling
+from mechanics.checks.ropes import rope_rows
 from mechanics.checks.states import State
 from mechanics.checks.virtual_power import Row, tried
 from mechanics.kernel import Finding
-from mechanics.scene import Joint, Scene
+from mechanics.scene import Joint, Rope, Scene
 from mechanics.scene.euler import Euler
-
-LETTERS = "xyz"
-AXES = tuple(arb_mat(3, 1, [int(i == k) for i in range(3)]) for k in range(3))
-NONE = arb_mat(3, 1)
 
 Twist = tuple[arb_mat, arb_mat]
 """Angular velocity and velocity of the child's point, relative to the parent."""
@@ -43,23 +43,31 @@ def check_joints(scene: Scene, states: Sequence[State]) -> Iterator[Finding]:
         From `drawn_states`.
     """
     for joint in scene.joints:
-        if not isinstance(joint, Joint) or not joint.given:
-            continue
-        subject = f"joint {joint.name}: what a {joint.given['kind']} is"
-        yield tried(subject, states, partial(_rows, scene, joint))
+        if joint.given:
+            subject = f"joint {joint.name}: what a {joint.given['kind']} is"
+            yield tried(subject, states, partial(_rows, scene, joint))
 
 
-def _rows(scene: Scene, joint: Joint, state: State) -> Iterator[Row]:
+def _rows(scene: Scene, joint: Joint | Rope, state: State) -> Iterator[Row]:
     motion = Motion(scene, next(iter(state.virtual_motions(1))))
+    if isinstance(joint, Rope):
+        yield from rope_rows(motion, joint)
+    elif joint.given["kind"] == "roll":
+        yield from rolling(motion, joint)
+    else:
+        yield from _joint(motion, joint)
+
+
+def _joint(motion: Motion, joint: Joint) -> Iterator[Row]:
     basis, axis = _basis(motion, joint)
-    span = _value(motion.position(joint.point) - motion.position(joint.at))
-    turned = _value(motion.rotation(joint.frame))
+    span = place(motion, joint.point) - place(motion, joint.at)
+    turned = rotation(motion, joint.frame)
     if not joint.carries:
         yield from _closed(motion, joint, basis, axis, span)
     else:
-        place, turn = _pose(motion, joint, basis, axis)
-        yield from _same(f"{joint.name}: the child's point", span, place)
-        yield from _same(f"{joint.name}: the child's frame", turned, basis * turn)
+        moved, own = _pose(motion, joint, basis, axis)
+        yield from same(f"{joint.name}: the child's point", span, moved)
+        yield from same(f"{joint.name}: the child's frame", turned, basis * own)
     yield from _reactions(motion, joint, basis, list(_twists(motion, joint, basis, axis)))
 
 
@@ -67,29 +75,29 @@ def _basis(motion: Motion, joint: Joint) -> tuple[arb_mat, arb_mat]:
     """Axes of the parent's frame as columns, and the joint's axis; z where it has none."""
     axis, frame = joint.given.get("axis"), joint.given.get("frame")
     if axis is None:
-        basis = _value(motion.rotation(frame))
+        basis = rotation(motion, frame)
         return basis, basis * AXES[2]
     ((_, frame),) = axis.args
-    column = _value(motion.vector(axis))
-    return _value(motion.rotation(frame)), column * (1 / dot(column, column).sqrt())
+    column = vector(motion, axis)
+    return rotation(motion, frame), column * (1 / dot(column, column).sqrt())
 
 
 def _pose(
     motion: Motion, joint: Joint, basis: arb_mat, axis: arb_mat
 ) -> tuple[arb_mat, arb_mat]:  # fmt: skip
     """Equation (1): from the parent's point to the child's, and the turn from basis to child."""
-    given, zero = joint.given, arb(0)
-    distance = motion.number(given["distance"]) if "distance" in given else zero
-    place, turn = axis * distance, _turn(AXES[0], zero)
+    given = joint.given
+    distance = motion.number(given["distance"]) if "distance" in given else arb(0)
+    moved, own = axis * distance, turn(AXES[0], arb(0))
     if given.get("angle") is not None:
-        turn = _turn(basis.transpose() * axis, motion.number(given["angle"]))
+        own = turn(basis.transpose() * axis, motion.number(given["angle"]))
     for k, coordinate in enumerate(given.get("coordinates", ())):
-        place = place + basis * AXES[k] * motion.number(coordinate)
+        moved = moved + basis * AXES[k] * motion.number(coordinate)
     for letter, angle in _named_turns(given):
-        turn = turn * _turn(AXES[LETTERS.index(letter)], motion.number(angle))
+        own = own * turn(AXES[LETTERS.index(letter)], motion.number(angle))
     if given.get("rotation") is not None and not isinstance(given["rotation"], Euler):
-        turn = _hamilton([motion.number(e) for e in given["rotation"].coordinates])
-    return place, turn
+        own = _hamilton([motion.number(e) for e in given["rotation"].coordinates])
+    return moved, own
 
 
 def _named_turns(given: Any) -> Iterator[tuple[str, Any]]:
@@ -106,20 +114,20 @@ def _closed(
     kind, onto = joint.given["kind"], joint.given["onto"]
     held = None if isinstance(onto, Point) else onto[1]
     point = onto if held is None else onto[0]
-    span = span + _value(motion.position(point) - motion.position(joint.point))
+    span = span + place(motion, point) - place(motion, joint.point)
     # A pin in a plane holds the point across its axis, along which nothing moves.
     along = kind in ("slide", "cylindrical") or (kind == "pin" and held is None)
     normal = axis * dot(span, axis)
     words = f"{joint.name}: where the loop is closed"
-    yield from _same(words, normal if kind == "planar" else span - normal if along else span, NONE)
+    yield from same(words, normal if kind == "planar" else span - normal if along else span, NONE)
     if kind == "universal":
-        yield words, dot(basis * _axis_of_cross(joint), _value(motion.vector(held))), arb(0)
+        yield words, dot(basis * _axis_of_cross(joint), vector(motion, held)), arb(0)
     elif isinstance(held, Vector):
-        yield from _same(words, cross(axis, _value(motion.vector(held))), NONE)
+        yield from same(words, cross(axis, vector(motion, held)), NONE)
     elif isinstance(held, ReferenceFrame):
-        own = _value(motion.rotation(held))
+        own = rotation(motion, held)
         for one in AXES:
-            yield from _same(words, cross(basis * one, own * one), NONE)
+            yield from same(words, cross(basis * one, own * one), NONE)
 
 
 def _twists(motion: Motion, joint: Joint, basis: arb_mat, axis: arb_mat) -> Iterator[Twist]:
@@ -135,13 +143,13 @@ def _twists(motion: Motion, joint: Joint, basis: arb_mat, axis: arb_mat) -> Iter
         yield from ((one, NONE) for one in AXES)
     if kind == "universal" and not joint.carries:
         yield basis * _axis_of_cross(joint), NONE
-        yield _value(motion.vector(given["onto"][1])), NONE
+        yield vector(motion, given["onto"][1]), NONE
     elif kind == "universal":
-        turn = _turn(AXES[0], arb(0))
+        turned = turn(AXES[0], arb(0))
         for letter, angle in _named_turns(given):
             own = AXES[LETTERS.index(letter)]
-            yield basis * turn * own, NONE
-            turn = turn * _turn(own, motion.number(angle))
+            yield basis * turned * own, NONE
+            turned = turned * turn(own, motion.number(angle))
 
 
 def _axis_of_cross(joint: Joint) -> arb_mat:
@@ -154,29 +162,21 @@ def _reactions(
 ) -> Iterator[Row]:
     """Statements (3) and (4)."""
     named = {own.name: own for own in joint.reactions}
-    point = _value(motion.position(joint.point))
-    for name, unit in motion.reactions():
-        if name not in named or unit.body != joint.child:
+    point = place(motion, joint.point)
+    for name, wrench in motion.reactions():
+        if name not in named or wrench.body != joint.child:
             continue
-        vector = unit.couple if named[name].at is None else unit.force
+        along = wrench.couple if named[name].at is None else wrench.force
         if named[name].at is not None:
-            yield from _same(f"{name}: where it acts", unit.at, point)
+            yield from same(f"{name}: where it acts", wrench.at, point)
         for omega, velocity in twists:
-            moved = velocity + cross(omega, unit.at - point)
-            power = dot(unit.force, moved) + dot(unit.couple, omega)
+            moved = velocity + cross(omega, wrench.at - point)
+            power = dot(wrench.force, moved) + dot(wrench.couple, omega)
             yield f"{name}: power on the joint's own motion", power, arb(0)
         if name[-1] in LETTERS and (joint.given["kind"], named[name].at) != ("universal", None):
             # The couple of a universal joint is about the cross, as its power says.
             own = basis * AXES[LETTERS.index(name[-1])]
-            yield from _same(f"{name}: its direction", cross(own, vector), NONE)
-
-
-def _turn(axis: arb_mat, angle: arb) -> arb_mat:
-    """exp([axis]x angle)."""
-    x, y, z = (axis[i, 0] * angle for i in range(3))
-    zero = arb(0)
-    turned: arb_mat = arb_mat([[zero, -z, y], [z, zero, -x], [-y, x, zero]]).exp()
-    return turned
+            yield from same(f"{name}: its direction", cross(own, along), NONE)
 
 
 def _hamilton(e: Sequence[arb]) -> arb_mat:
@@ -196,13 +196,3 @@ def _times(a: Sequence[arb], b: Sequence[arb]) -> list[arb]:
         a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
         a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
     ]
-
-
-def _value(jet: Any) -> arb_mat:
-    now: arb_mat = jet.parts[0]
-    return now
-
-
-def _same(words: str, left: arb_mat, right: arb_mat) -> Iterator[Row]:
-    for one, two in zip(left.entries(), right.entries(), strict=True):
-        yield words, one, two

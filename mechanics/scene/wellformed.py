@@ -18,6 +18,7 @@ from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.declared import kind_of
+from mechanics.scene.joints.given import check_given
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.joints.rope import Rope
 from mechanics.scene.loads import Load
@@ -65,6 +66,8 @@ def check_types(scene: Declaration) -> None:
                 _expect(what, getattr(part, field.name), field.type)
             if not part.name:
                 raise SceneError(f"{scene.name}: a {kind} has an empty name: name it")
+            if isinstance(part, Joint | Rope):
+                check_given(part)
     for pair in scene.speeds:
         if not isinstance(pair, tuple | list) or len(pair) != 2:
             raise SceneError(

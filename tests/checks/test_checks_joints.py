@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from sympy import pi
@@ -12,6 +13,7 @@ from mechanics.checks.virtual_power import drawn_states
 from mechanics.kernel import Verdict
 from mechanics.scene import (
     Joint,
+    Particle,
     RigidBody,
     Scene,
     ball,
@@ -22,6 +24,8 @@ from mechanics.scene import (
     pin,
     planar,
     quaternion,
+    roll,
+    rope,
     slide,
     universal,
 )
@@ -87,7 +91,8 @@ def test_what_a_loop_leaves_open_is_refuted() -> None:
     air = free("air", "one", at=O, frame=N, coordinates=(x, y, z), rotation=euler("xyz", a, b, c))
     body = RigidBody("one", air.point, air.frame, m, inertia(air.frame, J, J, J))
     sleeve = cylindrical("S", None, "one", at=O, axis=N.x, onto=(air.point, air.frame.x))
-    said = replace(sleeve, given={**sleeve.given, "kind": "pin"})
+    own = {name: value for name, value in sleeve.given.items() if name != "distance"}
+    said = replace(sleeve, given={**own, "kind": "pin"})
     for joint, expected in ((sleeve, Verdict.SUPPORTED), (said, Verdict.REFUTED)):
         scene = Scene("closed", N, O, bodies=(body,), joints=(air, joint))
         first, second = check_joints(scene, drawn_states(scene))
@@ -99,3 +104,87 @@ def test_a_reaction_about_another_axis_is_refuted() -> None:
     joint = JOINTS["pin"]()
     turned = [replace(own, along=F.z) if own.at is None else own for own in joint.reactions]
     assert verdict(on(replace(joint, reactions=tuple(turned)))) is Verdict.REFUTED
+
+
+WHEEL = {"normal": F.z, "radius": m, "at": O}
+WHEELS: dict[str, tuple[Callable[[], Joint], dict[str, Any]]] = {
+    "backwards": (
+        lambda: roll("J", None, "one", coordinates=(x, y), angles=(a, b, c), **WHEEL),
+        {"angles": (a, b, -c)},
+    ),
+    "below the plane": (
+        lambda: roll("J", None, "one", coordinates=(x, y), angles=(a, b, c), **WHEEL),
+        {"normal": -F.z},
+    ),
+    "another radius": (
+        lambda: roll("J", None, "one", coordinates=(x,), angles=(a,), axis=F.x, **WHEEL),
+        {"radius": 2 * m},
+    ),
+    "about another axis": (
+        lambda: roll("J", None, "one", coordinates=(x,), angles=(a,), axis=F.x, **WHEEL),
+        {"axis": -F.x},
+    ),
+    "on the ring, not in it": (
+        lambda: roll("J", None, "one", angles=(a, b), axis=F.x, inside=3 * m, **WHEEL),
+        {"inside": None, "outside": 3 * m},
+    ),
+    "in another ring": (
+        lambda: roll("J", None, "one", angles=(a, b), axis=F.x, outside=3 * m, **WHEEL),
+        {"outside": 4 * m},
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", WHEELS)
+def test_a_wheel_rolls_as_its_arguments_say(kind: str) -> None:
+    make, other = WHEELS[kind]
+    joint = make()
+    said = replace(joint, given={**joint.given, **other})
+    assert verdict(on(joint)) is Verdict.SUPPORTED
+    assert verdict(on(said)) is Verdict.REFUTED
+
+
+def test_the_total_spin_rate_and_the_velocities_of_the_contact_are_speeds() -> None:
+    w, v, u = dynamicsymbols("w v u")
+    joint = roll("J", None, "one", coordinates=(x, y), angles=(a, b, c), speeds=(w, v, u), **WHEEL)
+    assert verdict(on(joint)) is Verdict.SUPPORTED
+    (q, spin, definition), *others = joint.own
+    wrong = replace(joint, own=((q, spin, definition + a.diff()), *others))
+    assert verdict(on(wrong)) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        lambda own: {"radius": (m, m, 2 * m)}, lambda own: {"normal": F.x},
+        lambda own: {"axis": own.y}, lambda own: {"radius": 2 * m},
+    ],
+)  # fmt: skip
+def test_what_touches_is_round_as_its_arguments_say(
+    other: Callable[[ReferenceFrame], dict[str, Any]],
+) -> None:
+    air = free("air", "one", at=O, frame=F, coordinates=(x, y, z), rotation=euler("zxy", a, b, c))
+    body = RigidBody("one", air.point, air.frame, m, inertia(air.frame, J, J, J))
+    touch = roll("T", None, "one", onto=(air.point, air.frame), **WHEEL)
+    said = replace(touch, given={**touch.given, **other(air.frame)})
+    for joint, expected in ((touch, Verdict.SUPPORTED), (said, Verdict.REFUTED)):
+        scene = Scene("touching", N, O, bodies=(body,), joints=(air, joint))
+        *_, finding = check_joints(scene, drawn_states(scene))
+        assert finding.verdict is expected
+
+
+def test_a_rope_is_as_long_and_pulls_as_its_arguments_say() -> None:
+    air = free("air", "one", at=O, frame=N, coordinates=(x, y, z))
+    bob, hook = Particle("one", air.point, m), O.locatenew("H", J * N.x)
+    tied = rope("T", (None, hook), ("one", air.point), length=2 * J)
+    slack = replace(tied, given={**tied.given, "length": 3 * J})
+    (tension,) = tied.reactions
+    pushing = replace(tied, reactions=(replace(tension, along=-tension.along),))
+    elsewhere = replace(tied, given={**tied.given, "ends": ((None, O), ("one", air.point))})
+    for line, expected in (
+        (tied, Verdict.SUPPORTED), (slack, Verdict.REFUTED), (pushing, Verdict.REFUTED),
+        (elsewhere, Verdict.REFUTED),
+    ):  # fmt: skip
+        scene = Scene("tied", N, O, bodies=(bob,), joints=(air, line))
+        *_, finding = check_joints(scene, drawn_states(scene))
+        assert finding.verdict is expected

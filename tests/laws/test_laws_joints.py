@@ -18,6 +18,7 @@ from mechanics.routes.derivation import ROUTES
 from mechanics.scene import (
     Joint,
     RigidBody,
+    Rope,
     Scene,
     ball,
     cylindrical,
@@ -28,6 +29,8 @@ from mechanics.scene import (
     pin,
     planar,
     quaternion,
+    roll,
+    rope,
     slide,
     universal,
     weld,
@@ -57,9 +60,23 @@ JOINTS: Mapping[str, tuple[int, Callable[[str | None], Joint]]] = {
         6, lambda on: free("J", "one", at=O, frame=F, coordinates=(x, y, z),
                            rotation=euler("xyz", a, b, c)),
     ),
+    "roll, leaning": (
+        3, lambda on: roll("J", on, "one", at=O, normal=F.z, radius=L, coordinates=(x, y),
+                           angles=(a, b, c)),
+    ),
+    "roll, upright": (
+        1, lambda on: roll("J", on, "one", at=O, normal=-F.y, axis=F.z, radius=L,
+                           coordinates=(x,), angles=(a,)),
+    ),
+    "roll, in a ring": (
+        1, lambda on: roll("J", on, "one", at=O, normal=F.y, axis=F.x, inside=3 * L, radius=L,
+                           angles=(a, b)),
+    ),
 }  # fmt: skip
 
-LONG = {"pin", "pin about any axis", "universal", "ball", "ball, quaternion", "free"}
+LONG = {"pin", "pin about any axis", "universal", "ball", "ball, quaternion", "free"} | {
+    kind for kind in JOINTS if kind.startswith("roll")
+}
 QUICK = [pytest.param(kind, marks=[pytest.mark.campaign] * (kind in LONG)) for kind in JOINTS]
 
 
@@ -99,7 +116,7 @@ def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
         assert sum(entry**2 for entry in along) == 1
 
 
-@pytest.mark.parametrize("kind", [k for k in JOINTS if "quaternion" not in k])
+@pytest.mark.parametrize("kind", [k for k in JOINTS if not {"quaternion", "roll,"} & {*k.split()}])
 def test_the_recursions_know_it_as_a_tree_of_single_joints(kind: str) -> None:
     mechanism = lower(two_bodies(JOINTS[kind][1](None)), Builder())
     tree = joint_tree(mechanism, moments(mechanism))
@@ -132,7 +149,7 @@ def test_euler_angles_turn_about_the_axes_that_are_turned(order: str) -> None:
     assert N.dcm(joint.frame) == product
 
 
-CLOSING: Mapping[str, tuple[int, Callable[[Point, ReferenceFrame], Joint]]] = {
+CLOSING: Mapping[str, tuple[int, Callable[[Point, ReferenceFrame], Joint | Rope]]] = {
     "ball": (3, lambda P, own: ball("J", None, "one", at=O, frame=N, onto=P)),
     "pin": (1, lambda P, own: pin("J", None, "one", at=O, axis=N.z, onto=(P, own.z))),
     "cylindrical": (
@@ -143,6 +160,13 @@ CLOSING: Mapping[str, tuple[int, Callable[[Point, ReferenceFrame], Joint]]] = {
         2, lambda P, own: universal("J", None, "one", at=O, frame=N, axes="xy", onto=(P, own.y)),
     ),
     "planar": (3, lambda P, own: planar("J", None, "one", at=O, frame=N, onto=(P, own.z))),
+    "roll": (
+        3, lambda P, own: roll("J", None, "one", at=O, normal=N.z, radius=(L, L, 2 * L),
+                               onto=(P, own)),
+    ),
+    "rope": (
+        5, lambda P, own: rope("J", (None, O.locatenew("Q", L * N.x)), ("one", P), length=L),
+    ),
 }  # fmt: skip
 
 

@@ -353,6 +353,27 @@ def test_a_quaternion_without_its_norm_is_refused() -> None:
                   constraints=constraints)  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("other", "message"),
+    [
+        ({"kind": "hinge"}, "joint B: given has the kind 'hinge', a str: leave given out"),
+        ({"turn": 1}, "joint B: given has angle, axis, kind, onto, turn: a pin has kind, axis,"),
+        ({"axis": 2}, "joint B: given has axis = 2, a int: no pin has that"),
+        ({"axis": Vector(0)}, "joint B: given has axis = 0, a Vector: no pin has that"),
+        ({"onto": O}, "joint B: given has onto=O: this joint closes no such loop"),
+    ],
+)
+def test_arguments_that_no_joint_of_the_kind_has_are_refused(
+    other: dict[str, object], message: str
+) -> None:
+    """Of a scene in JSON, which may hold any."""
+    scene = arm()
+    first, second = scene.joints
+    said = replace(second, given={**second.given, **other})
+    with pytest.raises(SceneError, match=f"^{message}"):
+        replace(scene, joints=(first, said))
+
+
 def test_a_loop_is_closed_onto_a_point() -> None:
     """Three links and the ground: two conditions, each with the force that maintains it."""
     scene = arm()

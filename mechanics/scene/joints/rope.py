@@ -8,9 +8,10 @@ that body, on its pulley, and its length there does not change. Each straight pa
 ends towards each other with the same T, which is positive where the rope is taut.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Any
 
 from sympy import Expr, S
 from sympy.physics.vector import Point, Vector
@@ -38,6 +39,8 @@ class Rope:
     constraints : tuple of one Constraint
     coordinates, rotations, own : empty tuples
         Of joints.
+    given : mapping of str to Any
+        What the user gave, as of a `Joint`.
     """
 
     name: str
@@ -47,6 +50,7 @@ class Rope:
     coordinates: tuple[Expr, ...] = ()
     rotations: tuple[Rotation, ...] = ()
     own: tuple[tuple[Expr, Expr, Expr], ...] = ()
+    given: Mapping[str, Any] = field(default_factory=dict)
 
 
 def rope(
@@ -115,7 +119,9 @@ def rope(
         pulls.append(Reaction(name, str(on), by, back, at))
     tension = replace(pulls[0], parts=tuple(pulls[1:]))
     taut = holonomic(f"{name}_length", total - scalar(length, f"{title}: the length"), name)
-    return Rope(name, tuple((body, point) for body, point in ends), (tension,), (taut,))
+    tied = tuple((body, point) for body, point in ends)
+    given = {"kind": "rope", "ends": tied, "length": length, "along": along}
+    return Rope(name, tied, (tension,), (taut,), given=given)
 
 
 def _between(title: str, first: Point, second: Point) -> Vector:
