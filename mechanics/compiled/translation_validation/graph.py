@@ -11,6 +11,7 @@ from mechanics.compiled.translation_validation.defined import divides_by_zero, w
 from mechanics.compiled.translation_validation.derived import Derived
 from mechanics.compiled.translation_validation.laws import LAWS, Law, Outputs, law_of
 from mechanics.compiled.translation_validation.physics import Entry, Physics
+from mechanics.compiled.translation_validation.stages import cut_at_slopes
 from mechanics.compiled.translation_validation.step import composed
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, undecided
@@ -60,7 +61,11 @@ def prove_derived(
     sides = [node.number for _, *pair in entries for node in pair]
     if len(reachable(physics.builder, sides)) > LARGEST:
         options["try_normal"] = False
-    found = physics.decide_entries(subject, entries, **options)
+    found = None
+    if rates is not None and law is None:
+        found = physics.decide_together(subject, list(cut_at_slopes(physics, outputs, rates)))
+    if found is None or not found.shown:
+        found = physics.decide_entries(subject, entries, **options)
     if not found.shown:
         return found
     if doubt := divides_by_zero(physics, written):

@@ -88,19 +88,23 @@ class Physics:
         return self._decided(subject, there, try_normal)
 
     def _decided(self, subject: str, entries: Sequence[Entry], try_normal: bool) -> Finding:
-        def decided(rows: Sequence[Entry], words: str) -> Finding:
-            left, right = [row[1] for row in rows], [row[2] for row in rows]
-            program = self.builder.program({LEFT: left, RIGHT: right})
-            return decide(Statement(words, program, self.ranges), try_normal=try_normal)
-
-        together = decided(entries, subject)
+        together = self.decide_together(subject, entries, try_normal)
         if together.shown:
             return together
         for name in dict.fromkeys(name for name, _, _ in entries):
-            single = decided([entry for entry in entries if entry[0] == name], subject)
+            one = [entry for entry in entries if entry[0] == name]
+            single = self.decide_together(subject, one, try_normal)
             if not single.shown:
                 return replace(single, evidence=f"{name}: {single.evidence}")
         return together
+
+    def decide_together(
+        self, subject: str, entries: Sequence[Entry], try_normal: bool = False
+    ) -> Finding:
+        """Decide about all entries at once."""
+        left, right = [entry[1] for entry in entries], [entry[2] for entry in entries]
+        program = self.builder.program({LEFT: left, RIGHT: right})
+        return decide(Statement(subject, program, self.ranges), try_normal=try_normal)
 
 
 def _range(symbol: Symbol) -> Range:

@@ -8,7 +8,7 @@ f is the graph of the rates (q', u'). Inputs are held, but for the time, which g
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 from mechanics.compiled.translation_validation.code import Code
@@ -19,8 +19,9 @@ STAGES = ((Fraction(1, 2), 2), (Fraction(1, 2), 2), (Fraction(1), 1))
 
 
 def composed(
-    builder: Builder, rates: Code, time: int | None, given: Mapping[str, Sequence[Node]]
-) -> dict[str, list[Node]]:
+    builder: Builder, rates: Code, time: int | None, given: Mapping[str, Sequence[Node]],
+    cut: Callable[[list[Node]], list[Node]] = list,
+) -> dict[str, list[Node]]:  # fmt: skip
     """The step of the rates.
 
     Parameters
@@ -32,17 +33,19 @@ def composed(
         Entry of the inputs that is the time.
     given : mapping of str to sequence of Node
         Its inputs, and h.
+    cut : callable
+        What takes the place of the slopes of a stage.
     """
     (h,) = given["h"]
     start, n = [*given["q"], *given["u"]], len(given["q"])
-    total = slopes = _slopes(builder, rates, given)
+    total = slopes = cut(_slopes(builder, rates, given))
     for share, weight in STAGES:
-        y = [at + h * slope * share for at, slope in zip(start, slopes, strict=True)]
+        y = [at + h * (slope * share) for at, slope in zip(start, slopes, strict=True)]
         inputs = list(given["inputs"])
         if time is not None:
             inputs[time] = inputs[time] + h * share
         stage = {**given, "q": y[:n], "u": y[n:], "inputs": inputs}
-        slopes = _slopes(builder, rates, stage)
+        slopes = cut(_slopes(builder, rates, stage))
         total = [x + slope * weight for x, slope in zip(total, slopes, strict=True)]
     end = [at + h * slope * Fraction(1, 6) for at, slope in zip(start, total, strict=True)]
     return {"q_next": end[:n], "u_next": end[n:]}
