@@ -4,7 +4,8 @@
     turns       k pi/2 +- 10^e,  e in [-15, -1]      extreme   +-10^e,  e to the ends of the type
     zeros       some entries 0                       wild      some entries infinite or no number
 
-Quantities that are declared positive are positive, but for zeros.
+Quantities that are declared positive are positive, but for zeros. An ordinary step of time is a
+thousandth of that: a long one turns angles by thousands of radians, where nothing is enclosed.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from numpy.typing import NDArray
 from sympy import Symbol
 
 SEED = 11
+ORDINARY = {"h": 1e-3}
+"""Ordinary size of a group, where it is not 1."""
 ENDS = {"double": 307.0, "float": 37.0}
 TYPES: dict[str, type[np.floating]] = {"double": np.float64, "float": np.float32}
 
@@ -67,7 +70,7 @@ def states(
     for name, size in groups:
         signs = [bool(symbol.is_nonnegative) for symbol in symbols.get(name, ())]
         entries = [
-            _entry(random, stratum, kind, signs[i] if i < len(signs) else False)
+            _entry(random, stratum, kind, i < len(signs) and signs[i], ORDINARY.get(name, 1.0))
             for i in range(size)
         ]
         columns[name] = np.stack(entries, axis=1) if entries else np.zeros((len(stratum), 0))
@@ -75,12 +78,12 @@ def states(
 
 
 def _entry(
-    random: np.random.Generator, stratum: NDArray[np.int64], kind: str, positive: bool
+    random: np.random.Generator, stratum: NDArray[np.int64], kind: str, positive: bool, size: float
 ) -> NDArray[np.floating]:
     n = len(stratum)
     end = ENDS[kind]
     sign = np.ones(n) if positive else random.choice((-1.0, 1.0), n)
-    ordinary = sign * 10 ** random.uniform(-1, 1, n)
+    ordinary = sign * size * 10 ** random.uniform(-1, 1, n)
     wide = sign * 10 ** random.uniform(-6, 6, n)
     offset = 10 ** random.uniform(-15 if kind == "double" else -7, -1, n)
     turns = sign * (random.integers(0, 9, n) * (np.pi / 2) + random.choice((-1.0, 1.0), n) * offset)
