@@ -1,9 +1,13 @@
 """Compiled graphs are proved against the derived equations, and a changed graph is refuted."""
 
+from fractions import Fraction
+from pathlib import Path
+
 import casadi as ca
 import pytest
 
-from mechanics.compiled import prove_compiled, prove_graph
+from mechanics import derive, from_mjcf
+from mechanics.compiled import compile, prove_compiled, prove_graph
 from mechanics.compiled.graphs import Graphs
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
@@ -76,3 +80,41 @@ def test_the_graph_that_is_evaluated_is_the_one_that_is_proved_with_numbers_boun
 def test_an_unknown_function_is_named(modelled) -> None:
     with pytest.raises(InputError, match="function 'speed'"):
         prove_graph("speed", modelled("rocker", "kane").casadi)
+
+
+def with_a_stage_of_a_third(graphs: Graphs) -> ca.Function:
+    """A step whose second stage is taken after a third of its time, where a half is right."""
+    rates, _ = graphs.exact_rates()
+    function, _ = graphs.exact("step")
+    q, u, inputs, p, h, constants = function.sx_in()
+
+    def rate(y: ca.SX) -> ca.SX:
+        n = q.numel()
+        return ca.vertcat(*rates(y[:n], y[n:], inputs, p, constants)[:2])
+
+    y = ca.vertcat(q, u)
+    k = [rate(y)]
+    for share in (Fraction(1, 3), Fraction(1, 2), Fraction(1)):
+        k.append(rate(y + h * share.numerator * k[-1] / share.denominator))
+    end = y + h * (k[0] + 2 * k[1] + 2 * k[2] + k[3]) / 6
+    names = [function.name_in(i) for i in range(function.n_in())]
+    return ca.Function("step", function.sx_in(), [end[: q.numel()], end[q.numel() :]], names,
+                       ["q_next", "u_next"])  # fmt: skip
+
+
+@pytest.mark.campaign
+def test_a_step_is_shown_stage_by_stage_and_a_wrong_stage_is_refuted(modelled) -> None:
+    """A slope of a wrong stage is found nowhere: what is left uncut is told by numbers."""
+    graphs = modelled("elastic_pendulum", "free_body").casadi
+    assert prove_graph("step", graphs).shown
+    finding = prove_graph("step", graphs, with_a_stage_of_a_third(graphs))
+    assert finding.verdict is Verdict.REFUTED
+    assert finding.witness is not None
+
+
+@pytest.mark.campaign
+def test_a_step_of_eight_freedoms_is_shown() -> None:
+    """Its degree is above 10^250: no prime is long enough without the cuts."""
+    pytest.importorskip("mujoco")
+    scene = from_mjcf(Path(__file__).parents[1] / "models" / "pendulums.xml")
+    assert prove_graph("step", compile(derive(scene)).casadi).shown
