@@ -32,6 +32,7 @@ def lowered(name: str) -> Mechanism:
     return lower(SCENES[name](), Builder())
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", SCENES)
 def test_the_start_is_closed(name: str) -> None:
     mechanism = lowered(name)

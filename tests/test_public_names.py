@@ -29,6 +29,7 @@ def test_names_for_type_checkers_are_those_that_are_imported() -> None:
     assert sorted(typed) == sorted(mechanics.__all__)
 
 
+@pytest.mark.campaign
 def test_a_function_is_not_hidden_by_the_module_of_its_name() -> None:
     code = (
         "import mechanics.crosscheck.system, mechanics.trade, mechanics;"

@@ -188,9 +188,7 @@ class Graphs(Mapping[str, ca.Function]):
         if not self.fixed or not written or 0 in self.fixed.values():
             return None
         # The step is made of these two, asked for or not.
-        return Graphs(
-            self.derived, outputs=(*self._inputs, "coordinate_rates", "forward_dynamics")
-        )
+        return Graphs(self.derived, outputs=(*self._inputs, "coordinate_rates", "forward_dynamics"))
 
     def _solved(self, name: str, outputs: Mapping[str, ca.SX]) -> bool:
         """Whether forward dynamics solve the system at the numbers: a pivot may vanish there."""

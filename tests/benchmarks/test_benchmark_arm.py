@@ -22,6 +22,7 @@ def test_forward_dynamics_is_the_inverse_of_inverse_dynamics() -> None:
         assert values.is_zero(node - b.input(f"u{i}'"))
 
 
+@pytest.mark.campaign
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")
 def test_what_is_not_installed_is_said(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

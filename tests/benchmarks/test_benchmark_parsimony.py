@@ -31,7 +31,7 @@ def fixed(peer: Peer, suffix: str) -> dict[str, str]:
     return dict(peer.fixed) if suffix else {}
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @by_peer
 @by_suffix
 @pytest.mark.parametrize("route", ROUTES)
@@ -63,6 +63,7 @@ def test_the_kernel_by_hand_is_exact(peer: Peer, suffix: str) -> None:
     assert decide(f"{kernel.name} by hand", rows).verdict.name == "PROVED"
 
 
+@pytest.mark.sample(3)
 @by_peer
 @by_suffix
 def test_the_kernel_by_hand_gives_the_same_numbers(peer: Peer, suffix: str) -> None:
@@ -76,6 +77,7 @@ def test_the_kernel_by_hand_gives_the_same_numbers(peer: Peer, suffix: str) -> N
     np.testing.assert_allclose(found.T, np.array(expected), rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.campaign
 @by_peer
 def test_operations_do_not_grow(peer: Peer) -> None:
     counts = {variant.label: variant.operations for variant in parsimony.variants(peer)}
@@ -89,6 +91,7 @@ def test_operations_do_not_grow(peer: Peer) -> None:
     assert not grown, f"{peer.name}: (baseline, now) {grown}"
 
 
+@pytest.mark.campaign
 @by_peer
 def test_less_that_is_asked_for_is_less_to_compute(peer: Peer) -> None:
     counts = {variant.label: variant.operations for variant in parsimony.variants(peer)}

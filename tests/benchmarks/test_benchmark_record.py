@@ -33,6 +33,7 @@ def part(of: str, said: dict[str, str]) -> dict[str, str]:
     return {what: words for what, words in said.items() if what.split()[0] in FAST[of]}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("of", FAST)
 @pytest.mark.parametrize("system", FIRST, ids=lambda system: system.name)
 def test_what_is_said_of_the_first_systems_is_what_is_recorded(system, of: str) -> None:

@@ -129,6 +129,7 @@ PENDULUM = "(M+m)*x_ddot + 2*k*x + M*L/2*(theta_ddot*cos(theta) - theta_dot**2*s
 MOMENT = "M*L/2*x_ddot*cos(theta) + M*L**2/3*theta_ddot + M*g*L/2*sin(theta)"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("moment", "words"),
     [
@@ -203,6 +204,7 @@ def lagrangian_of_the_disc(height_sign: int) -> list[Expr]:
 SUBSTITUTED = "the constraints, solved for x_dot, y_dot, substituted into the Lagrangian"
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("height_sign", "words"),
     [(1, SUBSTITUTED), (-1, f"{SUBSTITUTED}; gravity reversed")],

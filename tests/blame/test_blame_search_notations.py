@@ -73,7 +73,7 @@ TEXTS = (
 )
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "right", "part", "wrong", "mistake"), TEXTS)
 def test_one_mistake_in_text(
     name: str, right: str, part: str, wrong: str, mistake: Mistake
@@ -92,6 +92,7 @@ x'' = temp - mp*l*thetaacc*cos(theta)/(mc + mp)
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("part", "wrong", "definition", "mistake"),
     [

@@ -158,6 +158,7 @@ def test_covers_may_leave_what_nothing_undoes() -> None:
     assert 0b10 in lefts
 
 
+@pytest.mark.campaign
 def test_errors_of_a_reaction_solved_for_are_named() -> None:
     repair = first(
         "rocker",

@@ -71,6 +71,7 @@ def others(q: Symbol, u: Symbol, p: Symbol, size: int) -> list[tuple[Quantity, t
     ]
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(0)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_strange_statements_are_survived(truth_of: Callable[[str], Equations], name: str) -> None:

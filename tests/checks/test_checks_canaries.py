@@ -28,6 +28,7 @@ def test_all_are_alive() -> None:
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("verdict", list(Verdict))
 def test_a_checker_that_always_says_the_same_is_seen(
     monkeypatch: pytest.MonkeyPatch, verdict: Verdict

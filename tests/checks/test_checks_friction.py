@@ -139,6 +139,7 @@ SIGNS = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("sign", SIGNS)
 def test_signs_as_people_write_them_in_c(truth: Equations, tmp_path: Path, sign: str) -> None:
     file = tmp_path / "friction.c"
@@ -155,6 +156,7 @@ def test_a_sign_by_division_has_no_value_at_rest(truth: Equations, tmp_path: Pat
     assert all("NaN at rest" in judged.finding.domain for judged in found.judged)
 
 
+@pytest.mark.campaign
 def test_friction_that_is_left_out_is_found(truth: Equations) -> None:
     """Routes that forget it, or half of it, differ from those that do not."""
     scene = truth.scene

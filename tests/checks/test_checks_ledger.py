@@ -71,6 +71,7 @@ def test_rows_can_be_told_apart(system: System) -> None:
     assert [name for name, count in names.items() if count > 1] == []
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "system",
     [s for s in systems.ALL if any(r.quantity == q.EquationOfMotion() for r in s.published)],

@@ -52,6 +52,7 @@ def assert_refuted(finding: Finding) -> None:
     assert finding.witness.state
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_all_pairs_are_shown(system) -> None:
     routes = derived(lower(system.scene(), Builder()))
@@ -71,6 +72,7 @@ CHANGES = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", CHANGES)
 @pytest.mark.parametrize("make", [elastic_pendulum.scene, rolling_disc.scene])
 def test_a_changed_row_is_refuted(name: str, make) -> None:
@@ -226,6 +228,7 @@ def test_energy_of_a_lifted_rail_counts_the_work_of_its_reaction() -> None:
 W, A, L = parameters("u v l", "m m m", "0.2 0.3 0.4")
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "turns",

@@ -93,6 +93,7 @@ def test_an_arm_in_space_with_every_kind_of_load_on_a_moving_base() -> None:
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
 
 
+@pytest.mark.campaign
 def test_two_runs_say_the_same() -> None:
     one, two = witnesses(four_bar.scene()), witnesses(four_bar.scene())
     assert one == two
@@ -102,6 +103,7 @@ def turned_round(parent: ReferenceFrame, child: ReferenceFrame) -> Matrix:
     return Matrix(child.dcm(parent))
 
 
+@pytest.mark.campaign
 def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -120,6 +122,7 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     assert {"x", "theta", "x_dot", "theta_dot", "L"} <= set(dict(wrong[0].witness.state))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("make", (elastic_pendulum.scene, rolling_disc.scene, four_bar.scene))
 @pytest.mark.parametrize("name", [route.name for route in ROUTES])
 def test_a_wrong_force_is_refuted_with_its_state(make: Callable[[], Scene], name: str) -> None:

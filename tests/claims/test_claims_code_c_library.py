@@ -24,6 +24,7 @@ def check(body: str) -> Check:
     return mechanics.check(ROD, text, notation="c", blame=False)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "more",
     [
@@ -87,6 +88,7 @@ def test_what_a_machine_computes_otherwise_is_not_shown(body: str, words: str) -
     assert words in " ".join(str(found).split())
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "body",
     [

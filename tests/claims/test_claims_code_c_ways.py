@@ -176,6 +176,7 @@ ARRAYS = {
 RIGHT = "(m*g*l/2*sin(x[0]) + u)/(m*l*l/3)"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("body", ARRAYS.values(), ids=ARRAYS.keys())
 @pytest.mark.parametrize("wrong", ["", "a", "b"])
 def test_outputs_by_cases_are_all_judged(body: str, wrong: str) -> None:

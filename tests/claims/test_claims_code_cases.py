@@ -47,6 +47,7 @@ def state_of(finding: Finding) -> dict[str, Fraction]:
     return {name: Fraction(value) for name, value in finding.witness.state}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("function", "words", "inside"),
     [
@@ -146,6 +147,7 @@ CONDITIONS = [
 ]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("condition", CONDITIONS)
 def test_conditions_of_all_kinds(condition: Callable) -> None:
     def both(theta, u, m, l, g):

@@ -83,6 +83,7 @@ def test_drawn_doubles_stand_for_nothing_simpler(size: float) -> None:
         assert constant_of(value)[0] == sympy.Rational(float(value))
 
 
+@pytest.mark.campaign
 def test_what_is_printed_of_an_arm_with_turns_of_a_third_is_shown() -> None:
     scene = serial_arm(2, "zz", "x", turn=pi / 3, zero="abcxyz").scene
     text = program_python(derive(scene, "free_body"), {})

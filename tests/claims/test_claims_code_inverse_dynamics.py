@@ -2,6 +2,7 @@
 
 import casadi
 import numpy as np
+import pytest
 
 import mechanics
 from systems import cartpole, rod_pendulum
@@ -71,6 +72,7 @@ def cart(q, qd, qdd, mc, mp, l, g):
     return np.array([force, moment])
 
 
+@pytest.mark.campaign
 def test_all_freedoms_and_only_those_that_are_driven() -> None:
     assert _verdict(CART, cart) == "PROVED"
     for one, other in ((2, 1), (1, 2), (1, -1)):

@@ -67,6 +67,7 @@ def test_what_a_letter_is_taken_for_is_told() -> None:
     assert any(note.startswith("C(...) is read as C") for note in notes)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("old", "new", "rows"),
     [
@@ -81,6 +82,7 @@ def test_a_wrong_entry_is_refuted_where_it_stands(old: str, new: str, rows: Sequ
     assert verdicts(*changed(old, new)) == rows
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("old", "new", "definition", "right"),
     [

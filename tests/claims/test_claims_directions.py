@@ -28,6 +28,7 @@ ACROBOT = derived(acrobot.scene())
 HEIGHTS = "V = m1*g*{}*sin(theta1) + m2*g*(l1*sin(theta1) + lc2*sin({}))"
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("sign", "growing"), [("+", "counterclockwise"), ("-", "clockwise")])
 def test_an_angle_from_the_horizontal(sign: str, growing: str) -> None:
     """Upwards and downwards are different equations: which is meant has to be said."""
@@ -122,6 +123,7 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
     assert any("makes no difference" in remark for remark in found.remarks)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("declared", "words"),
     [
@@ -164,6 +166,7 @@ def pointing(quarter: int, sense: int) -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("place", range(8))
 def test_a_direction_is_what_it_says(place: int) -> None:

@@ -21,6 +21,7 @@ def turned(text: str) -> str:
     return ROW.replace("m*g*l", f"({sign}m)*g*l").format(text)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["mod", "Mod", "rem", "fmod"])
 def test_a_wrap_by_the_period_is_the_angle_to_its_sine_and_no_other_period_is(name: str) -> None:
     assert verdict(turned(f"sin({name}(theta, 2*pi))")) == "PROVED"
@@ -32,6 +33,7 @@ def test_a_wrap_by_nothing_has_no_value() -> None:
     assert verdict(turned("sin(mod(theta, 0))")) == "REFUTED"
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("text", ["hypot(g, l)", "hypot(-l, g)"])
 def test_a_length_is_the_root_of_its_squares(text: str) -> None:
     assert verdict(turned(f"(sin(theta) + {text} - sqrt(g^2 + l^2))")) == "PROVED"

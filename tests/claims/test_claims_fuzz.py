@@ -89,6 +89,7 @@ def test_any_bytes(data: bytes, notation: str) -> None:
     assert_kept(notation, data)
 
 
+@pytest.mark.campaign
 @FUZZ
 @given(st.randoms(use_true_random=False), st.sampled_from(corpus.NOTATIONS))
 def test_documents_of_the_corpus_changed(source: random.Random, notation: str) -> None:
@@ -96,12 +97,14 @@ def test_documents_of_the_corpus_changed(source: random.Random, notation: str) -
     assert_kept(notation, mutated(source.choice(seeds), notation, source, seeds))
 
 
+@pytest.mark.campaign
 @FUZZ
 @given(st.text(max_size=60), st.sampled_from(["latex", "text"]))
 def test_any_text(text: str, notation: str) -> None:
     assert_read_or_refused(text, notation)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("notation", ["latex", "text"])
 @pytest.mark.parametrize(
     "text",

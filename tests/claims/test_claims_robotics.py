@@ -30,6 +30,7 @@ GLUED = (
 )
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("text", "old", "new"),
     [

@@ -15,6 +15,7 @@ l2*{0}2{2} + l1*{0}1{2}*cos({0}1-{0}2) - l1*{0}1{1}^2*sin({0}1-{0}2) + g*sin({0}
 """  # noqa: E501
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("stem", ["th", "phi", "theta_", "q"])
 @pytest.mark.parametrize(("once", "twice"), [("d", "dd"), ("_dot", "_ddot"), ("dot", "ddot")])
 def test_rates_follow_their_coordinate(stem: str, once: str, twice: str) -> None:
@@ -22,6 +23,7 @@ def test_rates_follow_their_coordinate(stem: str, once: str, twice: str) -> None
     assert [entry.finding.shown for entry in found.judged] == [True, True]
 
 
+@pytest.mark.campaign
 def test_rates_of_a_name_that_is_given() -> None:
     text = ROWS.format("a", "d", "dd").replace("a1", "b").replace("a2", "c")
     found = mechanics.check(DOUBLE.scene(), text, names={"b": "phi1", "c": "phi2"})

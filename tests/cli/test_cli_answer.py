@@ -61,6 +61,7 @@ def test_a_short_right_statement_is_one_line(
     assert ran.out.splitlines() == ["PROVED  1  right.txt, line 1", f"    {SEVEN}"]
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("environment", "coloured"),

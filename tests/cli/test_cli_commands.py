@@ -70,6 +70,7 @@ def test_derived_text_and_latex(run: Any, form: str) -> None:
     assert "q" in ran.out
 
 
+@pytest.mark.campaign
 def test_simulate_writes_the_samples(run: Any, tmp_path: Path) -> None:
     table, plot = tmp_path / "motion.csv", tmp_path / "motion.svg"
     settings = ("--duration", 1, "--set", "theta=1/2", "--samples", 11)
@@ -95,6 +96,7 @@ def test_simulate_writes_reactions_where_the_route_gives_them(run: Any, tmp_path
     assert ran.code == 2 and "take free_body" in ran.err and ran.err.count("\n") == 1
 
 
+@pytest.mark.campaign
 def test_codegen_writes_a_folder(run: Any, tmp_path: Path) -> None:
     ran = run("codegen", "two_mass_chain", "-o", tmp_path / "c")
     assert ran.code == 0, ran.err
@@ -122,6 +124,7 @@ def test_linearize_and_modes_about_a_steady_motion(run: Any) -> None:
     assert "frequency 6.65612 rad/s" in ran.out
 
 
+@pytest.mark.campaign
 def test_modes_over_a_speed_are_a_table_a_plot_and_json(run: Any, tmp_path: Path) -> None:
     over = ("--over", "u2", "--from", 0, "--to", 8, "--points", 17)
     ran = run("modes", "rolling_disc", *over, "--plot", tmp_path / "a.svg")
@@ -167,6 +170,7 @@ def test_help_has_examples(run: Any, command: str) -> None:
     assert ("mechanics " + command) in ran.out
 
 
+@pytest.mark.campaign
 def test_the_console_command_in_a_process_of_its_own() -> None:
     code = "from mechanics.cli import main; main()"
     ran = subprocess.run(

@@ -40,6 +40,7 @@ def test_all_shown_is_exit_code_zero_and_the_json_has_its_schema(run: Any, pendu
     assert {entry["verdict"] for entry in system["witnesses"]} == {"SUPPORTED"}
 
 
+@pytest.mark.campaign
 def test_a_wrong_row_is_exit_code_one_with_a_witness(run: Any, pendulum: Any) -> None:
     wrong = pendulum(("+ g * sin(theta)", "- g * sin(theta)"))
     ran = run("crosscheck", wrong, "--states", 0)
@@ -81,6 +82,7 @@ def test_chosen_routes_only(run: Any, pendulum: Any) -> None:
     assert list(json.loads(ran.out)["systems"][0]["routes"]) == columns
 
 
+@pytest.mark.campaign
 def test_systems_lists_every_system(run: Any) -> None:
     from systems import ALL
 

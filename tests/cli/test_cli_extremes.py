@@ -32,6 +32,7 @@ def test_extremes_of_a_file_are_printed_written_and_reproduced(
         assert anew == {key: figures[key][index] for key in anew}
 
 
+@pytest.mark.campaign
 def test_json_goes_to_the_screen_alone(run: Any, pendulum: Any) -> None:
     ran = run("extremes", pendulum(), "--form", "elimination", "--json", "-")
     assert ran.code == 0

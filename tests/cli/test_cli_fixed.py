@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 
+@pytest.mark.campaign
 def test_codegen_writes_what_is_asked_for(run: Any, tmp_path: Path) -> None:
     ran = run("codegen", "elastic_pendulum", "-o", str(tmp_path / "c"), "--fix", "g=9.81",
               "--fix", "m=0", "--outputs", "forward_dynamics, energy")  # fmt: skip

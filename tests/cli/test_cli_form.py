@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("options", "form"), [((), "fewest"), (("--form", "recursive"), "recursive")], ids=str
 )
@@ -18,6 +19,7 @@ def test_the_manifest_tells_the_form(run: Any, tmp_path: Path, options: Any, for
     assert content["form"] == form
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("system", "form", "words"),
     [

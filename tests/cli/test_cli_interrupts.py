@@ -82,6 +82,7 @@ def _runs(process: int) -> bool:
 CAMPAIGN = [pytest.param(n, marks=pytest.mark.campaign) for n in (signal.SIGINT, signal.SIGHUP)]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("number", [signal.SIGTERM, *CAMPAIGN])
 def test_a_compiler_ends_with_the_process_and_leaves_nothing(
     interrupted: Callable[..., int], number: signal.Signals

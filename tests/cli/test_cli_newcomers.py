@@ -13,6 +13,7 @@ from mechanics.linear.damped import DampedModes
 from systems import rod_pendulum
 
 
+@pytest.mark.campaign
 def test_the_systems_that_an_error_names_are_those_that_are_listed(run: Any) -> None:
     listed = run("systems").out
     error = run("derive", "nothing").err
@@ -21,6 +22,7 @@ def test_the_systems_that_an_error_names_are_those_that_are_listed(run: Any) -> 
     assert named == rows
 
 
+@pytest.mark.campaign
 def test_the_package_runs_as_a_module() -> None:
     ran = subprocess.run(
         [sys.executable, "-m", "mechanics", "derive", "nothing"],

@@ -58,6 +58,7 @@ def test_codegen_and_verify(run: Any, tmp_path: Path) -> None:
     assert found["outcome"] == "SHOWN" and not found["changed"]
 
 
+@pytest.mark.campaign
 def test_reformatted_code_passes_and_its_hash_is_told(run: Any, folder: Path) -> None:
     path = folder / f"{NAME}.c"
     text = re.sub(r"\bv(\d)", r"w_\1", path.read_text(encoding="utf-8")).replace("    ", "\t")
@@ -152,6 +153,7 @@ def lighter():
 """
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("call", ["", ":scene"])
 def test_a_file_is_run_where_a_person_names_it_only(run: Any, folder: Path, call: str) -> None:
     own, ran_it = folder.parent / "own.py", folder.parent / "ran"
@@ -209,6 +211,7 @@ def test_a_function_of_a_file_gives_the_scene(run: Any, folder: Path) -> None:
     assert ran.code == 2 and "it has no function other() that returns a Scene" in ran.err
 
 
+@pytest.mark.campaign
 def test_a_folder_made_of_a_person_s_file(run: Any, pendulum: Any, tmp_path: Path) -> None:
     file, folder = pendulum(), tmp_path / "c"
     assert run("codegen", f"{file}:scene", "-o", folder, "--outputs", "energy").code == 0
@@ -224,6 +227,7 @@ def put(folder: Path, name: str) -> None:
     (folder / name).write_text("", encoding="utf-8")
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["math.h", "cmath", "bits/x.h", "own/deep/a.hpp", "numpy.py",
                                   "numpy/__init__.py", "CMakePresets.json"])  # fmt: skip

@@ -10,6 +10,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
+from shared_scenes import built
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import STATE
@@ -17,7 +18,7 @@ from mechanics.scene.actions import frictions
 from systems import ALL
 
 SYSTEMS = [system.name for system in ALL]
-SMOOTH = [system.name for system in ALL if not frictions(system.scene())]
+SMOOTH = [system.name for system in ALL if not frictions(built(system.scene))]
 Modelled = Callable[[str, str], Model]
 POINTS = 3
 
@@ -111,7 +112,7 @@ def test_second_derivatives_exist(model: Model) -> None:
     assert_close(found, found.T)
 
 
-@pytest.mark.sample(6)
+@pytest.mark.sample(3)
 def test_functions_map(model: Model) -> None:
     for function in model.casadi.values():
         columns = points(model, function)
@@ -124,6 +125,7 @@ def test_functions_map(model: Model) -> None:
                 assert_close(many[:, i * width : (i + 1) * width], one, rtol=1e-14)
 
 
+@pytest.mark.sample(3)
 def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
     for name, function in model.casadi.items():
         point = at(points(model, function), 1)

@@ -33,6 +33,7 @@ def model() -> mechanics.Model:
     return mechanics.compile(mechanics.derive(cartpole.scene(), "kane"))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["forward_dynamics", "mass_matrix", "energy", "inverse_dynamics"])
 def test_compiled_and_mapped_it_gives_what_numpy_gives(model: mechanics.Model, name: str) -> None:
     sizes = dict(model.program(name).inputs)
@@ -44,6 +45,7 @@ def test_compiled_and_mapped_it_gives_what_numpy_gives(model: mechanics.Model, n
     assert all(near(found[key], right[key]) for key in right)
 
 
+@pytest.mark.campaign
 def test_its_derivative_is_the_jacobian_of_casadi(model: mechanics.Model) -> None:
     q, u, f, p = [0.3, 0.7], [0.1, -0.4], [0.2], model.typical
     state = np.array(q)
@@ -67,6 +69,7 @@ def test_a_loop_has_its_multipliers() -> None:
     assert near(found["multipliers"], np.array(right[1])[:, 0])
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("row", [row for row in OPERATIONS if row.arity and row.name != "entry"],
                          ids=lambda row: row.name)  # fmt: skip
 def test_every_operation_of_the_table_is_what_numpy_has(row: Any) -> None:

@@ -85,6 +85,7 @@ def test_laws_of_every_model(derived, system: str, route: str) -> None:
             assert_allclose(jacobian[f"ud_{group}"][:, :, k], slope, rtol=1e-4, atol=1e-4)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_routes_agree_in_numbers(modelled, system: str) -> None:
     models = [modelled(system, route) for route in ("free_body", "moving_point")]
@@ -93,6 +94,7 @@ def test_routes_agree_in_numbers(modelled, system: str) -> None:
     assert_allclose(first, second, rtol=1e-9)
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.sample(0)
 @pytest.mark.parametrize("system", SYSTEMS)

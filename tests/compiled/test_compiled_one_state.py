@@ -57,6 +57,7 @@ def fast(model: Model, name: str) -> Callable[..., Any]:
     return model._one[name]
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(0)
 @pytest.mark.parametrize(("system", "route"), SYSTEMS, ids=lambda x: x)
 def test_every_call_gives_what_evaluate_gives(
@@ -178,6 +179,7 @@ WRONG: tuple[tuple[type[MechanicsError], str, tuple[Any, ...]], ...] = (
 )
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("kind", "words", "arrays"), WRONG)
 def test_errors_are_those_of_the_way_that_checks(
     pendulum: Model, modelled, derived, kind: type[MechanicsError], words: str, arrays: tuple

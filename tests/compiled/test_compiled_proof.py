@@ -16,6 +16,7 @@ SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SEEDS)
 def test_every_function_of_the_seeds_systems_is_proved(modelled, system: str, route: str) -> None:
@@ -28,6 +29,7 @@ def test_every_function_of_the_seeds_systems_is_proved(modelled, system: str, ro
     assert all(route in f.subject for f in findings)
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ["rolling_disc", "four_bar"])
 @pytest.mark.parametrize("route", ["free_body", "kane"])

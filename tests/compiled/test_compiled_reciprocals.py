@@ -72,6 +72,7 @@ def test_powers_of_two_lose_nothing(above: float, other: float, power: int) -> N
     assert values(code, given_numbers, np.float64) == values(shorter, given_numbers, np.float64)
 
 
+@pytest.mark.campaign
 def test_it_can_be_switched_off(derived) -> None:
     equations = derived("rolling_disc", "kane")
     plain = compile(equations, reciprocals=False).program("forward_dynamics")

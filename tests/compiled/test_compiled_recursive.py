@@ -4,6 +4,7 @@ from typing import Any
 
 import casadi as ca
 import pytest
+from shared_scenes import built
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -81,7 +82,7 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
     return prove_graph("forward_dynamics", model.casadi, graph, try_normal=False).verdict
 
 
-SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(system.scene())]
+SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(built(system.scene))]
 
 
 @pytest.mark.sample(3)

@@ -52,6 +52,7 @@ def typed(model: Model) -> tuple[tuple[str, sympy.Expr, sympy.Expr], ...]:
     )
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("system", ["elastic_pendulum", "rocker", "two_mass_chain"])
 @pytest.mark.parametrize("states", [2000, pytest.param(100_000, marks=pytest.mark.campaign)])
 def test_every_route_stays_within_a_few_roundings(modelled, system: str, states: int) -> None:

@@ -69,6 +69,7 @@ def test_few_calls_need_no_order() -> None:
     assert scheduled(code) is code
 
 
+@pytest.mark.campaign
 def test_calls_stand_between_the_rest_and_a_sine_beside_its_cosine(chain: Routine) -> None:
     nodes = scheduled(chain).nodes
     calls = [k for k, node in enumerate(nodes) if node.operation in CALLS]

@@ -85,6 +85,7 @@ def angles(kind: type) -> np.ndarray:
     return x[np.abs(x) <= LIMIT]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("flags", FUSED.values(), ids=FUSED)
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_errors_are_as_proved(each: str, flags: str, kind: type) -> None:

@@ -39,6 +39,7 @@ BINARY = (
 )
 
 
+@pytest.mark.campaign
 @settings(max_examples=20, deadline=None)
 @given(st.lists(st.tuples(st.integers(0, 12), st.integers(0, 99), st.integers(0, 99)), min_size=8))
 def test_machine_code_rounds_like_numpy(compiler: str, steps: list[tuple[int, int, int]]) -> None:

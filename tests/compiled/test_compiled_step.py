@@ -31,6 +31,7 @@ def balls(function: ca.Function, inputs: list[list[arb]]) -> list[list[arb]]:
     return [list(found[name]) for name, _ in written.shapes]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("system", "route"), SYSTEMS)
 def test_step_is_the_classical_formula_in_balls(modelled, system: str, route: str) -> None:
     """k1 to k4 one after the other, each by the functions themselves, at 300 bits."""
@@ -57,6 +58,7 @@ def test_step_is_the_classical_formula_in_balls(modelled, system: str, route: st
             assert (value - expected).contains(0) and (value - expected).rad() < 1e-70
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("tableau", TABLEAUX, ids=lambda tableau: tableau.name)
 def test_error_of_a_step_falls_with_the_order_it_claims(tableau: Tableau) -> None:
     """Error of a step on y' = (y2, -y1 y1), whose stages are not all alike, by Richardson."""

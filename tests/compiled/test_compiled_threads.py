@@ -22,6 +22,7 @@ assert len({file.parent for file in made}) == 1
 """
 
 
+@pytest.mark.campaign
 @pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")
 def test_the_first_libraries_of_a_process_are_made_side_by_side() -> None:
     """In a process of its own: the folder is made by whoever comes first."""

@@ -58,6 +58,7 @@ def unit_of(model: Model, place: Path) -> None:
 WRITERS = {"write_c": c_of, "write_fmu": unit_of}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("writer", WRITERS)
 def test_what_is_refuted_is_not_written(
     modelled: Modelled, tmp_path: Path, wrong_sign: None, writer: str
@@ -67,6 +68,7 @@ def test_what_is_refuted_is_not_written(
     assert tree(tmp_path) == {}
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("writer", WRITERS)
 def test_what_stood_there_before_is_untouched(
     modelled: Modelled, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: Any, writer: str

@@ -61,6 +61,7 @@ def system(loader: ModuleType):
     return loader.load()
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("numpy", [True, False])
 def test_it_works_without_mechanics(model: Model, folder: Path, numpy: bool) -> None:
     if find_compiler() is None:

@@ -67,6 +67,7 @@ def folder(request, modelled, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 def test_c_is_clean_and_passes_its_test_under_sanitizers(folder: Path, compiler: str) -> None:
     for of in ("", "_batch"):
@@ -82,6 +83,7 @@ def test_optimised_code_passes_too(modelled, compiler: str, tmp_path: Path) -> N
         assert run(build(compiler, tmp_path, "-O3", "-march=native", of=of)).returncode == 0
 
 
+@pytest.mark.campaign
 def test_a_changed_sign_fails_the_self_test(modelled, compiler: str, tmp_path: Path) -> None:
     model = modelled("elastic_pendulum", "kane")
     write_c(model, tmp_path, name="pendulum", functions=["forward_dynamics", "energy"])
@@ -136,6 +138,7 @@ def test_manifest_tells_what_was_written(modelled, tmp_path: Path) -> None:
     assert "mass_matrix" not in (tmp_path / "rocker.c").read_text(encoding="utf-8")
 
 
+@pytest.mark.campaign
 def test_cmake_builds_and_ctest_passes(modelled, tmp_path: Path) -> None:
     cmake, ctest = shutil.which("cmake"), shutil.which("ctest")
     if cmake is None or ctest is None:
@@ -198,6 +201,7 @@ def awkward() -> Model:
     return compile_model(by_route("free_body", scene), compiler=None)
 
 
+@pytest.mark.campaign
 def test_awkward_names_become_identifiers_and_comments_stay_closed(
     compiler: str, tmp_path: Path
 ) -> None:

@@ -56,6 +56,7 @@ def grades(found: Group) -> dict[str, object]:
     return {one.name: one for one in found.grades}
 
 
+@pytest.mark.campaign
 def test_verdicts_and_scores(found: Group) -> None:
     told = {name: (one.verdict, one.score) for name, one in grades(found).items()}
     assert told == {
@@ -81,6 +82,7 @@ def test_the_change_is_named_and_the_hint_is_no_answer(found: Group) -> None:
     assert ("something is missing", 3) in found.mistakes
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("require", "name", "verdict"),
     [("motion", "other.tex", "right"), ("motion", "slip.tex", "wrong"),

@@ -124,6 +124,7 @@ def test_two_links_have_the_published_equations():
     assert found == pytest.approx(wanted, rel=1e-13)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "name",
     [

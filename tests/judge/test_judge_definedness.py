@@ -168,6 +168,7 @@ def test_what_is_wrapped_otherwise_is_not_shown(angle):
     assert not of_c(angle).ok
 
 
+@pytest.mark.campaign
 def test_code_that_reaches_a_bound_is_told_that_rounding_may_step_over_it():
     found = of_c(more="0*acos(cos(theta)*cos(theta))")
     assert outcome(found) == ("PROVED", "")

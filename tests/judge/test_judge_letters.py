@@ -60,6 +60,7 @@ def answer(scene: str, text: str) -> Check:
     return check(SCENES[scene](), text)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("scene", "text", "said"),
     [
@@ -88,6 +89,7 @@ def test_a_letter_is_read_as_what_has_its_dimension(scene: str, text: str, said:
     assert said in str(found)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("scene", "text"),
     [
@@ -178,6 +180,7 @@ def test_one_equation_of_two_is_mended_by_any_convention() -> None:
     assert not found.judged[0].open
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("scene", "text", "verdict"),
     [

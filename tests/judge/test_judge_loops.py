@@ -23,12 +23,14 @@ RIGHT = (
 """Cranks and rockers of parallelograms turn equally, and couplers do not turn."""
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("text", RIGHT)
 def test_what_holds_on_the_component_is_shown(parallelograms: Equations, text: str) -> None:
     (judged,) = check(parallelograms, text, blame=False).judged
     assert judged.finding.shown, judged.finding
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("text", [r"\ddot q_2 = 0", r"\dot q_0 = -\dot q_4", "T = m*q0'^2"])
 def test_what_is_wrong_there_is_refuted(parallelograms: Equations, text: str) -> None:
     (judged,) = check(parallelograms, text, blame=False).judged

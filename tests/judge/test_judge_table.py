@@ -159,6 +159,7 @@ LIMITED = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("form", LIMITED)
 def test_an_input_may_be_limited_before_it_is_used(form):
     verdict, domain = outcome(LIMITED[form]())
@@ -239,6 +240,7 @@ NO_GUARDS = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", NO_GUARDS)
 def test_other_guards_are_refuted(name):
     assert NO_GUARDS[name]().verdict.name == "REFUTED"

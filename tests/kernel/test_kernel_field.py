@@ -145,6 +145,7 @@ def share(nodes: list[Node]) -> float:
     return 2 * degree / ((SMALL - 1) / 2)
 
 
+@pytest.mark.campaign
 def test_a_low_degree_falsehood_is_met_as_often_as_the_bound_says() -> None:
     """(x - 1)(x - 4)...(x - 81) has 9 zeros among the 838 residues, and among the 419 squares."""
     b = Builder()
@@ -156,6 +157,7 @@ def test_a_low_degree_falsehood_is_met_as_often_as_the_bound_says() -> None:
     assert misses([product], Range.POSITIVE) < share([product]) < 4 * 9 / 419
 
 
+@pytest.mark.campaign
 def test_a_trigonometric_falsehood_has_at_most_twice_its_degree_of_zeros() -> None:
     """A cubic in the cosine: at most six points."""
     b = Builder()
@@ -231,6 +233,7 @@ def test_falsehoods_pass_as_often_as_is_known_and_no_oftener_than_equation_2_say
     assert decide(claim).verdict is Verdict.REFUTED
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("target", [2.0**-10, 2.0**-40, 2.0**-80])
 @pytest.mark.parametrize("count", [1, 2, 3])

@@ -197,6 +197,7 @@ def of_step(book: Textbook, model: Model, p: Array) -> None:
     assert np.all(np.abs(got - wanted) <= ROUNDINGS * (np.abs(y) + h * np.abs(k1)))
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("route", ("free_body", "moving_point", "kane", "lagrange"))
 @pytest.mark.parametrize("part", range(100))

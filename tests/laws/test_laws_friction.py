@@ -136,6 +136,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
 }
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_friction_by_every_route(assert_laws: Any, name: str) -> None:
@@ -182,6 +183,7 @@ def test_without_friction_the_mass_matrix_is_that_of_the_energy(name: str) -> No
     ).shown  # fmt: skip
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("route", ["kane", "lagrange"])
 def test_projected_routes_tell_what_presses(route: str) -> None:
     for make in SCENES.values():

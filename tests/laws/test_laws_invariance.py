@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import pytest
+from shared_scenes import built
 from sympy import Expr, Matrix, Rational, Symbol, eye, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -115,6 +116,7 @@ TURNS = {
 }  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("route", NAMES)
 @pytest.mark.parametrize("turn", TURNS)
 def test_inertial_axes(route: str, turn: str) -> None:
@@ -181,7 +183,7 @@ def scale(unit: str) -> Expr:
     return factor
 
 
-FREE = [system for system in systems.ALL if not system.scene().constraints]
+FREE = [system for system in systems.ALL if not built(system.scene).constraints]
 """Multipliers of Lagrange's method have units of their own."""
 
 

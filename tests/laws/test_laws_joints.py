@@ -116,6 +116,7 @@ def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
         assert sum(entry**2 for entry in along) == 1
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("kind", [k for k in JOINTS if not {"quaternion", "roll,"} & {*k.split()}])
 def test_the_recursions_know_it_as_a_tree_of_single_joints(kind: str) -> None:
     mechanism = lower(two_bodies(JOINTS[kind][1](None)), Builder())

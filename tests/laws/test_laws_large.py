@@ -87,6 +87,7 @@ def test_the_printed_module_computes_what_the_model_does(run, system: str) -> No
     assert np.allclose(module.solution(*state), wanted, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("form", ["text", "latex"])
 def test_long_equations_are_printed_line_by_line(run, form: str) -> None:
     code, text, _ = run("derive", "arm", "--format", form, "--fix", "g=9.81")

@@ -82,6 +82,7 @@ SCENES = {
 }  # fmt: skip
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_load_by_every_route(assert_laws: Any, name: str) -> None:

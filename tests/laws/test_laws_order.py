@@ -35,6 +35,7 @@ def answers(truth: Equations, said: Sequence[tuple[Expr, str | None]]) -> list[s
     return [repr((check.judged, check.remarks)) for check in checks]
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("system", SYSTEMS, ids=lambda system: system.__name__)
 def test_verdicts_and_repairs_do_not_depend_on_those_before(system) -> None:
     one, two = derived(system.scene()), derived(system.scene())

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from shared_scenes import built
 
 import mechanics
 from mechanics.checks.admissible import check_scene
@@ -24,7 +25,7 @@ from mechanics.routes import kane
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, velocity_forms
 from systems import EVERY
 
-CONSTRAINED = {s.name: s for s in EVERY if s.scene().constraints}
+CONSTRAINED = {s.name: s for s in EVERY if built(s.scene).constraints}
 QUICK = {"four_bar_chain"}
 BITS = 300
 EPS = float(np.finfo(float).eps)
@@ -77,6 +78,7 @@ def system(mechanism: Mechanism) -> Program:
     return mechanism.builder.program({"K": [e for row in matrix for e in row], "x": solution})
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     "name",
     [n if n in QUICK else pytest.param(n, marks=pytest.mark.campaign) for n in CONSTRAINED],

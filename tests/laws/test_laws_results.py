@@ -1,6 +1,7 @@
 """What a derivation ends with: M u' = f + B lambda and A u' = b, and the multipliers solved."""
 
 import pytest
+from shared_scenes import built
 from sympy import Matrix
 
 import mechanics
@@ -13,7 +14,7 @@ from mechanics.scene.system import System
 from mechanics.symbolic import Arithmetic, Number, decide
 from systems import ALL, SEED
 
-CONSTRAINED = [system for system in ALL if system.scene().constraints]
+CONSTRAINED = [system for system in ALL if built(system.scene).constraints]
 
 
 @pytest.mark.sample(2)
@@ -54,6 +55,7 @@ def test_multipliers_are_given_by_the_motion(system: System) -> None:
     assert decide("multipliers", experiment, try_normal=False).shown
 
 
+@pytest.mark.campaign
 def test_what_is_made_of_a_scene_says_in_one_short_line_what_it_is() -> None:
     system = SEED[0]
     scene = system.scene()

@@ -116,6 +116,7 @@ def assert_all_agree(tree: tuple[Drawn, ...], number: int) -> None:
     assert np.all(np.abs(left) < 1e-10 * sizes)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", [kind for kind in STEPS if kind in ("oblique", "planar")])
 def test_one_joint_agrees(kind: str) -> None:
     assert_all_agree((Drawn(0, kind, 0, 1),), 1)

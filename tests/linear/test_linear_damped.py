@@ -97,6 +97,7 @@ def test_words_say_frequency_damping_ratio_and_shape() -> None:
     assert slow.ratios.tolist() == [1, 0]
 
 
+@pytest.mark.campaign
 def test_the_cross_check_lists_damped_modes_and_names_no_other_function() -> None:
     found = crosscheck(chain().scene, CrossCheck(states=0))
     (modes,) = found.modes

@@ -41,6 +41,7 @@ def check(equations: Equations, row, **changes):
     return check_linear_row(equations.scene, replace(row, **changes), equations)
 
 
+@pytest.mark.campaign
 def test_rows_are_held_against_the_scene_and_not_against_each_other() -> None:
     # Twice as heavy on the right: whatever the masses enter is refuted or cannot be shown.
     scene = two_mass_chain.scene()

@@ -41,7 +41,7 @@ def accelerations(linear) -> list:
     return list(linear.mass.LUsolve(right))
 
 
-@pytest.mark.sample(6)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "route",
     ROUTES,

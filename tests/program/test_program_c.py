@@ -59,6 +59,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Compiled:
     return run
 
 
+@pytest.mark.campaign
 @settings(max_examples=30, deadline=None)
 @given(data=st.data())
 def test_compiled_code_has_the_values_of_the_program(

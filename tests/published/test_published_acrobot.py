@@ -42,6 +42,7 @@ def dsdt(book_or_nips: str) -> Callable:
     return rate
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("variant", "printed", "verdict"), [("book", RIGHT, "PROVED"), ("nips", NIPS, "REFUTED")]
 )

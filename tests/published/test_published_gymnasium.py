@@ -54,6 +54,7 @@ def test_a_cart_pole_of_another_mass_or_integrator_is_refuted(truth) -> None:
     assert verdicts(truth("cartpole"), other, CART_NAMES) == ["REFUTED"] * 4
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(("variant", "verdict"), [("book", "SUPPORTED"), ("nips", "REFUTED")])
 def test_the_acrobot_is_supported_in_its_variant_of_the_book(truth, variant, verdict) -> None:
     env = gymnasium.make("Acrobot-v1").unwrapped

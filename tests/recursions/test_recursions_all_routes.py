@@ -55,6 +55,7 @@ def assert_everything_agrees(joints: tuple[Joint, ...], seed: int) -> None:
     assert np.all(np.abs(own @ qdd + np.array(found["bias"], dtype=float) - tau) <= bound)
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("part", range(50))
 def test_three_hundred_random_trees(part: int) -> None:

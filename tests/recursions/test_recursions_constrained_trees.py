@@ -24,6 +24,7 @@ def bicycle_model() -> mechanics.Model:
     return mechanics.compile(mechanics.derive(bicycle.scene(), "kane"), compiler=None)
 
 
+@pytest.mark.campaign
 def test_a_bicycle_takes_half_of_the_operations_of_its_rows_alone_elsewhere(bicycle_model) -> None:
     """Accelerations and five reactions; SymBRiM 0.1.0 counts 1,909 for three unsolved rows."""
     assert bicycle_model.program("forward_dynamics").operations <= 1031

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from shared_scenes import built
 from whipple_bicycle import whipple_bicycle
 
 from benchmarks.space import scenes
@@ -70,7 +71,8 @@ def assert_recursions_agree(mechanism: Mechanism, masses, *, derivatives: bool) 
         assert all(filter_.is_zero(a - b) for a, b in zip(column, wanted_column, strict=True))
 
 
-@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.scene().name)
+@pytest.mark.sample(3)
+@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_every_system_that_is_a_tree_of_joints(system, masses) -> None:
     mechanism = lower(system.scene(), Builder())
@@ -81,6 +83,7 @@ def test_every_system_that_is_a_tree_of_joints(system, masses) -> None:
         assert_recursions_agree(mechanism, masses, derivatives=True)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_wheels_turn_about_their_centres_and_the_contact_is_on_no_link(masses) -> None:
     """No point lies on a wheel of a bicycle but its centre; a contact moves in the wheel."""

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from shared_scenes import built
 
 from benchmarks.space import scenes
 from benchmarks.space.counting import count
@@ -29,7 +30,8 @@ PHASES = (Phase.explicit, Phase.generate)
 MOMENTS = (moments, grouped)
 
 
-@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.scene().name)
+@pytest.mark.sample(3)
+@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_the_rows_are_kanes(system, masses) -> None:
     mechanism = lower(system.scene(), Builder())

@@ -73,6 +73,7 @@ def test_wrong_code_is_told_as_a_formula(found: Check) -> None:
     assert "x_ddot = " in str(found)
 
 
+@pytest.mark.campaign
 def test_right_statements_and_texts_stay(answered: Check) -> None:
     assert answered.told == answered.judged
 

@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from shared_scenes import built
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -33,7 +34,7 @@ def scenes() -> dict[str, Scene]:
     for module in pkgutil.iter_modules(systems.__path__):
         scene = getattr(importlib.import_module(f"systems.{module.name}"), "scene", None)
         if scene is not None and scene.__module__ == f"systems.{module.name}":
-            found[module.name] = scene()
+            found[module.name] = built(scene)
     return found
 
 
@@ -44,6 +45,7 @@ NAMES = [
 ]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     scene = scenes()[name]
@@ -164,6 +166,7 @@ def test_a_spring_and_a_damper_stand_side_by_side_and_end_at_what_they_hold() ->
     assert any(np.allclose(end, np.array(dots[-1], dtype=float), atol=0.1) for end in ends)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
     drawn, corner, _ = re.split(

@@ -32,6 +32,7 @@ def test_a_route_shows_its_steps_and_then_the_result(route) -> None:
     assert steps_of(told) == (told.result,)
 
 
+@pytest.mark.campaign
 def test_each_reaction_is_eliminated_once_and_told_by_others() -> None:
     equations = by_route("free_body", elastic_pendulum.scene())
     (step,) = (step for step in steps_of(equations) if step.title == "Elimination")

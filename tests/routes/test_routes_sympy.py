@@ -104,6 +104,7 @@ def rubbing_box() -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("make", [geared_arm, skate, rubbing_box, universal_joint])
 def test_sympys_methods_give_the_motion_of_the_routes(make: Callable[[], Scene]) -> None:
     """Every kind of load, speed, constraint and turn; M is symmetric where rows are conjugate."""
@@ -125,6 +126,7 @@ def turned_backwards(outer, step):
     return product(outer, transpose(step))
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize(
     ("module", "name", "wrong", "differ"),
     [

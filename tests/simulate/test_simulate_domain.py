@@ -112,6 +112,7 @@ def test_conditions_hold_inputs_and_several_are_told_in_order() -> None:
     assert found.crossings[0].time == pytest.approx(0.6, abs=1e-12)
 
 
+@pytest.mark.campaign
 def test_the_accuracy_does_not_pass_the_edge(rolling: Model) -> None:
     plain = simulate(rolling, 3.0)
     found = simulate(rolling, 3.0, accuracy=1e-7)

@@ -90,6 +90,7 @@ def test_an_accuracy_can_be_asked_for(free: Model) -> None:
     )
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("member", MEMBERS, ids=lambda member: member.name)
 def test_every_integrator_that_takes_functions_takes_feedback(free: Model, member) -> None:
     inputs = {"f": Feedback(law)}

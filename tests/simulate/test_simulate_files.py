@@ -72,6 +72,7 @@ def test_plot_is_a_self_contained_drawing(motion: Trajectory, tmp_path: Path) ->
     assert write_plot(motion, tmp_path / "b.svg").read_bytes() == first
 
 
+@pytest.mark.campaign
 def test_angles_that_go_round_do_not_flatten_the_others(model_of: ModelOf, tmp_path: Path) -> None:
     linkage = simulate(model_of("four_bar"), 1.0, samples=101)
     text = write_plot(linkage, tmp_path / "linkage.svg").read_text(encoding="utf-8")

@@ -157,6 +157,7 @@ def test_a_setting_without_tolerance_and_step_is_refused(member: Integrator) -> 
     assert "found" in member.suits(posed("rocker"), Setting(member.name))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "member", [m for m in INTEGRATORS if m.adaptive], ids=lambda member: member.name
 )

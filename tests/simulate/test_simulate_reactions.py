@@ -31,6 +31,7 @@ def test_reactions_hold_the_bodies() -> None:
     assert np.allclose(motion.reactions["N1"], motion.reactions["N"] + m * g, rtol=1e-12)
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("system", [four_bar, rocker])
 def test_every_reaction_has_a_column(system) -> None:
     """Those of the joint that is cut, which are multipliers, and those of a scene with inputs."""

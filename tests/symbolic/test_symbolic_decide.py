@@ -115,6 +115,7 @@ POLYNOMIALS = st.recursive(
 )
 
 
+@pytest.mark.campaign
 @settings(max_examples=40, deadline=None)
 @given(POLYNOMIALS, POLYNOMIALS)
 def test_squares_of_sums(p, q):

@@ -55,6 +55,7 @@ def test_rounding_matches(value, places):
     assert not decimal_matches(ball, f"{printed + Decimal(2).scaleb(-places):f}")
 
 
+@pytest.mark.campaign
 @given(st.fractions(-10, 10, max_denominator=1000))
 def test_enclosures_contain_what_another_library_computes(value):
     expr = sp.sin(x) * sp.exp(x) + sp.Abs(x) / sp.sqrt(1 + x**2) + sp.Max(x, sp.pi) + sp.atan2(x, 2)

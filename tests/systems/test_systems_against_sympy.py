@@ -14,6 +14,7 @@ from mechanics.symbolic import prove_equal
 from systems import four_bar, pendulum_chain, rolling_disc
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("links", [1, 2, pytest.param(3, marks=pytest.mark.campaign)])
 def test_chain_is_sympys_chain_term_by_term(links: int) -> None:
     scene = pendulum_chain.scene(links)

@@ -68,6 +68,7 @@ def line_of(folder: Path, words: str) -> int:
     return next(number for number, line in enumerate(lines, 1) if words in line)
 
 
+@pytest.mark.campaign
 def test_what_was_written_is_shown(folder: Path, judge: Judge) -> None:
     assert judge(folder) == []
 
@@ -132,6 +133,7 @@ def manifest(folder: Path, change: Callable[[Any], Any]) -> None:
     path.write_text(json.dumps(content), encoding="utf-8")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("change", "verdict", "subject"),
     [

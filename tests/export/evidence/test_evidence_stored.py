@@ -95,6 +95,7 @@ def certified(manifest: dict[str, Any]) -> dict[str, Any]:
     return next(f for f in rows if "error_bound" in f)
 
 
+@pytest.mark.campaign
 def test_what_was_written_is_shown(made: Made, folder: Path) -> None:
     assert bad(made, folder) == []
 
