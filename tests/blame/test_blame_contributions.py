@@ -100,6 +100,7 @@ def test_candidates_in_other_unknowns_hold_along_the_motion(reference: Reference
     assert all(holds(truth, written(candidate.terms)) for candidate in found)
 
 
+@pytest.mark.sample(3)
 def test_no_reaction_of_a_constraint_is_left_where_it_is_put_in(reference: Reference) -> None:
     forces = {reaction.symbol for reaction in reference.truth.scene.reactions}
     for candidate in reference.in_speeds.constrained(frozenset()):

@@ -75,6 +75,7 @@ def test_its_differences_name_the_rotation_of_the_second_rod(truth_of: TruthOf) 
     ]
 
 
+@pytest.mark.campaign
 def test_equations_that_follow_from_a_wrong_energy_say_so(truth_of: TruthOf) -> None:
     truth = truth_of("double_inverted_pendulum")
     wrong = EQUATIONS.replace("m2*L1**2 + J1", "m2*L1**2 + J1 + J2").replace("l2**2 + J2", "l2**2")

@@ -73,6 +73,7 @@ TEXTS = (
 )
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "right", "part", "wrong", "mistake"), TEXTS)
 def test_one_mistake_in_text(
@@ -92,6 +93,7 @@ x'' = temp - mp*l*thetaacc*cos(theta)/(mc + mp)
 """
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("part", "wrong", "definition", "mistake"),

@@ -90,6 +90,7 @@ def repairs(name: str, text: str) -> tuple[Repair, ...]:
     return entry.blame.repairs
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "name, text", {(name, text): None for name, text, *_ in CASES}, ids=lambda value: value[:20]
 )

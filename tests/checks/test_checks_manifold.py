@@ -85,6 +85,7 @@ def forms_of(a: Arithmetic, kinematics: Kinematics) -> list[Node]:
     return list(include(a.builder, program, {n: a.value(named[n]) for n in program.inputs})["x"])
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_constraints_and_their_derivatives_vanish(scene: Scene) -> None:

@@ -21,6 +21,7 @@ PENDULUM = [
 ]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("text", PENDULUM)
 def test_states_in_arrays(text: str) -> None:
     assert set(verdicts("pendulum", text)) == {"PROVED"}

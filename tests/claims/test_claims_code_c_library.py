@@ -48,6 +48,7 @@ def test_a_function_has_its_exact_meaning(more: str) -> None:
     assert check(f"return RIGHT + {more};").verdict in SHOWN
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "more", ["fdim(theta, u)", "cbrt(u)", "trunc(u)", "round(u)", "signbit(u)", "log2(u*u + 2)"]
 )

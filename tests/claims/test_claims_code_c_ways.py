@@ -27,6 +27,7 @@ MACROS = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("macros", "verdict"), MACROS.items())
 def test_macros_with_arguments(macros: str, verdict: str) -> None:
     body = "return (m*g*l/2*sin(theta) + u)/I(m,\n l);"
@@ -160,6 +161,7 @@ SIDES = {
 }  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("body", SIDES.values(), ids=SIDES.keys())
 @pytest.mark.parametrize(("sign", "verdict"), [("", "PROVED"), ("2*", "REFUTED")])
 def test_branches_and_constants_of_the_header(body: str, sign: str, verdict: str) -> None:

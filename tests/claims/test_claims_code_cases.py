@@ -93,6 +93,7 @@ def or_far(theta, theta_dot, u, m, l, g):
     return 0 * u if far else right(theta, u, m, l, g)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("function", "inside"),
     [

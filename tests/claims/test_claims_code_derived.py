@@ -163,6 +163,7 @@ def test_an_argument_of_another_method_is_no_number_of_the_file(tmp_path: Path) 
     assert "total_mass = 1.1 of the code: numbers" in " ".join(found.remarks)
 
 
+@pytest.mark.campaign
 def test_numbers_under_other_names_are_told() -> None:
     gravity = 9.8
 

@@ -83,6 +83,7 @@ def of_fields_in_order(y, u):  # type: ignore[no-untyped-def]
     return law(y, u, m * fields[0] / fields.m, l, fields[-1] if len(fields) == 3 else g)
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "function",

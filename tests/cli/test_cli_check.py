@@ -36,6 +36,7 @@ def test_wrong_equations_exit_with_one_and_show_a_state(tmp_path: Path) -> None:
     assert "write 3 for 12: the factor is wrong" in result.stdout
 
 
+@pytest.mark.campaign
 def test_json_has_everything(tmp_path: Path) -> None:
     file = tmp_path / "seven.tex"
     file.write_text(SEVEN.replace(r"\theta", r"\phi").replace("{3}", "{4}"))

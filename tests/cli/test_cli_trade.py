@@ -28,6 +28,7 @@ def test_trade_prints_and_writes_everything(run: Any, folder: Path) -> None:
     assert (folder / "t.svg").read_text(encoding="utf-8").startswith("<svg")
 
 
+@pytest.mark.campaign
 def test_simulate_chooses_for_an_accuracy(run: Any, folder: Path) -> None:
     ran = run("simulate", "elastic_pendulum", "--duration", "1", "--samples", "11",
               "--accuracy", "1e-6", "--out", folder / "m.csv")  # fmt: skip

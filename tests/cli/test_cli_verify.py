@@ -69,6 +69,7 @@ def test_reformatted_code_passes_and_its_hash_is_told(run: Any, folder: Path) ->
     assert "the code was not compiled: that was not asked for" in ran.out
 
 
+@pytest.mark.campaign
 def test_a_last_digit_is_refuted_whatever_the_hash(run: Any, folder: Path) -> None:
     path = folder / f"{NAME}.c"
     text = path.read_text(encoding="utf-8")

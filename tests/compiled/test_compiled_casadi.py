@@ -141,6 +141,7 @@ def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
                 np.testing.assert_array_equal(np.array(one), np.array(other))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("model", SMOOTH, indirect=True)
 def test_functions_stand_in_opti(model: Model) -> None:
     """Find the inverse dynamics by IPOPT: u' is given, the generalized forces are wanted."""

@@ -80,6 +80,7 @@ def test_every_call_gives_what_evaluate_gives(
             assert_array_equal(found, expected[out])
 
 
+@pytest.mark.campaign
 def test_residual_takes_its_arrays_in_the_order_of_the_method(modelled, extension: Any) -> None:
     model = modelled("four_bar", "kane")
     state = next(states(model))

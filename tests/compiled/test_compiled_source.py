@@ -102,6 +102,7 @@ def test_literals_are_exact(value: float) -> None:
         assert "x" in text or "." in text
 
 
+@pytest.mark.campaign
 @given(st.text(max_size=12))
 def test_every_name_becomes_an_identifier(name: str) -> None:
     text = identifier(name)

@@ -92,6 +92,7 @@ def test_sine_of_one_angle_is_evaluated_once() -> None:
     assert len(instructions(function, ca.OP_COS)) == 1
 
 
+@pytest.mark.campaign
 def test_depth_does_not_matter() -> None:
     expression = x
     for _ in range(3000):

@@ -72,6 +72,7 @@ def test_verdicts_and_scores(found: Group) -> None:
     }
 
 
+@pytest.mark.campaign
 def test_the_change_is_named_and_the_hint_is_no_answer(found: Group) -> None:
     slip = grades(found)["slip.tex"]
     assert slip.change == "write 3 for 12"

@@ -157,6 +157,7 @@ def test_prose_says_what_a_letter_is(text: str, verdict: tuple[Verdict, ...]) ->
     assert answer("pendulum", text).verdict in verdict, str(answer("pendulum", text))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
@@ -180,6 +181,7 @@ def test_one_equation_of_two_is_mended_by_any_convention() -> None:
     assert not found.judged[0].open
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("scene", "text", "verdict"),

@@ -192,6 +192,7 @@ NOT_LIMITS = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", NOT_LIMITS)
 def test_anything_else_is_refuted(name):
     assert NOT_LIMITS[name]().verdict.name == "REFUTED"
@@ -219,6 +220,7 @@ GUARDED = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("form", GUARDED)
 def test_within_a_small_guard_what_is_near_the_truth_will_do(form):
     found = GUARDED[form]()
@@ -347,6 +349,7 @@ EMPTY = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", BRANCHES)
 def test_branches_are_reached_at_all_scales(name):
     condition, words = BRANCHES[name]

@@ -83,6 +83,7 @@ def test_energy_grows_by_the_power_of_the_loads(name: str) -> None:
             assert shown(laws.check_energy(mechanism, derived.rows))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", SCENES)
 def test_the_mass_matrix_is_the_metric_of_the_kinetic_energy(name: str) -> None:
     programs = programs_of(name)

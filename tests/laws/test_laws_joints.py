@@ -104,6 +104,7 @@ def test_all_routes_agree_and_all_laws_hold(kind: str) -> None:
     assert all(finding.shown for finding in check_laws(programs))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("kind", JOINTS)
 def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
     freedoms, make = JOINTS[kind]
@@ -125,6 +126,7 @@ def test_the_recursions_know_it_as_a_tree_of_single_joints(kind: str) -> None:
     assert len(tree) == len(mechanism.q)
 
 
+@pytest.mark.campaign
 def test_a_weld_moves_with_its_parent_and_bears_its_load() -> None:
     hinge = pin("H", None, "base", at=O, axis=N.z, angle=a)
     base = RigidBody("base", O.locatenew("C0", L * hinge.frame.x), hinge.frame, m,
@@ -180,6 +182,7 @@ def free_and_closed(kind: str) -> Scene:
                  loads=(gravity(-g * N.y),), example={"y": -0.5})  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("kind", CLOSING)
 def test_a_joint_that_closes_a_loop_leaves_its_freedoms(kind: str) -> None:
     """Its reactions are complete, do no work, and each maintains its constraint."""

@@ -36,7 +36,7 @@ FREE = [
 ]
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_momenta_times_rates_are_twice_the_kinetic_energy(derived: Any, name: str) -> None:
     scene = derived(name)["kane"].scene

@@ -56,6 +56,7 @@ def test_routes_agree_on_the_linear_equations(system: ModuleType, route: ModuleT
     assert finding.verdict is Verdict.PROVED
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("system", POINTS, ids=lambda system: system.__name__)
 def test_conjugate_rows_are_symmetric(system: ModuleType) -> None:
     linear = linearize(derived(system, "lagrange"), *POINTS[system])

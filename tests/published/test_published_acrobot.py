@@ -77,6 +77,7 @@ def test_the_rows_of_the_book_are_proved(truth) -> None:
     assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "PROVED"]
 
 
+@pytest.mark.campaign
 def test_the_missing_product_of_speeds_is_named(truth, edits) -> None:
     first, second = mechanics.check(truth("acrobot"), ROWS.format(missing="")).judged
     ((mistake, nothing, right),) = edits(first)

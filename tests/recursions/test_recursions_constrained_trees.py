@@ -84,6 +84,7 @@ def test_a_tilted_steering_axis_is_one_turn() -> None:
     assert joint_frames(turned) is turned
 
 
+@pytest.mark.campaign
 def test_a_bicycle_rolls_alike_at_every_heading(bicycle_model) -> None:
     """Lean, steer, pitch and wheels do not know where the bicycle heads; x and y turn with it."""
     model = bicycle_model

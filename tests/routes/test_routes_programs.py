@@ -124,6 +124,7 @@ def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
     assert len(filter_.eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: System) -> None:
     mechanism = lower(system.scene(), Builder())

@@ -104,6 +104,7 @@ def rubbing_box() -> Scene:
     )  # fmt: skip
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("make", [geared_arm, skate, rubbing_box, universal_joint])
 def test_sympys_methods_give_the_motion_of_the_routes(make: Callable[[], Scene]) -> None:

@@ -29,6 +29,7 @@ def sample(shape: type[Shape], mass: Expr | None = None) -> Part:
     return part(shape(*sizes), at=(x, y), angle=angle, **given)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("mass", [None, m])
 def test_closed_forms_are_what_direct_integration_gives(

@@ -89,6 +89,7 @@ def test_error_of_fixed_steps_falls_with_the_order(name: str, order: int) -> Non
     assert math.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.75)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "member", [m for m in INTEGRATORS if m.adaptive], ids=lambda member: member.name
 )

@@ -81,6 +81,7 @@ def test_the_motion_goes_on_through_every_orientation(top: Model, start: dict) -
     assert total == pytest.approx(np.full(200, total[0]), abs=1e-7)
 
 
+@pytest.mark.campaign
 def test_a_thrown_body_keeps_its_angular_momentum() -> None:
     model = compile(derive(thrown_body(), "kane"))
     found = simulate(model, 4, samples=100)

@@ -73,6 +73,7 @@ def test_what_was_written_is_shown(folder: Path, judge: Judge) -> None:
     assert judge(folder) == []
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("old", "new"),
     [
@@ -173,6 +174,7 @@ def test_a_manifest_says_what_scene_and_graphs_give(
     assert (found.verdict, found.subject) == (verdict, f"manifest.json: {subject}")
 
 
+@pytest.mark.campaign
 def test_without_physics_the_manifest_is_what_headers_are_held_against(folder: Path) -> None:
     read = read_folder(folder)
     assert all(finding.shown for finding in prove_files(read, None, NO_CHAIN))

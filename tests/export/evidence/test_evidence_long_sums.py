@@ -24,6 +24,7 @@ int name_f(const double x[1], double y[1])
 KERNEL = Kernel("f", "name_f", "name.c", "double")
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("last", ["x[0]", "2.0 * x[0]"])
 def test_a_sum_as_deep_as_it_has_terms_is_read_whatever_is_defined(last: str) -> None:
     long = {"sum": " + ".join(["x[0]"] * 600), "finite": " && ".join(["isfinite(x[0])"] * 600)}
