@@ -307,10 +307,10 @@ def test_pages_say_how_many_lines_a_verdict_executes(page: str) -> None:
     assert f"{CODE_OF_A_VERDICT:,}" in text
 
 
-def test_the_readme_says_how_many_lines_of_code_a_verdict_executes() -> None:
+def test_the_figures_say_how_many_lines_of_code_a_verdict_executes() -> None:
     (row,) = [
         line
-        for line in (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+        for line in (ROOT / "docs" / "evidence.md").read_text(encoding="utf-8").splitlines()
         if line.startswith("| lines of code that a")
     ]
     assert f"| {CODE_OF_A_VERDICT:,} |" in row

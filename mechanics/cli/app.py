@@ -43,7 +43,10 @@ COMMANDS = {
         "deriving",
         "Print the equations of motion M u' = f + B lambda, A u' = b of one route.",
     ),
-    "simulate": ("using", "Integrate the equations of motion and write the samples."),
+    "simulate": (
+        "using",
+        "Integrate the equations of motion; write the samples, or draw the motion.",
+    ),
     "codegen": (
         "using",
         "Write the equations as C99: a folder that builds, tests and installs alone.",

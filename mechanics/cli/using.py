@@ -13,10 +13,12 @@ from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
+from mechanics.errors import InputError
 from mechanics.export import write_c
 from mechanics.export.atomic import named, replaced_file
 from mechanics.export.folder import MANIFEST
 from mechanics.kernel import Verdict
+from mechanics.report.animation import animation
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
 from mechanics.simulate.files import SUFFIXES, writable
 from mechanics.trade.accurate import simulate as run
@@ -24,13 +26,18 @@ from mechanics.trade.accurate import simulate as run
 
 def simulate(
     system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
-    out: Annotated[Path, typer.Option(metavar="FILE.csv|.parquet", help="Where samples go.")],
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv|.parquet", help="Where samples go.")
+    ] = None,
     duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Draw the motion.")] = None,
+    animate: Annotated[
+        Path | None, typer.Option(metavar="FILE.svg", help="Draw the scene as it moves.")
+    ] = None,
     samples: Annotated[int, typer.Option(min=2, help="Number of samples.")] = 501,
     accuracy: Annotated[
         float | None,
@@ -47,7 +54,7 @@ def simulate(
         bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
     ] = False,
 ) -> None:
-    """Integrate the equations of motion and write the samples.
+    """Integrate the equations of motion; write the samples, or draw the motion.
 
     Values that are not set are the example's and the typical ones. In a scene with constraints the
     initial values are made consistent: what is set is kept, the rest is solved for, and the branch
@@ -61,6 +68,8 @@ def simulate(
     --------
     `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
 
+    `mechanics simulate elastic_pendulum --duration 5 --animate motion.svg`
+
     `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
 
     `mechanics simulate elastic_pendulum --reactions --out motion.csv`
@@ -68,9 +77,11 @@ def simulate(
     `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
     """
     # Bad file names are refused before the work is done.
-    writable(out, SUFFIXES)
-    if plot is not None:
-        writable(plot, (".svg",))
+    if out is None and animate is None and plot is None:
+        raise InputError("simulate: nothing to write: add --out FILE.csv, --plot or --animate")
+    for path, suffixes in ((out, SUFFIXES), (plot, (".svg",)), (animate, (".svg",))):
+        if path is not None:
+            writable(path, suffixes)
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
@@ -89,11 +100,15 @@ def simulate(
         )
         if reactions:
             found = with_reactions(found, model)
-        with replaced_file(out) as fresh:
-            write_table(found, fresh)
+        if out is not None:
+            with replaced_file(out) as fresh:
+                write_table(found, fresh)
         if plot is not None:
             with replaced_file(plot) as fresh:
                 write_plot(found, fresh)
+        if animate is not None:
+            with replaced_file(animate) as fresh:
+                fresh.write_text(animation(scene, found.times, found.coordinates), encoding="utf-8")
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
     for crossing in found.crossings if found.ending is not Ending.LEFT_DOMAIN else ():
@@ -109,7 +124,10 @@ def simulate(
         )
     if found.conservative:
         console.print(f"largest relative change of the energy: {found.energy_drift:.1e}")
-    console.print(f"wrote {len(found.times)} samples to {escape(str(out))}")
+    if out is not None:
+        console.print(f"wrote {len(found.times)} samples to {escape(str(out))}")
+    if animate is not None:
+        console.print(f"wrote the moving picture to {escape(str(animate))}")
     if found.ending is not Ending.COMPLETE:
         raise typer.Exit(3)
 

@@ -5,7 +5,7 @@ point is drawn as the uniform rod, or as the ellipse, that has its inertia.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 
 import numpy as np
@@ -13,22 +13,26 @@ from sympy import Symbol
 from sympy.physics.vector import Dyadic, Point
 
 from mechanics.report import ink
+from mechanics.report.coordinates import coordinate_picture, trace, zero_end
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
-from mechanics.report.supports import BLOCK, Paper, gravity_arrow, ground, load_symbol
+from mechanics.report.supports import (
+    BLOCK,
+    Paper,
+    gravity_arrow,
+    ground,
+    is_slack_at_anchor,
+    load_symbol,
+)
 from mechanics.scene import Body, RigidBody, Scene
 from mechanics.scene.actions import carrier_of
 from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
-PUSHED = 92.0
-"""Room for the arrow of a force beyond its point."""
+PUSHED = 96.0
+"""Room for the arrow of a force beyond its point, or for a spring before it."""
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
-CLEAR = 16.0
-"""Pixels between an arrow and the name of another one."""
-PLACES = ((44, 0), (70, 0), (96, 0), (-44, 24), (-70, 24))
-"""Where the arrow of a coordinate may begin: beside its body and ahead, in pixels."""
 CORNER = (160.0, 92.0)
 """Room for axes and gravity, in pixels."""
 
@@ -43,25 +47,76 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
         Values by plain name; what is missing is zero, parameters are typical ones.
     """
     view = View(scene, state)
-    outlines = {body.name: outline(view, body) for body in scene.bodies}
-    places = [view.point(point) for point in _loaded(scene)]
-    margin = PUSHED if any(isinstance(load, Force) for load in scene.loads) else MARGIN
-    paper = _paper(view, [*places, *(p for points in outlines.values() for p in points)], margin)
-    named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
-    parts = [ground(view, paper)]
-    parts += [_body(view, paper, body, outlines[body.name]) for body in scene.bodies]
-    parts += [load_symbol(view, paper, load) for load in scene.loads]
-    parts += [_joints(view, paper)]
-    parts += _coordinates(view, paper) if len(scene.q) <= FEW else []
-    parts += [_label(view, paper, body) for body in named]
-    x, y = _free_corner("".join(parts))
-    directions = _axes(view, paper) + (gravity_arrow(view, paper) if _heavy(scene) else "")
-    parts.append(f'<g transform="translate({x:g} {y:g})">{directions}</g>')
+    paper = paper_for([view])
+    parts = picture(view, paper)
     title = escape(f"Schematic drawing of the system {scene.name}")
     return (
         f'<svg class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
-        f' aria-label="{title}">{"".join(parts)}</svg>'
+        f' aria-label="{title}">{"".join((*parts, directions(view, paper, parts)))}</svg>'
     )
+
+
+def few_of(scene: Scene) -> tuple[Symbol, ...]:
+    """The coordinates that are drawn: all, or none of many."""
+    return tuple(scene.q) if len(scene.q) <= FEW else ()
+
+
+def paper_for(views: Sequence[View]) -> Paper:
+    """The paper on which a scene at all of these states, in metres, fills the drawing."""
+    scene = views[0].scene
+    pushed = any(isinstance(o, Force) or is_slack_at_anchor(views[0], o) for o in scene.loads)
+    margin = PUSHED if pushed else MARGIN
+    points = [view.point(point) for view in views for point in _loaded(scene)]
+    for view in views:
+        points += [corner for body in scene.bodies for corner in outline(view, body)]
+        points += [zero for q in few_of(scene) if (zero := zero_end(view, q)) is not None]
+    for body in scene.bodies:
+        points += list(circle) if (circle := trace(views[0], body)) is not None else []
+    return _paper(views[0], points, margin)
+
+
+def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None) -> list[str]:
+    """The parts of a drawing: ground, traces, bodies, loads, joints, coordinates, names.
+
+    `asides` are given for a picture that moves: `aside_of` each coordinate at its start. Names of
+    bodies are left out of it.
+    """
+    scene = view.scene
+    named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
+    few = few_of(scene)
+    arrows = [
+        coordinate_picture(view, paper, q, None if asides is None else asides[k])
+        for k, q in enumerate(few)
+    ]
+    extended: list[str] = []
+    small: list[str] = []
+    for body in scene.bodies:
+        corners = outline(view, body)
+        (small if len(corners) == 1 else extended).append(_body(view, paper, body, corners))
+    moves = asides is not None
+    return [
+        ground(view, paper, moves),
+        *(_trace(view, paper, body) for body in scene.bodies),
+        *extended,
+        *arrows,
+        *small,
+        *(load_symbol(view, paper, load) for load in scene.loads),
+        _joints(view, paper),
+        *(_label(view, paper, body) for body in (() if moves else named)),
+    ]
+
+
+def directions(view: View, paper: Paper, parts: Sequence[str]) -> str:
+    """Axes and gravity, in the corner where the other parts leave room."""
+    x, y = _free_corner("".join(parts))
+    drawn = _axes(view, paper) + (gravity_arrow(view, paper) if _heavy(view.scene) else "")
+    return f'<g transform="translate({x:g} {y:g})">{drawn}</g>'
+
+
+def _trace(view: View, paper: Paper, body: Body) -> str:
+    """The circle that a point mass goes round."""
+    circle = trace(view, body)
+    return "" if circle is None else ink.path([paper.place(p) for p in circle], "trace")
 
 
 def _heavy(scene: Scene) -> bool:
@@ -161,11 +216,13 @@ def _body(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> st
     pixels = [paper.place(corner) for corner in corners]
     centre = paper.place(view.point(body.centre))
     if len(corners) == 1:
+        if isinstance(body, RigidBody) or trace(view, body) is not None:
+            return ink.dot(centre, 9, "mass")
         slides = [r for r in view.scene.reactions if r.on == body.name and r.by is None]
         if not slides:
             moving = [q for q in view.scene.q if np.hypot(*view.shift(body.centre, q)) > 1e-9]
             if len(moving) != 1:
-                return ink.dot(centre, 11, "body")
+                return ink.dot(centre, 9, "mass")
             return ink.block(centre, paper.turn(view.shift(body.centre, moving[0])), *BLOCK)
         rail = normal(paper.turn(view.direction(slides[0].along)))
         return ink.block(centre, rail, *BLOCK)
@@ -205,58 +262,6 @@ def _axes(view: View, paper: Paper) -> str:
     return "".join(parts)
 
 
-def _coordinates(view: View, paper: Paper) -> list[str]:
-    taken: list[np.ndarray] = []
-    return [_coordinate(view, paper, q, taken) for q in view.scene.q]
-
-
-def _coordinate(view: View, paper: Paper, coordinate: Symbol, taken: list[np.ndarray]) -> str:
-    """An arrow for the way in which a coordinate moves the first body that it moves.
-
-    It stands clear of the arrows before it, whose places are in `taken`.
-    """
-    for body in view.scene.bodies:
-        centre = paper.place(view.point(body.centre))
-        if (
-            view.planar
-            and isinstance(body, RigidBody)
-            and coordinate in view.scene.rotation(body.frame).free_symbols
-        ):
-            return _turning(view, paper, body, coordinate)
-        shift = view.shift(body.centre, coordinate)
-        if np.hypot(*shift) > 1e-9:
-            along = unit(paper.turn(shift))
-            side = _aside(paper, centre, along)
-            starts = [centre + away * side + ahead * along for away, ahead in PLACES]
-            start = next((s for s in starts if _free(s, along, taken)), starts[0])
-            tip = start + 40 * along
-            taken += [start, start + 20 * along, tip, tip + 12 * along]
-            return ink.arrow(start, tip, "motion") + ink.text(
-                tip + 12 * along, svg_name(coordinate.name), "motion-name"
-            )
-    return ""
-
-
-def _free(start: np.ndarray, along: np.ndarray, taken: list[np.ndarray]) -> bool:
-    """Whether an arrow with its name is on the paper, and clear of others."""
-    name = start + 52 * along
-    inside = np.all(name > CLEAR) and np.all(name < np.array([WIDTH, HEIGHT]) - CLEAR)
-    return bool(inside) and all(_apart(start, along, place) > CLEAR for place in taken)
-
-
-def _apart(start: np.ndarray, along: np.ndarray, place: np.ndarray) -> float:
-    """The distance of a place from an arrow with its name."""
-    way = float(np.clip((place - start) @ along, 0, 52))
-    return float(np.hypot(*(start + way * along - place)))
-
-
-def _aside(paper: Paper, centre: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Normal of a direction, on the side that leads out of the drawing; downwards if neither."""
-    side = normal(along)
-    outward = side @ (centre - paper.middle)
-    return side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side
-
-
 def _lever(view: View, paper: Paper, body: RigidBody) -> tuple[np.ndarray, np.ndarray, float]:
     """Pivot of a body, the pixels from there to its centre, and the sense in which it turns."""
     moving = [q for q in view.scene.q if q in view.scene.rotation(body.frame).free_symbols]
@@ -275,18 +280,6 @@ def _lever(view: View, paper: Paper, body: RigidBody) -> tuple[np.ndarray, np.nd
     return pivot, centre - pivot, 1.0 if (rate @ frame.T)[1, 0] > 0 else -1.0
 
 
-def _turning(view: View, paper: Paper, body: RigidBody, coordinate: Symbol) -> str:
-    """An arc that ends at the body; counterclockwise where the angle is."""
-    pivot, arm, sense = _lever(view, paper, body)
-    angle = float(np.arctan2(-arm[1], arm[0])) if np.hypot(*arm) > 1 else 0.6
-    radius = float(np.clip(0.62 * np.hypot(*arm), 30, 58))
-    middle = angle - sense * 0.45
-    at = pivot + (radius + 13) * np.array([np.cos(middle), -np.sin(middle)])
-    return ink.arc(pivot, radius, angle - sense * 0.95, sense * 0.8, "motion") + ink.text(
-        at, svg_name(coordinate.name), "motion-name"
-    )
-
-
 def _label(view: View, paper: Paper, body: Body) -> str:
     centre = paper.place(view.point(body.centre))
     if isinstance(body, RigidBody):
@@ -297,6 +290,8 @@ def _label(view: View, paper: Paper, body: Body) -> str:
         return ink.text(centre + (44 if driven else 20) * side, escape(body.name), "name", anchor)
     if not view.scene.reactions:
         return ink.text(centre, escape(body.name))
+    if trace(view, body) is not None:
+        return ink.text(centre + 22 * unit(centre - paper.middle), escape(body.name))
     # A block has its coordinate on one half of its outer side, and its name on the other.
     below = 1 if centre[1] >= paper.middle[1] - 1 else -1
     return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")

@@ -10,8 +10,11 @@ from typing import Any
 
 import numpy as np
 from sympy import Expr, Matrix, Symbol, sympify
-from sympy.physics.vector import Point, Vector
+from sympy.physics.vector import Point, ReferenceFrame, Vector
 
+from mechanics.program import Builder, interpret
+from mechanics.program.numpy_domain import Arrays
+from mechanics.program.sympy_reader import read
 from mechanics.scene import Gravity, Scene, Spring
 from mechanics.scene.rates import TIME
 
@@ -90,22 +93,31 @@ class View:
 
     def number(self, expression: Any) -> float:
         """Value of an expression in plain or dynamic symbols."""
-        plain = self.scene.plain(sympify(expression))
-        return float(plain.evalf(subs=self.values))
+        return float(self.numbers(Matrix([self.scene.plain(sympify(expression))]))[0, 0])
 
     def numbers(self, matrix: Matrix) -> np.ndarray:
         """Values of a matrix in plain symbols."""
-        entries = [float(entry.evalf(subs=self.values)) for entry in matrix]
-        return np.array(entries).reshape(matrix.shape)
+        builder = Builder()
+        program = builder.program({"entries": read(builder, list(matrix))})
+        known = {symbol.name: value for symbol, value in self.values.items()}
+        entries = interpret(program, Arrays(), known, release=False)["entries"]
+        return np.array(entries, dtype=float).reshape(matrix.shape)
 
     def project(self, position: np.ndarray) -> np.ndarray:
         """Inertial components to paper, both in m; x to the right, y upwards."""
         return (FRONT if self.planar else ISOMETRIC) @ position.ravel()
 
+    def place(self, point: Point) -> np.ndarray:
+        """Inertial components of a point, in m."""
+        return self.numbers(self.scene.position(point)).ravel()
+
+    def frame(self, frame: ReferenceFrame) -> np.ndarray:
+        """R with v = R v_frame."""
+        return self.numbers(self.scene.rotation(frame))
+
     def point(self, point: Point) -> np.ndarray:
         """A point of the scene on paper."""
-        place = self.project(self.numbers(self.scene.position(point)))
-        return place + self.slack.get(point, 0.0)
+        return self.project(self.place(point)) + self.slack.get(point, 0.0)
 
     def direction(self, vector: Vector) -> np.ndarray:
         """A vector of the scene on paper."""
@@ -114,6 +126,10 @@ class View:
     def shift(self, point: Point, coordinate: Symbol) -> np.ndarray:
         """How a point moves on paper with a coordinate: dr/dq."""
         return self.project(self.numbers(self.scene.position(point).diff(coordinate)))
+
+    def turns(self, vector: Vector) -> bool:
+        """Whether the direction of a vector depends on a coordinate."""
+        return bool(self.scene.vector(vector).free_symbols & set(self.scene.q))
 
     def moves(self, point: Point) -> bool:
         """Whether the point depends on a coordinate or an input."""

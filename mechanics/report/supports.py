@@ -27,6 +27,8 @@ from mechanics.scene.reactions import Reaction
 BLOCK = (54.0, 34.0)
 LANE = 22.0
 """Between springs and dampers that stand side by side, in pixels."""
+SLACK = 84.0
+"""Length of a spring that is drawn where it would have none, in pixels."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +56,11 @@ class Paper:
         return direction * np.array([1, -1])
 
 
-def ground(view: View, paper: Paper) -> str:
-    """Pins, rails and planes where the ground reacts, and ropes."""
+def ground(view: View, paper: Paper, moving: bool = False) -> str:
+    """Pins, rails and planes where the ground reacts, and ropes.
+
+    In a picture that moves rails and planes rest, and go through all of it.
+    """
     groups: dict[Point, list[Reaction]] = {}
     ropes = [joint for joint in view.scene.joints if isinstance(joint, Rope)]
     tensions = [reaction for rope in ropes for reaction in rope.reactions]
@@ -63,11 +68,11 @@ def ground(view: View, paper: Paper) -> str:
     for reaction in view.scene.reactions:
         if reaction.by is None and reaction.at is not None and reaction not in tensions:
             groups.setdefault(reaction.at, []).append(reaction)
-    supports = (_support(view, paper, at, held) for at, held in groups.items())
+    supports = (_support(view, paper, at, held, moving) for at, held in groups.items())
     return "".join((*drawn, *supports))
 
 
-def _support(view: View, paper: Paper, at: Point, held: list[Reaction]) -> str:
+def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: bool) -> str:
     place = paper.place(view.point(at))
     down = np.array([0.0, 1.0]) if view.down is None else paper.turn(view.down)
     pushes = [unit(paper.turn(view.direction(reaction.along))) for reaction in held]
@@ -77,17 +82,22 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction]) -> str:
     if not view.moves(at) or closing >= {reaction.name for reaction in held}:
         return ink.pin(place, into)
     if not view.planar:
-        return _plane(view, place)
-    (body,) = {view.scene.body(reaction.on) for reaction in held[:1]}
+        return _plane(view, *((paper.middle, 170) if moving else (place, 78)))
+    body = view.scene.body(held[0].on)
+    if not isinstance(body, RigidBody) and all(view.turns(reaction.along) for reaction in held):
+        return ""  # a point mass on a string, a rod or a curve: its trace is drawn, not which
     block = not isinstance(body, RigidBody) or body.centre == at
     foot = place + (BLOCK[1] / 2) * into if block else place
+    if moving and not any(view.turns(reaction.along) for reaction in held):
+        along = normal(into)
+        return ink.hatching(foot - along * (along @ (foot - paper.middle)), along, into, 300)
     return ink.hatching(foot, normal(into), into, 110 if len(pushes) > 1 else 72)
 
 
-def _plane(view: View, place: np.ndarray) -> str:
-    """The plane of x and y around a contact point."""
+def _plane(view: View, place: np.ndarray, reach: float) -> str:
+    """The plane of x and y around a pixel."""
     x, y = (view.project(np.eye(3)[:, i]) * np.array([1, -1]) for i in range(2))
-    corners = [place + 78 * (a * x + b * y) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
+    corners = [place + reach * (a * x + b * y) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
     return ink.path(corners, "plane", closed=True)
 
 
@@ -146,9 +156,9 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
     wall = ""
     if load.along is not None:
         along = unit(paper.turn(view.direction(load.along)))
-        if not view.moves(load.first) and not view.slack:
+        if is_slack_at_anchor(view, load):
             # The anchor stands where the spring is free; it is drawn at a length that shows it.
-            start = end - max((end - start) @ along, 120.0) * along
+            start = start - SLACK * along
         if not view.moves(load.first):
             wall = ink.hatching(start, normal(along), -along, 24)
         else:
@@ -164,6 +174,17 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
     outward = side if 2 * place >= lanes - 1 else -side
     at = (start + end) / 2 + 20 * outward
     return wall + stroke + ink.text(at, label(constant, load.name), "name")
+
+
+def is_slack_at_anchor(view: View, load: Load) -> bool:
+    """Whether a spring or damper along a line begins on the ground, where its end is at zero."""
+    return (
+        isinstance(load, Spring | Damper)
+        and load.along is not None
+        and not view.moves(load.first)
+        and not view.slack
+        and (isinstance(load, Damper) or load.length == 0)
+    )
 
 
 def _inset(view: View, load: Spring | Damper, point: Point, stated: str | None) -> float:

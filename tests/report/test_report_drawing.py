@@ -65,7 +65,7 @@ def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     assert min(y) >= 0
     assert max(y) <= HEIGHT
     # Every body is seen.
-    assert len(re.findall(r'class="(?:body|rod|rim)"', text)) >= len(scene.bodies)
+    assert len(re.findall(r'class="(?:body|rod|rim|mass)"', text)) >= len(scene.bodies)
 
 
 def test_a_scene_that_holds_the_time_is_drawn_at_its_start() -> None:

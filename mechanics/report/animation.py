@@ -1,0 +1,136 @@
+"""A motion as a moving picture: one SVG file, without scripts and network.
+
+The parts of the drawing are drawn at samples of the motion, on one sheet of paper. What differs
+from one sample to the next becomes a list of values that the browser goes through in the time that
+the motion takes (SMIL). Who prefers less motion, or prints, sees a few poses on one sheet.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+from importlib.resources import files
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechanics.report.coordinates import aside_of
+from mechanics.report.drawing import HEIGHT, WIDTH, directions, few_of, paper_for, picture
+from mechanics.report.projection import View
+from mechanics.scene import Scene
+
+FRAMES_A_SECOND = 24
+FEWEST, MOST = 24, 240
+"""Samples of a motion that are drawn."""
+POSES = 5
+"""Poses in the strip of a motion that does not move."""
+Element = ElementTree.Element
+
+
+def animation(
+    scene: Scene, times: NDArray[np.float64], coordinates: Mapping[str, NDArray[np.float64]]
+) -> str:
+    """A motion as an SVG document that repeats it for ever.
+
+    Parameters
+    ----------
+    scene : Scene
+    times : array, shape (N,)
+        In s, from 0.
+    coordinates : mapping of str to array, shape (N,)
+        By plain name.
+    """
+    duration = float(times[-1])
+    count = int(np.clip(FRAMES_A_SECOND * duration, FEWEST, MOST)) + 1
+    moments = np.linspace(0, duration, count)
+    views = [
+        View(scene, {name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
+        for t in moments
+    ]
+    paper = paper_for(views)
+    asides = [aside_of(views[0], paper, q) for q in few_of(scene)]
+    frames = [picture(view, paper, asides) for view in views]
+    everything = [part for frame in frames for part in frame]
+    corner = directions(views[0], paper, everything)
+    moving = "".join(_moving(part, duration) for part in zip(*frames, strict=True))
+    title = escape(f"{scene.name} in motion, {duration:.3g} s")
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="drawing"'
+        f' viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img" aria-label="{title}">'
+        f"<title>{title}</title><style>{_style()}</style>"
+        f'<rect class="sheet" width="{WIDTH:.0f}" height="{HEIGHT:.0f}" rx="6"/>'
+        f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(frames)}</g></svg>\n'
+    )
+
+
+def _strip(frames: Sequence[Sequence[str]]) -> str:
+    """A few poses on one sheet, the later ones stronger."""
+    places = np.linspace(0, len(frames) - 1, POSES, endpoint=False).round().astype(int)
+    shares = np.linspace(0.25, 1, POSES)
+    return "".join(
+        f'<g opacity="{share:.2g}">{"".join(frames[place])}</g>'
+        for place, share in zip(places, shares, strict=True)
+    )
+
+
+def _moving(part: Sequence[str], duration: float) -> str:
+    """One part of the drawing at all samples, as elements whose attributes are animated."""
+    samples = [list(ElementTree.fromstring(f"<g>{text}</g>")) for text in part]
+    if len({_structure(elements) for elements in samples}) == 1:
+        together = [_merged(same, duration) for same in zip(*samples, strict=True)]
+        return "".join(ElementTree.tostring(e, encoding="unicode") for e in together)
+    return "".join(_shown(text, k, len(part), duration) for k, text in enumerate(part))
+
+
+def _structure(elements: Sequence[Element]) -> str:
+    """What has to be the same for attributes to be animated: tags, styles, words, corners."""
+    return " ".join(
+        f"{e.tag}.{e.get('class')}.{''.join(e.itertext())}.{e.get('points', '').count(',')}"
+        for e in elements
+    )
+
+
+def _merged(same: Sequence[Element], duration: float) -> Element:
+    first = same[0]
+    for name in list(first.attrib):
+        values = [element.get(name, "") for element in same]
+        if len(set(values)) > 1:
+            ElementTree.SubElement(
+                first,
+                "animate",
+                attributeName=name,
+                values=";".join(values),
+                dur=f"{duration:.4g}s",
+                repeatCount="indefinite",
+            )
+    return first
+
+
+def _shown(text: str, place: int, count: int, duration: float) -> str:
+    """One sample of a part whose elements change, seen while it is its turn."""
+    begin, end = place / count, (place + 1) / count
+    times = f"0;{begin:.5f};{end:.5f}" if place else f"0;{end:.5f};1"
+    values = "none;inline;none" if place else "inline;none;none"
+    return (
+        f'<g display="none">{text}<animate attributeName="display" values="{values}"'
+        f' keyTimes="{times}" dur="{duration:.4g}s" calcMode="discrete"'
+        ' repeatCount="indefinite"/></g>'
+    )
+
+
+def _style() -> str:
+    """The rules of the pages that a drawing needs, under light and dark colours."""
+    templates = files("mechanics.report") / "templates"
+    texts = [(templates / name).read_text("utf-8") for name in ("style.css", "figures.css")]
+    found = (re.findall(r":root \{(.*?)\}", text, re.DOTALL)[:2] for text in texts)
+    light, dark = (" ".join(" ".join(both).split()) for both in zip(*found, strict=True))
+    rules = re.findall(r"^\.drawing [^{]*\{.*?\}", texts[1], re.MULTILINE | re.DOTALL)
+    return " ".join(
+        (
+            f":root {{{light}}} @media (prefers-color-scheme: dark) {{ :root {{{dark}}} }}",
+            *(" ".join(rule.split()) for rule in rules),
+            ".sheet { fill: var(--sheet); } .still { display: none; }"
+            " @media (prefers-reduced-motion: reduce), print"
+            " { .moving { display: none; } .still { display: inline; } }",
+        )
+    )

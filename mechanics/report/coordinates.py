@@ -1,0 +1,230 @@
+"""Coordinates as pictures: an arc or arrow from the pose at q = 0, dashed, to the pose as it is.
+
+    r(q) = c + (a cos q + n x a sin q)      an angle: the point goes round c, from a, about n
+    r(q) = r(0) + q d                       a length
+
+Which of the two a coordinate is, and where it begins, is found from poses of the scene alone, the
+other coordinates held.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from sympy import Symbol
+
+from mechanics.report import ink
+from mechanics.report.notation import svg_name
+from mechanics.report.projection import View, normal, unit
+from mechanics.report.supports import Paper
+from mechanics.scene import Body, RigidBody
+from mechanics.scene.symbols import name_of
+
+THIRD = 2 * np.pi / 3
+SAMPLES = 33
+"""Points of an arc."""
+LEAST = 0.15
+"""In rad: what turns less is drawn with an arrow of this sense, which is longer."""
+SHOWN = 0.7
+RADIUS = (26.0, 54.0)
+"""Of arcs, in pixels."""
+SPIRAL = 7.0
+"""Pixels by which an arc grows with every turn."""
+ARROW = 40.0
+"""Length of the arrow of a coordinate that is zero, in pixels."""
+
+
+class Turn(NamedTuple):
+    """How an angle turns a body: about a centre, from a direction at q = 0, about an axis.
+
+    Inertial components in m, the directions with length 1; `reach` is how far the mass centre is
+    from the centre.
+    """
+
+    centre: np.ndarray
+    start: np.ndarray
+    axis: np.ndarray
+    reach: float
+
+    def at(self, angle: float, radius: float) -> np.ndarray:
+        """The point at an angle from the start."""
+        across = np.cross(self.axis, self.start)
+        return self.centre + radius * (np.cos(angle) * self.start + np.sin(angle) * across)
+
+
+def moved(view: View, coordinate: Symbol) -> Body | None:
+    """The first body that the coordinate moves."""
+    for body in view.scene.bodies:
+        if coordinate in view.scene.position(body.centre).free_symbols or _turned(
+            view, body, coordinate
+        ):
+            return body
+    return None
+
+
+def _turned(view: View, body: Body, coordinate: Symbol) -> bool:
+    return isinstance(body, RigidBody) and (
+        coordinate in view.scene.rotation(body.frame).free_symbols
+    )
+
+
+def set_to(view: View, coordinate: Symbol, value: float) -> View:
+    """The scene with another value of one coordinate."""
+    return View(view.scene, {**view.state, coordinate.name: value})
+
+
+def turn_of(view: View, body: Body, coordinate: Symbol) -> Turn | None:
+    """How a coordinate turns a body, or None where it is no angle."""
+    places = _three(view, coordinate, lambda at: at.place(body.centre))
+    middle = np.mean(places, axis=0)
+    arms = places - middle
+    reaches = np.linalg.norm(arms, axis=1)
+    round_middle = np.ptp(reaches) < 1e-9 * (1 + reaches[0])
+    if not isinstance(body, RigidBody) or not _turned(view, body, coordinate):
+        quarter = set_to(view, coordinate, np.pi / 2).place(body.centre) - middle
+        if not round_middle or reaches[0] < 1e-9 or abs(quarter @ arms[0]) > 1e-9 * reaches[0] ** 2:
+            return None
+        return Turn(middle, arms[0] / reaches[0], _axis(arms[0], arms[1]), float(reaches[0]))
+    frames = _three(view, coordinate, lambda at: at.frame(body.frame))
+    quarter = set_to(view, coordinate, np.pi / 2).frame(body.frame) @ frames[0].T
+    third = frames[1] @ frames[0].T
+    if abs(np.trace(third)) > 1e-9 or abs(np.trace(quarter) - 1) > 1e-9:
+        return None  # no turn by q about one axis
+    axis = np.array(
+        [third[2, 1] - third[1, 2], third[0, 2] - third[2, 0], third[1, 0] - third[0, 1]]
+    )
+    axis = axis / np.linalg.norm(axis)
+    if round_middle and reaches[0] > 1e-9:
+        return Turn(middle, arms[0] / reaches[0], axis, float(reaches[0]))
+    # It turns about its own centre, or goes on as it rolls: an axis of the body is shown.
+    y, x, z = frames[0][:, 1], frames[0][:, 0], frames[0][:, 2]
+    start = next(a for a in (y, x, z) if abs(a @ axis) < 0.9)
+    start = start - (start @ axis) * axis
+    return Turn(view.place(body.centre), start / np.linalg.norm(start), axis, 0.0)
+
+
+def _three(view: View, coordinate: Symbol, look: Callable[[View], np.ndarray]) -> np.ndarray:
+    return np.array([look(set_to(view, coordinate, k * THIRD)) for k in range(3)])
+
+
+def _axis(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    found = np.cross(first, second)
+    return found / np.linalg.norm(found)
+
+
+def coordinate_picture(
+    view: View, paper: Paper, coordinate: Symbol, aside: np.ndarray | None = None
+) -> str:
+    """The arc or arrow of a coordinate, from zero to where it is.
+
+    Parameters
+    ----------
+    view : View
+    paper : Paper
+    coordinate : Symbol
+    aside : ndarray, optional
+        Pixels by which an arrow stands beside its body, see `aside_of`. None in a picture that does
+        not move: then what is almost zero is drawn large enough to show its sense.
+    """
+    body = moved(view, coordinate)
+    quaternions = {name_of(c) for r in view.scene.rotations for c in r.coordinates}
+    if body is None or coordinate.name in quaternions:
+        return ""
+    turn = turn_of(view, body, coordinate)
+    still = aside is None
+    if turn is not None:
+        return _arc(view, paper, coordinate, turn, _reaches(view, body, turn), still)
+    return _arrow(view, paper, coordinate, body, aside)
+
+
+def _reaches(view: View, body: Body, turn: Turn) -> bool:
+    """Whether a rigid body is held at the centre, so that it is drawn from there by itself."""
+    held = (r.at for r in view.scene.reactions if body.name in (r.on, r.by) and r.at is not None)
+    return isinstance(body, RigidBody) and any(
+        np.linalg.norm(view.place(at) - turn.centre) < 1e-9 for at in held
+    )
+
+
+def zero_end(view: View, coordinate: Symbol) -> np.ndarray | None:
+    """Where the dashed line of an angle ends, in m on paper."""
+    body = moved(view, coordinate)
+    turn = None if body is None else turn_of(view, body, coordinate)
+    return None if turn is None else view.project(turn.at(0.0, turn.reach))
+
+
+def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, still: bool) -> str:
+    """A dashed line at zero, an arc, and a line to the body where it is no rod itself."""
+    value = float(view.state.get(coordinate.name, 0.0))
+    reach = turn.reach * paper.scale
+    radius = float(np.clip(0.5 * reach, *RADIUS))
+    swept = value if not still or abs(value) > LEAST else SHOWN
+
+    def pixel(angle: float, length: float) -> np.ndarray:
+        return paper.place(view.project(turn.at(angle, length / paper.scale)))
+
+    angles = np.linspace(0, swept, SAMPLES)
+    grown = SPIRAL * np.abs(angles) / (2 * np.pi)
+    arc = [pixel(a, radius + more) for a, more in zip(angles, grown, strict=True)]
+    longest = max(1.12 * reach, radius + 16)
+    zero = [pixel(0, 0), pixel(0, longest)]
+    now = [pixel(0, 0), pixel(value, reach if reach > 1 else radius + 10)]
+    name = pixel(swept / 2, radius + SPIRAL * abs(swept) / (2 * np.pi) + 14)
+    size = min(8.0, 0.5 * radius * abs(swept))
+    return "".join(
+        (
+            ink.path(zero, "zero"),
+            "" if rod else ink.path(now, "arm"),
+            ink.path(arc, "motion"),
+            ink.head(arc[-1], arc[-1] - arc[-3], "motion", size),
+            ink.text(name, svg_name(coordinate.name), "motion-name"),
+        )
+    )
+
+
+def _arrow(
+    view: View, paper: Paper, coordinate: Symbol, body: Body, aside: np.ndarray | None
+) -> str:
+    end = paper.place(view.point(body.centre))
+    start = paper.place(set_to(view, coordinate, 0.0).point(body.centre))
+    along = unit(paper.turn(view.shift(body.centre, coordinate)))
+    if not along.any():
+        return ""
+    if aside is None:
+        aside = aside_of(view, paper, coordinate)
+        if np.hypot(*(end - start)) < 12:
+            end = start + ARROW * along
+    start, end = start + aside, end + aside
+    size = min(8.0, 0.5 * float(np.hypot(*(end - start))))
+    tick = 9 * normal(along)
+    forward = 1.0 if (end - start) @ along >= 0 else -1.0
+    return "".join(
+        (
+            ink.path([start - tick, start + tick], "zero"),
+            ink.path([start, end], "motion"),
+            ink.head(end, end - start, "motion", size),
+            ink.text(end + 13 * forward * along, svg_name(coordinate.name), "motion-name"),
+        )
+    )
+
+
+def aside_of(view: View, paper: Paper, coordinate: Symbol) -> np.ndarray:
+    """Pixels from a body to the arrow of a coordinate, on the side that leads outwards."""
+    body = moved(view, coordinate)
+    if body is None:
+        return np.zeros(2)
+    along = unit(paper.turn(view.shift(body.centre, coordinate)))
+    side = normal(along)
+    outward = side @ (paper.place(view.point(body.centre)) - paper.middle)
+    return 44 * (side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side)
+
+
+def trace(view: View, body: Body) -> np.ndarray | None:
+    """The circle of a point that one coordinate leads round, in m on paper; None for others."""
+    moving = [q for q in view.scene.q if q in view.scene.position(body.centre).free_symbols]
+    if len(moving) != 1 or isinstance(body, RigidBody):
+        return None
+    turn = turn_of(view, body, moving[0])
+    if turn is None:
+        return None
+    around = np.linspace(0, 2 * np.pi, 61)
+    return np.array([view.project(turn.at(angle, turn.reach)) for angle in around])

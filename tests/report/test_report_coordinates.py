@@ -1,0 +1,84 @@
+"""Pictures of coordinates are true: an arc begins at q = 0 and ends where the body is."""
+
+import re
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.report.coordinates import coordinate_picture, moved, set_to, trace, turn_of
+from mechanics.report.drawing import paper_for
+from mechanics.report.projection import View
+from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+from systems import EVERY
+
+FEW = [system for system in EVERY if len(system.scene().q) <= 4]
+
+
+def strokes(text: str, style: str) -> list[np.ndarray]:
+    """Corners of the lines of a style, in pixels."""
+    return [
+        np.array([list(map(float, pair.split(","))) for pair in points.split()])
+        for points in re.findall(rf'<polyline class="{style}" points="([^"]*)"', text)
+    ]
+
+
+def direction(line: np.ndarray) -> np.ndarray:
+    """From the first corner to the last, with length 1."""
+    way = line[-1] - line[0]
+    return way / np.hypot(*way)
+
+
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("system", FEW, ids=lambda system: system.name)
+def test_an_angle_is_drawn_from_zero_to_the_body(system) -> None:
+    scene = system.scene()
+    state = {q.name: 0.4 + 0.3 * k for k, q in enumerate(scene.q)}
+    view = View(scene, state)
+    for q in scene.q:
+        body = moved(view, q)
+        turn = None if body is None else turn_of(view, body, q)
+        if body is None or turn is None or turn.reach < 1e-9:
+            continue
+        # What is said of the angle gives the place of the body at every value of it.
+        for value in (0.0, state[q.name], 2.0, -7.0):
+            place = set_to(view, q, value).place(body.centre)
+            assert np.allclose(turn.at(value, turn.reach), place, atol=1e-9)
+
+
+@pytest.mark.parametrize("angle", [2.5, -1.0, 9.0])
+def test_the_arc_ends_on_the_body_and_begins_on_the_dashed_line(angle: float) -> None:
+    view = View(pendulum(), {"theta": angle})
+    paper = paper_for([view])
+    text = coordinate_picture(view, paper, view.scene.q[0])
+    (arc,), (zero,), (arm,) = (strokes(text, style) for style in ("motion", "zero", "arm"))
+    assert np.allclose(direction(zero), (0, 1))  # hanging straight down
+    bob = paper.place(view.point(view.scene.bodies[0].centre))
+    assert np.allclose(arm[-1], bob, atol=0.1)
+    centre = zero[0]
+    assert direction(np.array([centre, arc[0]])) == pytest.approx((0, 1), abs=1e-2)
+    assert direction(np.array([centre, arc[-1]])) == pytest.approx(direction(arm), abs=1e-2)
+    # It goes the whole way, and does not stop at full turns.
+    ways = np.unwrap([np.arctan2(-(y - centre[1]), x - centre[0]) for x, y in arc])
+    assert ways[-1] - ways[0] == pytest.approx(angle, abs=0.05)
+
+
+def test_a_point_mass_is_a_dot_on_its_circle_and_no_block() -> None:
+    view = View(pendulum(), {"theta": 1.0})
+    circle = trace(view, view.scene.bodies[0])
+    assert circle is not None
+    assert np.allclose(np.hypot(*circle.T), 0.5)
+
+
+def pendulum() -> Scene:
+    """A bob on a string of half a metre."""
+    theta = dynamicsymbols("theta")
+    m, L, g = parameters("m L g", units="kg m m/s^2", typical="1 0.5 9.81")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    string = ground.orientnew("A", "Axis", (theta, ground.z))
+    bob = origin.locatenew("P", -L * string.y)
+    return Scene(
+        "pendulum", ground, origin, coordinates=(theta,), bodies=(Particle("bob", bob, m),),
+        loads=(gravity(-g * ground.y),),
+        reactions=(reaction("S", at=bob, on="bob", by=None, along=string.y),),
+    )  # fmt: skip
