@@ -146,6 +146,7 @@ def test_equations_on_the_page_of_the_four_routes_are_right() -> None:
     assert found.ok
 
 
+@pytest.mark.campaign
 def test_the_picture_of_the_readme_is_what_its_command_draws() -> None:
     """Drawn anew from the scene of the tutorial; numbers may differ in their last digit."""
     names: dict[str, Any] = {"__name__": "pendulum"}
