@@ -22,6 +22,8 @@ from mechanics.scene import (
     quaternion,
     reaction,
     reaction_couple,
+    roll,
+    rope,
     slide,
     spring,
     torque,
@@ -234,6 +236,100 @@ def spinning_top() -> Scene:
     return top("spinning top", euler("xyz", *dynamicsymbols("a b c")), {})
 
 
+def leaning_wheel() -> Scene:
+    """A wheel that leans below its plane, by its total spin rate and the velocities of contact."""
+    m, R, g, A, C = parameters("m R g A C")
+    x, y, yaw, lean, spin, w, v, s = dynamicsymbols("x y yaw lean spin w v s")
+    N, O = ReferenceFrame("N"), Point("O")
+    wheel = roll("wheel", None, "wheel", at=O, normal=-N.z, radius=R, coordinates=(x, y),
+                 angles=(yaw, lean, spin), speeds=(w, v, s))  # fmt: skip
+    body = RigidBody("wheel", wheel.point, wheel.frame, m, inertia(wheel.frame, A, C, A))
+    return Scene("leaning wheel", N, O, joints=(wheel,), bodies=(body,),
+                 loads=(gravity(g * N.z + g / 3 * N.x),), example={"lean": 0.2})  # fmt: skip
+
+
+def unicycle() -> Scene:
+    """A wheel that leans and a frame on its hub; the plane is a plate that moves along a rail."""
+    m, R, g, A, C = parameters("m R g A C")
+    z, x, y, yaw, lean, spin, tilt = dynamicsymbols("z x y yaw lean spin tilt")
+    N, O = ReferenceFrame("N"), Point("O")
+    rail = slide("rail", None, "plate", at=O, axis=N.x, distance=z)
+    wheel = roll("wheel", "plate", "wheel", at=rail.point, normal=N.z, radius=R,
+                 coordinates=(x, y), angles=(yaw, lean, spin))  # fmt: skip
+    seat = pin("seat", "wheel", "frame", at=wheel.point, axis=wheel.hub.y, angle=tilt)
+    top = seat.point.locatenew("T", R * seat.frame.z)
+    bodies = (
+        RigidBody("plate", rail.point, rail.frame, m, inertia(rail.frame, A, A, A)),
+        RigidBody("wheel", wheel.point, wheel.frame, m, inertia(wheel.frame, A, C, A)),
+        RigidBody("frame", top, seat.frame, m, inertia(seat.frame, A, A, C)),
+    )
+    return Scene("unicycle", N, O, joints=(rail, wheel, seat), bodies=bodies,
+                 loads=(gravity(-g * N.z),), example={"lean": 0.2})  # fmt: skip
+
+
+def wheels_in_space() -> Scene:
+    """An upright wheel on a slope, and one in a ring that turns, each held in space."""
+    m, R, r, g, A, B = parameters("m R r g A B", typical="1 1 0.3 9.81 0.1 0.2")
+    x, a, b, phi, c = dynamicsymbols("x a b phi c")
+    N, O = ReferenceFrame("N"), Point("O")
+    upright = roll("upright", None, "wheel", at=O, normal=N.y, axis=N.z, radius=r,
+                   coordinates=(x,), angles=(a,))  # fmt: skip
+    hinge = pin("hinge", None, "ring", at=O.locatenew("H", 3 * R * N.y), axis=N.z, angle=b)
+    ring = hinge.frame
+    inner = roll("inner", "ring", "roller", at=hinge.point, normal=-ring.y, axis=ring.z,
+                 inside=R, radius=r, angles=(phi, c))  # fmt: skip
+    joints = upright, hinge, inner
+    bodies = tuple(
+        RigidBody(joint.child, joint.point, joint.frame, m, inertia(joint.frame, A, A, B))
+        for joint in joints
+    )
+    return Scene("wheels in space", N, O, joints=joints, bodies=bodies,
+                 loads=(gravity(g / 3 * N.x - g * N.y),))  # fmt: skip
+
+
+def rolling_body(axle: bool) -> Scene:
+    """A free ellipsoid on a plane, or a wheel by its axle; it carries a rod."""
+    m, g, A, B, C = parameters("m g A B C")
+    sizes = parameters("a1 a2 a3")
+    x, y, z, a, b, c = dynamicsymbols("x y z a b c")
+    N, O = ReferenceFrame("N"), Point("O")
+    air = free("air", "body", at=O, frame=N, coordinates=(x, y, z),
+               rotation=euler("zxy", a, b, c))  # fmt: skip
+    own = {"radius": sizes[0], "axis": air.frame.y} if axle else {"radius": sizes}
+    touch = roll("touch", None, "body", at=O, normal=N.z, onto=(air.point, air.frame), **own)
+    body = RigidBody("body", air.point, air.frame, m, inertia(air.frame, A, B, C))
+    return Scene("rolling wheel" if axle else "rolling ellipsoid", N, O, joints=(air, touch),
+                 bodies=(body,), loads=(gravity(-g * N.z + g / 3 * N.x),),
+                 example={"z": 1})  # fmt: skip
+
+
+def crane() -> Scene:
+    """A rope from the ground over the tip of a beam to a load, another from the load to a mass."""
+    m, L, l, h, g, A = parameters("m L l h g A", typical="1 4 3 1 9.81 0.5")
+    a, x, y, z, s = dynamicsymbols("a x y z s")
+    N, O = ReferenceFrame("N"), Point("O")
+    hinge = pin("hinge", None, "beam", at=O, axis=N.z, angle=a)
+    air = free("air", "load", at=O, frame=N, coordinates=(x, y, z))
+    tip = O.locatenew("T", 2 * h * hinge.frame.x)
+    lift = rope("lift", (None, O.locatenew("W", 3 * h * N.y - h * N.x)), ("beam", tip),
+                ("load", air.point), length=L)  # fmt: skip
+    counter = O.locatenew("K", -h * N.x - s * N.y)
+    tow = rope("tow", ("counter", counter), (None, O.locatenew("P", -h * N.x)),
+               ("load", air.point), length=l, along=(N.y, None))  # fmt: skip
+    guides = [
+        reaction(f"guide_{k}", counter, "counter", None, e) for k, e in (("x", N.x), ("z", N.z))
+    ]
+    return Scene(
+        "crane", N, O, joints=(hinge, air, lift, tow), coordinates=(s,), reactions=tuple(guides),
+        bodies=(
+            RigidBody("beam", O.locatenew("C", h * hinge.frame.x), hinge.frame, m,
+                      inertia(hinge.frame, A, A, A)),
+            Particle("load", air.point, m), Particle("counter", counter, m),
+        ),
+        loads=(gravity(-g * N.y),), example={"x": 1.5, "y": -0.5, "s": 1},
+    )  # fmt: skip
+
+
 SEED = ("elastic_pendulum", "rocker", "two_mass_chain")
 SCENES: dict[str, Callable[[], Scene]] = {
     "elastic_pendulum": elastic_pendulum.scene,
@@ -251,4 +347,10 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "held block": held_block,
     "quaternion top": quaternion_top,
     "spinning top": spinning_top,
+    "leaning wheel": leaning_wheel,
+    "unicycle": unicycle,
+    "wheels in space": wheels_in_space,
+    "rolling ellipsoid": partial(rolling_body, False),
+    "rolling wheel": partial(rolling_body, True),
+    "crane": crane,
 }

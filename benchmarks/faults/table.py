@@ -6,6 +6,7 @@ from benchmarks.faults import (
     rows_linear,
     rows_motion,
     rows_programs,
+    rows_rolling,
     rows_routes,
     rows_scene,
 )
@@ -18,5 +19,6 @@ FAULTS: tuple[Fault, ...] = (
     *rows_kernel.ROWS,
     *rows_programs.ROWS,
     *rows_joints.ROWS,
+    *rows_rolling.ROWS,
     *rows_linear.ROWS,
 )

@@ -188,12 +188,20 @@ class Instant:
         return bool(condition)
 
 
+def _natural(base: Value, exponent: int) -> Value:
+    """By squaring: the power of Arb has no value for a ball around zero."""
+    if exponent == 0:
+        return arb(1)
+    half = _natural(base, exponent // 2)
+    return half * half * base if exponent % 2 else half * half
+
+
 def _power(base: Value, exponent: Expr, value: Value) -> Value:
     if isinstance(exponent, sympy.Integer):
         if exponent < 0:
             _sign(base)
-            return 1 / base ** int(-exponent)
-        return base ** int(exponent)
+            return 1 / _natural(base, int(-exponent))
+        return _natural(base, int(exponent))
     if exponent in (sympy.S.Half, -sympy.S.Half):
         root = base.sqrt()
         return root if exponent.is_positive else 1 / root

@@ -68,3 +68,14 @@ def test_a_kink_is_no_place_to_be(expression: sympy.Expr) -> None:
 def test_what_is_not_known_is_refused() -> None:
     with pytest.raises(ExpressionError, match="gamma"):
         Instant({"x": arb_series([1])}, lambda symbol: arb(1)).value(sympy.gamma(x))
+
+
+@pytest.mark.parametrize("exponent", [1, 2, 3, 5])
+def test_a_ball_around_zero_has_powers(exponent: int) -> None:
+    """Of constraints that hold: Arb's own power has no value there."""
+    with precision(200):
+        around = arb(0, 1e-30)
+        found = Instant({}, lambda _: around).value(a**exponent)
+        inverse = Instant({}, lambda _: arb(2)).value(a**-exponent)
+    assert found.is_finite() and found.contains(0) and abs(found) < 1e-29
+    assert inverse == arb(2) ** -exponent
