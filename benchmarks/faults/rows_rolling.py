@@ -128,8 +128,8 @@ TOUCHING = faults_in(
         "an ellipsoid touches below its centre",
     ),
     (
-        "steep, across = sqrt(1 - slope**2), axle - slope * n",
-        "steep, across = sqrt(1 - slope**2), axle + slope * n",
+        "r / steep * (rolling + leaning)",
+        "r / steep * (rolling - leaning)",
         "a wheel by its axle leans the other way",
     ),
     (
@@ -168,8 +168,8 @@ ROPES = faults_in(
     ),
     (
         "at = second if two is not None else first",
-        "at = first if two is not None else second",
-        "a rope pulls at the wrong end",
+        "at = ends[0][1]",
+        "all of a rope pulls where it begins",
     ),
     (
         "parts=tuple(pulls[1:])",

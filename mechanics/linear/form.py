@@ -18,6 +18,7 @@ from mechanics.errors import InputError
 from mechanics.kernel import enclose
 from mechanics.linear.algebra import inverse, is_zero, reduced, written
 from mechanics.linear.first_order import Array, first_order
+from mechanics.linear.outputs import COORDINATES, INPUTS, RATES, entry_names
 from mechanics.linear.values import Numbers, evaluate
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
@@ -49,7 +50,7 @@ class Linear:
     program : Program
         Its outputs, row by row: ``"mass"``, ``"damping"``, ``"stiffness"`` (n x n), ``"reach"``
         (number of all coordinates x n), and ``"inputs 0"``, ``"inputs 1"``, ... (n x p), of
-        parameters and of symbols of the operating point.
+        parameters and of symbols of the operating point; of outputs see `mechanics.linear.outputs`.
     names : mapping of str to Symbol
         The symbol of each input of the program.
     conjugate : bool
@@ -59,6 +60,8 @@ class Linear:
         All speeds at the operating point; they are zero at rest.
     cyclic : tuple of Symbol
         Of the coordinates, those that drift along a steady motion and have no effect.
+    no_outputs : str
+        Why the outputs of the scene are no C y + D w; empty where they are.
     """
 
     scene: Scene
@@ -71,6 +74,7 @@ class Linear:
     conjugate: bool
     speeds: Mapping[Symbol, Expr] = field(default_factory=dict)
     cyclic: tuple[Symbol, ...] = ()
+    no_outputs: str = ""
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.coordinates))
@@ -110,7 +114,8 @@ class Linear:
         builder = Builder()
         kept = include(builder, self.program)
         names = {s.name: s for m in changed.values() for entry in m for s in entry.free_symbols}
-        outputs = {name: nodes for name, nodes in kept.items() if not name.startswith("inputs ")}
+        gone = "inputs ", "output "
+        outputs = {name: nodes for name, nodes in kept.items() if not name.startswith(gone)}
         outputs |= {name: read(builder, tuple(matrix)) for name, matrix in changed.items()}
         return replace(
             self,
@@ -118,6 +123,7 @@ class Linear:
             program=builder.program(outputs),
             names={**self.names, **names},
             conjugate=False,
+            no_outputs="these equations were changed: take the outputs of the scene's own",
         )
 
     def dynamic_stiffness(self, s: Expr) -> Matrix:
@@ -178,14 +184,38 @@ class Linear:
         return zeros(len(self.coordinates) - len(self.cyclic), len(self.inputs)).col_join(solved)
 
     @property
-    def C(self) -> Matrix:
-        """Of the outputs C y + D w, which are the states: the unit matrix, s x s."""
-        return eye(len(self.states))
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the r entries of the outputs of the scene; the states where it has none."""
+        return entry_names(self.scene) or tuple(symbol.name for symbol in self.states)
 
-    @property
+    @cached_property
+    def C(self) -> Matrix:
+        """Of the deviations C y + D w of the outputs, r x s.
+
+        Raises
+        ------
+        InputError
+            If an output of the scene changes with a coordinate that drifts, or with the rate of an
+            input.
+        """
+        if not self.scene.outputs:
+            return eye(len(self.states))
+        self.require_outputs()
+        kept, rows = len(self.coordinates) - len(self.cyclic), len(self.outputs)
+        return Matrix.hstack(self._matrix(COORDINATES, rows)[:, :kept], self._matrix(RATES, rows))
+
+    @cached_property
     def D(self) -> Matrix:
-        """Of the outputs C y + D w: zero, s x p."""
-        return zeros(len(self.states), len(self.inputs))
+        """Of the deviations C y + D w of the outputs, r x p; raises as `C` does."""
+        if not self.scene.outputs:
+            return zeros(len(self.states), len(self.inputs))
+        self.require_outputs()
+        return self._matrix(INPUTS, len(self.outputs))
+
+    def require_outputs(self) -> None:
+        """Refuse outputs of the scene that are no C y + D w."""
+        if self.no_outputs:
+            raise InputError(f"{self.scene.name}: {self.no_outputs}")
 
     def require_direct_inputs(self) -> None:
         """Refuse derivatives of inputs."""
@@ -196,7 +226,7 @@ class Linear:
             )
 
     def to_control(self, values: Numbers | None = None) -> Any:
-        """y' = A y + B w as a `StateSpace` of the package `control`, in numbers.
+        """A, B, C, D as a `StateSpace` of the package `control`, in numbers.
 
         Parameters
         ----------
@@ -206,7 +236,8 @@ class Linear:
         Raises
         ------
         InputError
-            If the package is missing, or derivatives of inputs drive the system.
+            If the package is missing, derivatives of inputs drive the system, or an output is no
+            C y + D w.
         ValueMissingError
             If a parameter has neither a value nor a typical one.
         """
@@ -217,11 +248,20 @@ class Linear:
                 "the package control is not installed: pip install 'mechanics[control]'"
             ) from None
         a, b = self.state_space(values)
-        names = [symbol.name for symbol in self.states]
         return control.ss(
-            a, b, np.eye(len(a)), np.zeros(b.shape), name=self.scene.name,
-            states=names, outputs=names, inputs=[symbol.name for symbol in self.inputs],
+            a, b, *self.output_space(values), name=self.scene.name,
+            states=[symbol.name for symbol in self.states], outputs=list(self.outputs),
+            inputs=[symbol.name for symbol in self.inputs],
         )  # fmt: skip
+
+    def output_space(self, values: Numbers | None = None) -> tuple[Array, Array]:
+        """C and D in numbers."""
+        if not self.scene.outputs:
+            return np.eye(len(self.states)), np.zeros((len(self.states), len(self.inputs)))
+        self.require_outputs()
+        kept = len(self.coordinates) - len(self.cyclic)
+        place, rates, through = self.numbers(values, COORDINATES, RATES, INPUTS)
+        return np.hstack([place[:, :kept], rates]), through
 
     def state_space(self, values: Numbers | None = None) -> tuple[Array, Array]:
         """A and B in numbers; see `mechanics.linear.state_space`."""
@@ -242,8 +282,12 @@ class Linear:
             If an entry has no value.
         """
         found = evaluate(self.scene, self.program, self.names, values, names)
-        n = len(self.coordinates)
-        return [np.array(found[name]).reshape(n, len(found[name]) // n) for name in names]
+        rows = {name: len(self.outputs) for name in (COORDINATES, RATES, INPUTS)}
+        counts = [rows.get(name, len(self.coordinates)) for name in names]
+        return [
+            np.array(found[name]).reshape(count, len(found[name]) // count)
+            for name, count in zip(names, counts, strict=True)
+        ]
 
     def coordinate_index(self, name: str) -> int:
         """Place of a coordinate among `coordinates`."""

@@ -37,6 +37,7 @@ from mechanics.linear.operating_point import (
     operating_point,
     pivots,
 )
+from mechanics.linear.outputs import entries, entry_names, not_linear, output_rows
 from mechanics.linear.reduction import Reduction, as_rows, reduction
 from mechanics.mechanism import name_of, ranges
 from mechanics.program.builder import Node
@@ -325,6 +326,13 @@ class Expansion:
         for column, i in enumerate(drifting, len(chosen)):
             whole[i][column] = build.one
         matrices["reach"] = whole
+        observed = entries(moving)
+        why_not = self._not_linear(observed)
+        if observed and not why_not:
+            driven = [w.name for w in scene.input_symbols]
+            matrices |= output_rows(
+                moving, place, observed, self.kept, reach, turn, carried, driven
+            )  # fmt: skip
         speeds = place(moving.speeds)
         return Linear(
             scene=scene,
@@ -337,7 +345,22 @@ class Expansion:
             program=build.program({n: [e for row in m for e in row] for n, m in matrices.items()}),
             names=self.names,
             conjugate=moving.conjugate,
+            no_outputs=why_not,
         )
+
+    def _not_linear(self, observed: Sequence[Node]) -> str:
+        """Why the outputs of the scene are no functions of the state and the inputs."""
+        scene, moving = self.scene, self.reduction
+        plain = Place(
+            moving.mechanism.builder, {s.name: value for s, value in self.point.parameters.items()}
+        )
+        drifts = [q.name for i, q in enumerate(scene.q) if i not in self.kept] + [TIME.name]
+        speeds = {s.name for s, value in self.point.speeds.items() if value != 0}
+        drifts += [w.name for w in scene.input_symbols if w.name + DOTS[1] in speeds]
+        moves = dict.fromkeys(drifts, "which drifts along the motion")
+        rates = [w.name + dots for w in scene.input_symbols for dots in DOTS[1:]]
+        moves |= dict.fromkeys(rates, "the rate of an input: declare that as the input")
+        return not_linear(moving, plain, observed, entry_names(scene), moves)
 
     def _independent(self, holding: Rows, rates: Rows) -> tuple[list[int], list[int], Rows]:
         """z_1 and z_2, by the places of the coordinates, and G: equations (3) and (4)."""

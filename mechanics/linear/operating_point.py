@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.errors import InputError
+from mechanics.kernel.angles import base_angles
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
@@ -147,7 +148,10 @@ def pivots(builder: Builder, matrix: Sequence[Sequence[Node]]) -> list[tuple[int
     """(row, column) of pivots that are not zero, in the order of an elimination: earlier first."""
     if not matrix:
         return []
-    residues = Residues(builder)
-    values = iter(residues.values([entry for row in matrix for entry in row]))
+    # Where angles are given as pi/6 or asin(3/5), entries are zero by what their sines are.
+    program = base_angles(builder.program({"entries": [entry for row in matrix for entry in row]}))
+    own = Builder()
+    residues = Residues(own)
+    values = iter(residues.values(include(own, program)["entries"]))
     rows = [[next(values) for _ in row] for row in matrix]
     return residues.eliminate(rows, len(matrix[0]))
