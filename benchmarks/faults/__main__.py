@@ -2,6 +2,7 @@
 
     python -m benchmarks.faults --jobs 2
     python -m benchmarks.faults --scenes elastic_pendulum arm --only "gravity pushes up"
+    python -m benchmarks.faults --only joints.roll joints.rope
 
 Each fault is one change in the text of one function, made in a process of its own, and planted in
 the scenes that call the function. It counts for a scene if it changes a number there:
@@ -150,11 +151,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--jobs", type=int, default=1, help="processes at a time")
     parser.add_argument("--scenes", nargs="+", default=list(SCENES), choices=list(SCENES))
-    parser.add_argument("--only", nargs="+", default=(), help="faults by a part of their words")
+    parser.add_argument(
+        "--only", nargs="+", default=(), help="faults by a part of their module or words"
+    )
     options = parser.parse_args()
     faults = [
         fault for fault in FAULTS
-        if not options.only or any(part in fault.what for part in options.only)
+        if not options.only
+        or any(part in f"{fault.module}: {fault.what}" for part in options.only)
     ]  # fmt: skip
     trials = []
     for trial in campaign(faults, options.scenes, options.jobs):
