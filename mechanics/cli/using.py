@@ -118,10 +118,7 @@ def simulate(
     for name, value in found.drift.items():
         console.print(f"largest drift of {escape(name)} before projection: {value:.1e}")
     if found.error_estimate is not None:
-        console.print(
-            f"error estimate {found.error_estimate:.1e} by {escape(found.solved_by)},"
-            " compared with a finer setting"
-        )
+        console.print(escape(found.accuracy))
     if found.conservative:
         console.print(f"largest relative change of the energy: {found.energy_drift:.1e}")
     if out is not None:

@@ -66,6 +66,7 @@ def simulate(
     method: str = "DOP853",
     progress: Progress | None = None,
     beyond_domain: bool = False,
+    estimate: bool = True,
 ) -> Trajectory | tuple[Trajectory, ...]:
     """Integrate the equations of motion from t = 0.
 
@@ -98,6 +99,9 @@ def simulate(
     beyond_domain : bool
         Whether to go on where a condition of validity does not hold; `Trajectory.crossings` tell
         where. Otherwise the motion ends there.
+    estimate : bool
+        Whether a second run, by a coarser tolerance, estimates the error: about a quarter of the
+        time more with DOP853.
 
     Returns
     -------
@@ -122,6 +126,7 @@ def simulate(
         "atol": atol,
         "method": method,
         "beyond_domain": beyond_domain,
+        "estimate": estimate,
     }
     starts = initial_states(initial)
     if starts is None:

@@ -17,6 +17,7 @@ from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
 from mechanics.simulate.constraints import periodic
 from mechanics.simulate.domain import Domain, domain
+from mechanics.simulate.error_estimate import error_estimate
 from mechanics.simulate.exits import at_the_start
 from mechanics.simulate.flow import flow
 from mechanics.simulate.march import METHODS, Flow, Tolerance
@@ -34,6 +35,9 @@ Array = NDArray[np.float64]
 Progress = Callable[[float], None]
 # The solvers of SciPy raise a smaller tolerance to this without being asked.
 FINEST_RTOL = 100 * np.finfo(float).eps
+
+SECOND = 0.8
+"""Share of the work after which the second run begins."""
 
 NEEDED = ("coordinate_rates", "forward_dynamics", "energy")
 """Functions of a model that a simulation calls."""
@@ -110,6 +114,7 @@ def simulate_one(
     method: str = "DOP853",
     progress: Progress | None = None,
     beyond_domain: bool = False,
+    estimate: bool = True,
 ) -> Trajectory:
     """Integrate the motion from one initial state; see `mechanics.simulate.batch.simulate`."""
     times, by = equal_times(duration, samples), _tolerance(method, rtol, atol)
@@ -117,13 +122,24 @@ def simulate_one(
     name = model.equations.scene.name
     outside = at_the_start(name, start.domain, start.state, beyond_domain)
     watch = Watching(start.domain, beyond_domain)
-    found = sample(start.moving, start.state, times, by, progress, watch)
+    found = sample(start.moving, start.state, times, by, _until(SECOND, progress), watch)
     if found.time == 0.0:
         raise SingularError(
             f"{name}: no motion starts from the initial values: {_why_none(start, found.ending)}"
         )
     crossed = (*outside, *found.crossings)
-    return trajectory(start, times, replace(found, crossings=crossed))
+    motion = trajectory(start, times, replace(found, crossings=crossed))
+    error = error_estimate(start.moving, start.state, times, by, found) if estimate else None
+    if progress is not None:
+        progress(1.0)
+    if error is None:
+        return motion
+    return replace(motion, error_estimate=error.error, tenfold=error.tenfold, horizon=error.horizon)
+
+
+def _until(share: float, progress: Progress | None) -> Progress | None:
+    """What the first part of the work tells of the whole."""
+    return None if progress is None else lambda done: progress(share * done)
 
 
 def _why_none(start: Begin, ending: Ending) -> str:

@@ -75,8 +75,13 @@ class Trajectory:
     solved_by : str
         The method, where it was chosen for an accuracy; empty otherwise.
     error_estimate : float or None
-        Largest error along the way, of coordinates and speeds relative to the largest magnitude of
-        each; from a second run with a finer setting. None where it was not asked for.
+        Largest error along the way that is likely, of coordinates and speeds relative to the
+        largest magnitude of each; from a second run with another tolerance or step. None where it
+        was not asked for, or the second run gave up.
+    tenfold : float or None
+        Seconds in which errors grow tenfold, where the second run was lost by exponential growth.
+    horizon : float or None
+        Time in s beyond which no digit of the motion is right, where it ends later.
     reactions : mapping of str to array, shape (N,)
         By name; empty where they were not asked for.
     outputs : mapping of str to array, shape (N,)
@@ -100,6 +105,8 @@ class Trajectory:
     crossings: tuple[Crossing, ...] = ()
     solved_by: str = ""
     error_estimate: float | None = None
+    tenfold: float | None = None
+    horizon: float | None = None
     reactions: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     outputs: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
 
@@ -123,6 +130,19 @@ class Trajectory:
         scale = max(float(np.max(self.kinetic)), float(np.ptp(self.potential)))
         change = float(np.max(np.abs(self.total - self.total[0])))
         return change / scale if scale > 0 else change
+
+    @property
+    def accuracy(self) -> str:
+        """How far the samples can be relied upon, in words; empty where it is not known."""
+        if self.error_estimate is None:
+            return ""
+        by = f" by {self.solved_by}" if self.solved_by else ""
+        words = f"error estimate {self.error_estimate:.1e}{by}"
+        if self.tenfold is not None:
+            words += f", errors grow tenfold in {self.tenfold:.2g} s"
+        if self.horizon is not None:
+            words += f": beyond t = {self.horizon:.3g} s no digit is right"
+        return words
 
     @property
     def outside(self) -> tuple[tuple[float, float], ...]:
@@ -160,7 +180,7 @@ class Trajectory:
         """What a reader has to know about the quality of the samples, in a line."""
         parts = [self.reason]
         if self.error_estimate is not None:
-            parts.append(f"error estimate {self.error_estimate:.1e} by {self.solved_by}")
+            parts.append(self.accuracy)
         if self.conservative:
             parts.append(f"energy drift {self.energy_drift:.1e}")
         else:

@@ -115,7 +115,7 @@ def _inside(
     """The times at which choices are measured: up to where the motion leaves the model's domain."""
     if not model.equations.scene.conditions:
         return times
-    found = simulate_one(model, float(times[-1]), initial=initial, samples=2, **given)
+    found = simulate_one(model, float(times[-1]), initial=initial, samples=2, estimate=False, **given)
     if found.ending is not Ending.LEFT_DOMAIN:
         return times
     end = found.crossings[-1].time
@@ -154,6 +154,7 @@ class Wanted:
                 method=name.removeprefix("SciPy "),
                 progress=progress,
                 beyond_domain=self.beyond_domain,
+                estimate=False,
             )
         model, start = self.start.model, self.start
         problem = Problem(model, start.p, start.inputs, start.state, self.times, PATIENT)

@@ -153,6 +153,7 @@ def _left(case: Case) -> tuple[str, ...]:
         inputs=case.inputs,
         samples=2,
         beyond_domain=True,
+        estimate=False,
     )
     leaving = [crossing for crossing in found.crossings if crossing.leaving]
     if not leaving:
