@@ -61,6 +61,9 @@ def simulate(
     is named. Exit code 3 when the motion had to end early; what was integrated is written. It ends
     where a condition of the scene ceases to hold, unless `--beyond-domain` is given.
 
+    How large the error is likely to be is estimated by a second, coarser run. Where errors grow so
+    fast that no digit is right in the end, it says from when on.
+
     With `--accuracy`, integrators are measured against a reference first, the cheapest that meets
     it is used, and the error is estimated by a second run with a finer setting.
 

@@ -23,7 +23,7 @@ from mechanics.simulate.samples import Samples, sample
 Array = NDArray[np.float64]
 
 COARSER = {"DOP853": 1e5}
-"""By how much the second tolerance is coarser: a step of eighth order is then four times as long."""
+"""Its second tolerance is so much coarser: steps of eighth order are four times as long."""
 USUALLY = 1e3
 """By how much it is for methods of lower order, or of an order that changes."""
 COARSEST = 1e-5
@@ -36,8 +36,10 @@ ROUNDINGS = 10 * float(np.finfo(float).eps)
 """A step is never more accurate."""
 LOST = 0.1
 """Difference from which two runs are of different motions."""
-DECADES = 1e-3
+DECADES = 1e-4
 """Of what is lost: from there on its growth is looked at."""
+NOISE = 1e3
+"""Times the absolute tolerance: what stays below is not resolved, and compared with this."""
 COMPARED = 50
 """Samples, at most, at which runs are compared."""
 
@@ -89,17 +91,16 @@ def error_estimate(
     states = sample(flow, start, times[rows], other).states
     if len(states) < len(rows):
         return None
-    gaps = _gaps(found.states[rows], states)
+    gaps = _gaps(found.states[rows], states, NOISE * by.atol)
     if not coarse:
         return ErrorEstimate(min(1.0, float(gaps[-1])))
     ratio = max(by.rtol, ROUNDINGS) / other.rtol
     return _extrapolated(times[rows], gaps, ratio)
 
 
-def _gaps(states: Array, others: Array) -> Array:
+def _gaps(states: Array, others: Array, least: float) -> Array:
     """The largest relative difference so far, shape (K,)."""
-    largest = np.max(np.abs(states), axis=0)
-    scale = np.where(largest > 0, largest, 1.0)
+    scale = np.maximum(np.max(np.abs(states), axis=0), least)
     return np.maximum.accumulate(np.max(np.abs(states - others) / scale, axis=1))
 
 
@@ -116,8 +117,9 @@ def _extrapolated(times: Array, gaps: Array, ratio: float) -> ErrorEstimate:
     if algebraic < exponential / 2 or rate <= 0:
         return ErrorEstimate(min(1.0, error * (end / t) ** max(power, 1.0)))
     horizon = t - float(np.log(error)) / rate
-    grown = error * float(np.exp(min(rate * (end - t), -np.log(error))))
-    return ErrorEstimate(grown, float(np.log(10)) / rate, horizon if horizon < end else None)
+    if horizon < end:
+        return ErrorEstimate(1.0, float(np.log(10)) / rate, horizon)
+    return ErrorEstimate(error * float(np.exp(rate * (end - t))), float(np.log(10)) / rate)
 
 
 def _line(x: Array, y: Array) -> tuple[float, float]:

@@ -115,7 +115,9 @@ def _inside(
     """The times at which choices are measured: up to where the motion leaves the model's domain."""
     if not model.equations.scene.conditions:
         return times
-    found = simulate_one(model, float(times[-1]), initial=initial, samples=2, estimate=False, **given)
+    found = simulate_one(
+        model, float(times[-1]), initial=initial, samples=2, estimate=False, **given
+    )
     if found.ending is not Ending.LEFT_DOMAIN:
         return times
     end = found.crossings[-1].time
