@@ -32,6 +32,7 @@ from mechanics.judge.check import derived
 from mechanics.judge.check_json import to_json as check_json
 from mechanics.judge.scene_laws import verify as verify_laws
 from mechanics.report.json_report import to_json
+from mechanics.scene import Scene
 from mechanics.scene.json.read import from_json
 from mechanics.scene.system import System
 
@@ -59,7 +60,7 @@ class Tools:
     """
 
     def __init__(self) -> None:
-        self._known: OrderedDict[str, Reference] = OrderedDict()
+        self._known: OrderedDict[str, tuple[System | Scene, Reference]] = OrderedDict()
 
     def example(self, system: str = "elastic_pendulum") -> dict[str, Any]:
         """The JSON of a scene that comes with the program, to begin from."""
@@ -111,9 +112,9 @@ class Tools:
         return {"id": key, **check_json(found)}
 
     def crosscheck(self, scene: SceneText) -> dict[str, Any]:
-        """Derive by four routes, and prove that they agree."""
-        key, reference = self._reference(scene)
-        result = cross(reference.truth.scene, CrossCheck(states=MOST_STATES))
+        """Derive by four routes; prove that they agree, and what is published for the scene."""
+        key, system, _ = self._sent(scene)
+        result = cross(system, CrossCheck(states=MOST_STATES))
         return {"scene": key, **to_json([result])}
 
     def compare(
@@ -177,27 +178,28 @@ class Tools:
 
     def _reference(self, scene: SceneText) -> tuple[str, Reference]:
         """What statements are compared with, derived once."""
+        key, _, reference = self._sent(scene)
+        return key, reference
+
+    def _sent(self, scene: SceneText) -> tuple[str, System | Scene, Reference]:
+        """The id of what was sent, what it is, and what was derived of it."""
         if isinstance(scene, str) and ID.fullmatch(scene):
             if scene not in self._known:
                 raise InputError(f"{scene} is not known any more: send the scene itself")
-            self._known.move_to_end(scene)
-            return scene, self._known[scene]
-        if isinstance(scene, str) and not scene.lstrip().startswith("{"):
-            return self._derived(scene, scene)
-        text = scene if isinstance(scene, str) else json.dumps(scene, sort_keys=True)
-        return self._derived(text, text)
-
-    def _derived(self, text: str, scene: str) -> tuple[str, Reference]:
-        key = f"scene-{sha256(text.encode()).hexdigest()[:16]}"
-        if key not in self._known:
-            made = from_json(scene) if "{" in scene else built_in(scene)
-            truth = derived(made.scene() if isinstance(made, System) else made)
-            verify_laws(truth)
-            self._known[key] = Reference(truth)
-            while len(self._known) > KEPT:
-                self._known.popitem(last=False)
+            key = scene
+        else:
+            name = isinstance(scene, str) and not scene.lstrip().startswith("{")
+            text = scene if isinstance(scene, str) else json.dumps(scene, sort_keys=True)
+            key = f"scene-{sha256(text.encode()).hexdigest()[:16]}"
+            if key not in self._known:
+                made = built_in(text) if name else from_json(text)
+                truth = derived(made.scene() if isinstance(made, System) else made)
+                verify_laws(truth)
+                self._known[key] = made, Reference(truth)
+                while len(self._known) > KEPT:
+                    self._known.popitem(last=False)
         self._known.move_to_end(key)
-        return key, self._known[key]
+        return key, *self._known[key]
 
 
 def _few(what: str, things: Sequence[Any] | Mapping[str, Any], most: int) -> None:

@@ -19,6 +19,9 @@ from mechanics.scene.parameters import NEAR_PI
 NUMBER = re.compile(r"[+-]?(?:\d+(?:\.(\d*))?|\.(\d+))(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
 LONGEST = 400
 """Digits of a number: a double in full has no more."""
+LARGEST = 308
+RANGE = f"give a number between 1e-{LARGEST} and 1e{LARGEST}"
+BITS = (10**LARGEST).bit_length()
 DECIMALS = 2
 """With fewer nobody meant a multiple of pi: 0.5 is not pi/6."""
 MANY, UNITS = 8, 4
@@ -57,9 +60,25 @@ def exact(text: str, where: str) -> Rational:
     text = text.strip()
     if len(text) > LONGEST or not (found := NUMBER.fullmatch(text)):
         raise InputError(f"{where} is {text[:40]!r}: give a finite decimal number")
-    if abs(int(found[3] or 0)) > 308:
-        raise InputError(f"{where} is {text[:40]}: give a number between 1e-308 and 1e308")
-    return Rational(Fraction(text))
+    if abs(int(found[3] or 0)) > LARGEST:
+        raise InputError(f"{where} is {text[:40]}: {RANGE}")
+    return check_size(Rational(Fraction(text)), where)
+
+
+def check_size(number: Rational, where: str) -> Rational:
+    """The number, if a double can hold it.
+
+    Raises
+    ------
+    InputError
+        When it is none: `where` names it.
+    """
+    # Integers are compared by their lengths: the decimals of a long one are not to be written.
+    if abs(number.p.bit_length() - number.q.bit_length()) >= BITS:
+        raise InputError(
+            f"{where} is a number of {max(number.p, number.q).bit_length()} bits: {RANGE}"
+        )
+    return number
 
 
 def angle(text: str, where: str, notes: Notes, multiples: bool = True) -> Expr:

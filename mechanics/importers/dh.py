@@ -11,11 +11,11 @@ Sources: Denavit and Hartenberg, J. Applied Mechanics 22 (1955); Craig, Introduc
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Integer, Matrix
+from sympy import Expr, ImmutableMatrix, Integer, Matrix, Rational
 
 from mechanics.errors import InputError
 from mechanics.importers.assemble import SYMBOLIC, assemble
-from mechanics.importers.decimals import Notes, angle, exact
+from mechanics.importers.decimals import Notes, angle, check_size, exact
 from mechanics.importers.robot import (
     STRAIGHT,
     ZERO,
@@ -152,10 +152,18 @@ class _Row:
 
 
 def _value(value: Any, where: str) -> Expr:
-    return exact(value, where) if isinstance(value, str) else scalar(value, where)
+    return exact(value, where) if isinstance(value, str) else _sized(value, where)
 
 
 def _angle(value: Any, where: str, notes: Notes) -> Expr:
     if isinstance(value, float):
         value = repr(value)
-    return angle(value, where, notes) if isinstance(value, str) else scalar(value, where)
+    return angle(value, where, notes) if isinstance(value, str) else _sized(value, where)
+
+
+def _sized(value: Any, where: str) -> Expr:
+    """A number or an expression, every number of which a double can hold."""
+    found = scalar(value, where)
+    for number in found.atoms(Rational):
+        check_size(number, where)
+    return found

@@ -8,11 +8,13 @@ from typing import Any
 
 import pytest
 
+from mechanics.cli.load import built_in
 from mechanics.cli.serving import server
 from mechanics.cli.tools import Tools
 from mechanics.cli.worker import Worker, answer
 from mechanics.errors import InputError
 from mechanics.scene.json.schema import schema
+from mechanics.scene.json.write import to_json
 from systems import rod_pendulum
 
 mcp = pytest.importorskip("mcp")
@@ -154,3 +156,17 @@ def test_the_scene_of_another_person_is_the_one_that_ships() -> None:
         == (tools.derive("rod_pendulum")["equations"])
     )
     assert rod_pendulum.scene().name in tools.derive("rod_pendulum")["equations"]
+
+
+@pytest.mark.campaign
+def test_a_crosscheck_judges_what_is_published_for_a_system() -> None:
+    """By its name, and as JSON in which a published equation was changed."""
+    tools, system = Tools(), built_in("rod_pendulum")
+    (own,) = tools.crosscheck("rod_pendulum")["systems"]
+    assert own["ok"]
+    assert [row["tag"] for row in own["published"]] == [row.tag for row in system.published]
+    wrong = to_json(system)
+    wrong["published"][0]["sides"][1] = ["negate", wrong["published"][0]["sides"][1]]
+    (changed,) = tools.crosscheck(wrong)["systems"]
+    assert not changed["ok"]
+    assert "REFUTED" in [row["verdict"] for row in changed["published"]]

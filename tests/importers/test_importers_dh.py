@@ -93,6 +93,9 @@ def test_what_is_missing_becomes_parameters():
         ([{"joint": "ball"}], "row 1: joint is 'ball'"),
         ([{"a": "nan"}], "row 1: a is 'nan'"),
         ([{"com": (1, 2)}], "row 1: com has 2 numbers"),
+        ([{"a": 10**5000}], "row 1: a is a number of 16610 bits: give a number between 1e-308"),
+        ([{"theta": pi / 10**5000}], "row 1: theta is a number of 16610 bits"),
+        ([{"mass": "1" * 5000}], "row 1: mass is '1111"),
     ],
 )
 def test_rows_that_are_none_get_one_line(table, words):
