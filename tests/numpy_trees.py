@@ -120,3 +120,34 @@ def jacobian(joints: list[Joint], q: Array) -> Array:
     axes = [R @ joint.axis for joint, (_, R) in zip(joints, poses, strict=True)]
     end = poses[-1][0]
     return np.array([[*np.cross(e, end - p), *e] for e, (p, _) in zip(axes, poses, strict=True)]).T
+
+
+def momentum_matrix(joints: list[Joint], q: Array, about: Array | None = None) -> Array:
+    """6 x n: momentum over angular momentum about a point, by default the mass centre."""
+    poses, n = link_poses(joints, q), len(joints)
+    centres = [p + R @ joint.centre for joint, (p, R) in zip(joints, poses, strict=True)]
+    if about is None:
+        about = mass_centre(joints, q)
+    found = np.zeros((6, n), dtype=q.dtype)
+    for i, (joint, (_, R)) in enumerate(zip(joints, poses, strict=True)):
+        for k in range(i + 1):
+            axis = poses[k][1] @ joints[k].axis
+            momentum = joint.mass * np.cross(axis, centres[i] - poses[k][0])
+            found[:3, k] += momentum
+            found[3:, k] += R @ joint.inertia @ R.T @ axis
+            found[3:, k] += np.cross(centres[i] - about, momentum)
+    return found
+
+
+def mass_centre(joints: list[Joint], q: Array) -> Array:
+    """Of all bodies."""
+    poses = zip(joints, link_poses(joints, q), strict=True)
+    whole = sum(joint.mass * (p + R @ joint.centre) for joint, (p, R) in poses)
+    return whole / sum(joint.mass for joint in joints)
+
+
+def momentum_matrix_rate(joints: list[Joint], q: Array, v: Array, moving: bool = True) -> Array:
+    """Its rate by a complex step; without the velocity of the mass centre where that is at rest."""
+    step = q + 1e-30j * v
+    about = None if moving else mass_centre(joints, q)
+    return momentum_matrix(joints, step, about).imag / 1e-30

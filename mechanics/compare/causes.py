@@ -25,6 +25,7 @@ from mechanics.compare.quantities import (
     INVERSE,
     JACOBIAN,
     MASS,
+    MOMENTUM_RATE,
     VELOCITY,
     Reading,
     kind_of,
@@ -154,7 +155,7 @@ def _consistent(matrix: Array, of_angles: Array | None = None) -> Reading:
             return matrix.T @ found @ matrix
         if kind == FORWARD:
             return found @ inverse.T
-        if kind == JACOBIAN or (found.ndim == 2 and kind != VELOCITY):
+        if found.ndim == 3 or (found.ndim == 2 and kind != VELOCITY):
             return found @ matrix
         return found
 
@@ -241,35 +242,39 @@ def _other_speeds(
     n = len(ours.speeds)
 
     def frames(states: States) -> tuple[Array, Array, Array]:
-        """B with v = B w, and B' w: (d/dt R) w = R (omega x w) for components in the body."""
-        turn = ours.links(states.q)[name][1]
+        """B with v = B w, v, and B' by R' = R [omega]x, omega having components in the body."""
+        turn, every = ours.links(states.q)[name][1], range(len(states))
+        back = np.swapaxes(turn, 1, 2)
         matrix = np.tile(np.eye(n), (len(states), 1, 1))
         if body:
-            matrix[np.ix_(range(len(states)), moving, moving)] = turn
+            matrix[np.ix_(every, moving, moving)] = turn
         if world:
-            matrix[np.ix_(range(len(states)), turning, turning)] = np.swapaxes(turn, 1, 2)
-        speeds = np.einsum("nij,nj->ni", matrix, states.v)
-        drift = np.zeros_like(states.v)
+            matrix[np.ix_(every, turning, turning)] = back
+        speeds, rate = np.einsum("nij,nj->ni", matrix, states.v), np.zeros_like(matrix)
+        spin = np.cross(speeds[:, None, turning], np.eye(3)).swapaxes(1, 2)
         if body:
-            spin = np.cross(speeds[:, turning], states.v[:, moving])
-            drift[:, moving] = np.einsum("nij,nj->ni", turn, spin)
-        return matrix, speeds, drift
+            rate[np.ix_(every, moving, moving)] = turn @ spin
+        if world:
+            rate[np.ix_(every, turning, turning)] = -spin @ back
+        return matrix, speeds, rate
 
     def arguments(states: States) -> States:
-        matrix, v, drift = frames(states)
-        a = np.einsum("nij,nj->ni", matrix, states.a) + drift
+        matrix, v, rate = frames(states)
+        a = np.einsum("nij,nj->ni", matrix, states.a) + np.einsum("nij,nj->ni", rate, states.v)
         f = _solved(np.swapaxes(matrix, 1, 2), states.f)
         return States(states.q, v, a, f, states.wrench)
 
     def values(quantity: str, found: Array, states: States) -> Array:
-        matrix, _, drift = frames(states)
+        matrix, speeds, rate = frames(states)
         kind = kind_of(quantity)
         if kind == MASS:
             return np.swapaxes(matrix, 1, 2) @ found @ matrix
-        if kind == JACOBIAN:
+        if kind == MOMENTUM_RATE:
+            return found @ matrix + ours.momentum_matrices(states.q, speeds)[0] @ rate
+        if found.ndim == 3:
             return found @ matrix
         if kind == FORWARD:
-            return _solved(matrix, found - drift)
+            return _solved(matrix, found - np.einsum("nij,nj->ni", rate, states.v))
         if kind == VELOCITY or found.ndim == 1:
             return found
         return np.einsum("nji,nj->ni", matrix, found)
@@ -347,6 +352,22 @@ def jacobian_frames(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
     )
 
 
+def momentum_points(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
+    """d/dt H_G = d/dt H_P - v_G x p for P at rest, where the mass centre G is."""
+
+    def values(quantity: str, found: Array, states: States) -> Array:
+        if quantity != MOMENTUM_RATE:
+            return found
+        matrix, _, velocity = ours.momentum_matrices(states.q, states.v)
+        added = np.cross(velocity[:, :, None], matrix[:, :3], axis=1)
+        return found + np.concatenate([np.zeros_like(added), added], axis=1)
+
+    words = (
+        "the rate of the momentum matrix is that about a point at rest, where the mass centre is"
+    )
+    yield Trial(words, Reading(values=values))
+
+
 def force_frames(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
     """External forces in another frame, at another point, or of the other sign."""
 
@@ -390,6 +411,7 @@ CAUSES: tuple[Cause, ...] = (
     Cause("upper triangle only", upper_triangle),
     Cause("frame of a velocity", jacobian_frames),
     Cause("frame of an external force", force_frames),
+    Cause("point of a momentum", momentum_points),
     Cause("order of a quaternion", quaternion_orders),
     Cause("frame of a velocity", velocity_frames),
     Cause("degrees", degrees),

@@ -4,6 +4,7 @@
     M e_j = tau(q, 0, e_j) - tau(q, 0, 0)           bias = tau(q, v, 0)                    (2)
     J e_j = velocity(q, e_j) - velocity(q, 0)                                              (3)
     M a + C^T l = f - bias,   C a = c               where constraints hold                 (4)
+    A v = (m v_G, H_G)        A' its rate           G the mass centre of all bodies        (5)
 
 All changes are inputs of one program: the scene is derived once, and a changed scene is other
 numbers in it.
@@ -27,14 +28,17 @@ from mechanics.errors import InputError, ValueMissingError
 from mechanics.kernel import Finding
 from mechanics.kinematics import chain
 from mechanics.kinematics.energy import HALF, kinetic_energies
+from mechanics.kinematics.motion import body_motions
 from mechanics.mechanism import GROUND, Field, Mass, Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
+from mechanics.program.forward import tangent
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
+from mechanics.program.vectors import add, cross, scale, times, zeros
 from mechanics.routes import kane, lagrange
 from mechanics.routes.loads import potential
-from mechanics.routes.rows import acceleration_forms, remainder
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 from mechanics.scene import Orientation, Output, Position, Scene
 from mechanics.scene.joints import Joint
 
@@ -171,6 +175,23 @@ class Ours:
         return self._program({"kinetic": [kinetic], "potential": [stored]})
 
     @cached_property
+    def _momenta(self) -> Program:
+        """Momentum over that about the origin, by the speeds; its rate; m r_G; the mass m."""
+        mechanism = self.mechanism
+        build, motions = mechanism.builder, chain.motions(mechanism)
+        mass, moment, linear, angular = build.zero, zeros(build), zeros(build), zeros(build)
+        for body, motion in zip(mechanism.bodies, body_motions(mechanism, motions), strict=True):
+            momentum, at = scale(body.mass, motion.centre.velocity), motion.centre.position
+            mass, moment = mass + body.mass, add(moment, scale(body.mass, at))
+            linear, angular = add(linear, momentum), add(angular, cross(at, momentum))
+            if motion.turning is not None and motion.inertia is not None:
+                angular = add(angular, times(motion.inertia, motion.turning.omega))
+        rows = coefficients([*linear, *angular], mechanism.u)
+        entries = [entry for row in rows for entry in row]
+        rates = tangent(entries, mechanism.rates)
+        return self._program({"matrix": entries, "rate": rates, "moment": moment, "mass": [mass]})
+
+    @cached_property
     def _motion(self) -> Program:
         """Velocities and poses of the named frames."""
         motions = chain.motions(self.mechanism)
@@ -302,6 +323,27 @@ class Ours:
         if change.armature is not None:
             kinetic = kinetic + (v**2 * change.armature).sum(axis=1) / 2
         return kinetic, found["potential"][:, 0]
+
+    def momentum_matrices(
+        self, q: Array, v: Array, change: Change = NOTHING
+    ) -> tuple[Array, Array, Array]:
+        """Equation (5): A and A', (N, 6, speeds) each, and v_G, (N, 3).
+
+        Raises
+        ------
+        LinAlgError
+            Where there is no mass.
+        """
+        found = self._evaluate(self._momenta, q, v, None, change)
+        matrix, rate = (found[name].reshape(len(q), 6, -1) for name in ("matrix", "rate"))
+        if not found["mass"].all():
+            raise np.linalg.LinAlgError("a scene without mass has no mass centre")
+        linear, centre = matrix[:, :3], found["moment"] / found["mass"]
+        velocity = np.einsum("nij,nj->ni", linear, v) / found["mass"]
+        rate[:, 3:] -= np.cross(velocity[:, :, None], linear, axis=1)
+        rate[:, 3:] -= np.cross(centre[:, :, None], rate[:, :3], axis=1)
+        matrix[:, 3:] -= np.cross(centre[:, :, None], linear, axis=1)
+        return matrix, rate, velocity
 
     def jacobians(self, q: Array) -> dict[str, Array]:
         """(N, 3 or 6, speeds) by name: velocity over angular velocity; equation (3)."""

@@ -6,6 +6,8 @@
     forward_dynamics       f(q, v, forces)    (n,)
     kinetic_energy         f(q, v)            ()
     potential_energy       f(q, v)            ()         up to a constant
+    momentum_matrix        f(q, v)            (6, n)     momentum over that about the mass centre
+    momentum_matrix_rate   f(q, v)            (6, n)
     jacobian NAME          f(q, v)            (6, n)     velocity of its origin over the angular one
     velocity NAME          f(q, v)            (6,)
     force on NAME          f(q, v, wrench)    (n,)       of a force and a couple at the origin
@@ -29,13 +31,14 @@ from mechanics.errors import InputError
 MASS, BIAS, INVERSE, FORWARD = "mass_matrix", "bias", "inverse_dynamics", "forward_dynamics"
 KINETIC, POTENTIAL = "kinetic_energy", "potential_energy"
 JACOBIAN, VELOCITY, FORCE = "jacobian ", "velocity ", "force on "
-PLAIN = (MASS, BIAS, INVERSE, FORWARD, KINETIC, POTENTIAL)
+MOMENTUM, MOMENTUM_RATE = "momentum_matrix", "momentum_matrix_rate"
+PLAIN = (MASS, BIAS, INVERSE, FORWARD, KINETIC, POTENTIAL, MOMENTUM, MOMENTUM_RATE)
 NAMED = (JACOBIAN, VELOCITY, FORCE)
 FORCES = (MASS, BIAS, INVERSE, FORWARD)
 """From which amounts are fitted: linear in masses, inertias, gravity, armature and damping."""
 UNITS = {
     MASS: "", BIAS: "N m", INVERSE: "N m", FORWARD: "N m", KINETIC: "J", POTENTIAL: "J",
-    JACOBIAN: "", VELOCITY: "m/s", FORCE: "N m",
+    MOMENTUM: "", MOMENTUM_RATE: "", JACOBIAN: "", VELOCITY: "m/s", FORCE: "N m",
 }  # fmt: skip
 
 Answer = Callable[..., Any]
@@ -141,6 +144,8 @@ def predicted(ours: Ours, quantity: str, states: States, reading: Reading = AS_M
         found = ours.accelerations(q, v, taken.f, change)
     elif kind in (KINETIC, POTENTIAL):
         found = ours.energies(q, v, change)[kind == POTENTIAL]
+    elif kind in (MOMENTUM, MOMENTUM_RATE):
+        found = ours.momentum_matrices(q, v, change)[kind == MOMENTUM_RATE]
     else:
         jacobian = ours.jacobians(q)[name]
         if kind == JACOBIAN:

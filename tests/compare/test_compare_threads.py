@@ -61,6 +61,14 @@ def local_force() -> Answers:
     return {"force on link2": answer}
 
 
+def momentum_about_a_point_at_rest() -> Answers:
+    joints = other.arm_joints(3)
+    return {
+        "momentum_matrix": lambda q, v: other.momentum_matrix(joints, q),
+        "momentum_matrix_rate": lambda q, v: other.momentum_matrix_rate(joints, q, v, False),
+    }
+
+
 def local_velocity() -> Answers:
     joints = other.arm_joints(2)
 
@@ -113,6 +121,11 @@ THREADS = {
     "stack-of-tasks/pinocchio 1916": Thread(
         "J^T f against rnea with external forces, which are those of the joint's own frame",
         two, local_force, "frame of an external force", "in the frame of the body",
+    ),
+    "stack-of-tasks/pinocchio 2093": Thread(
+        "the rate of the centroidal momentum matrix: the velocity of the mass centre was left out",
+        lambda: small_trees.arm(3), momentum_about_a_point_at_rest,
+        "point of a momentum", "about a point at rest, where the mass centre is",
     ),
     "google-deepmind/mujoco 1284": Thread(
         "M of a Panda in MuJoCo against libfranka: 0.1 kg m^2 of armature at each joint",

@@ -21,8 +21,7 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         model = _from_tree(pin, tree)
         model.gravity.linear = ours.gravity
     else:
-        mjcf = file.suffix == ".xml"
-        model = (pin.buildModelFromMJCF if mjcf else pin.buildModelFromUrdf)(str(file))
+        model = (pin.buildModelFromMJCF if file.suffix == ".xml" else pin.buildModelFromUrdf)(file)
     names = [link.joint for link in tree if link.v]
     if missing := [name for name in names if not model.existJointName(name)]:
         raise ValueError(f"its model has no joint {', '.join(missing)}")
@@ -30,34 +29,36 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
     at_q, at_v = ({n: getattr(j, key) for n, j in own.items()} for key in ("idx_q", "idx_v"))
     circles = frozenset(name for name, joint in own.items() if (joint.nq, joint.nv) == (2, 1))
     order = Order(tree, at_q, at_v, (model.nq, model.nv), False, True, circles)
-    data, place, kinetic = model.createData(), order.position, pin.computeKineticEnergy
+    data, place, basis = model.createData(), order.position, order.matrix
 
     def mass_matrix(q: Any, v: Any) -> Any:
-        upper, B = np.triu(pin.crba(model, data, place(q))), order.matrix(q)
+        upper, B = np.triu(pin.crba(model, data, place(q))), basis(q)
         return B.T @ (upper + np.triu(upper, 1).T) @ B
 
     def inverse(q: Any, v: Any, a: Any) -> Any:
-        B = order.matrix(q)
+        B = basis(q)
         return B.T @ pin.rnea(model, data, place(q), B @ v, B @ a + order.drift(q, v))
 
     def forward(q: Any, v: Any, forces: Any) -> Any:
-        B = order.matrix(q)
+        B = basis(q)
         rates = pin.aba(model, data, place(q), B @ v, np.linalg.pinv(B.T) @ forces)
         return np.linalg.pinv(B) @ (rates - order.drift(q, v))
 
+    def moving(of: Any) -> Answer:
+        return lambda q, v: of(model, data, place(q), basis(q) @ v)
+
     def jacobian(link: Link) -> Answer:
-        frame, where = model.getFrameId(link.name), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        return lambda q, v: (
-            pin.computeFrameJacobian(model, data, place(q), frame, where) @ order.matrix(q)
-        )
+        more = model.getFrameId(link.name), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        return lambda q, v: pin.computeFrameJacobian(model, data, place(q), *more) @ basis(q)
 
     answers: dict[str, Answer] = {
         "mass_matrix": mass_matrix,
         "bias": lambda q, v: inverse(q, v, np.zeros_like(v)),
         "inverse_dynamics": inverse,
         "forward_dynamics": forward,
-        "kinetic_energy": lambda q, v: kinetic(model, data, place(q), order.matrix(q) @ v),
+        "kinetic_energy": moving(pin.computeKineticEnergy),
         "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
+        "momentum_matrix": lambda q, v: moving(pin.ccrba)(q, v) @ basis(q),
     }
     named = (link for link in tree if model.existFrame(link.name))
     answers |= {f"jacobian {link.name}": jacobian(link) for link in named}
