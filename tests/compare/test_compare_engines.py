@@ -49,27 +49,22 @@ def test_damping_that_a_file_states_and_pinocchio_leaves_out_is_named() -> None:
 
 
 @pytest.mark.campaign
-def test_the_map_of_pinocchio_that_is_no_derivative_is_named() -> None:
-    """Thread 2093: mended in `dccrba`, which agrees, and not in the other function for it."""
+def test_a_map_of_pinocchio_that_is_no_derivative_is_named() -> None:
+    """Thread 2093 is mended in `dccrba`; the other function takes the velocity of the mass centre
+    from its data, where it is zero as long as nothing computes it."""
     pin = pytest.importorskip("pinocchio")
-    model = pin.buildModelFromUrdf(str(UR5))
+    scene, model = from_urdf(UR5), pin.buildModelFromUrdf(str(UR5))
     data = model.createData()
     answers = {
         "momentum_matrix": lambda q, v: pin.computeCentroidalMap(model, data, q),
-        "momentum_matrix_rate": lambda q, v: pin.dccrba(model, data, q, v),
+        "momentum_matrix_rate": lambda q, v: pin.dccrba(model, model.createData(), q, v),
     }
-    scene = from_urdf(UR5)
     assert compare(scene, answers, states=3).agree
-    if np.array_equal(
-        pin.computeCentroidalMapTimeVariation(model, data, np.ones(6), np.ones(6)),
-        pin.dccrba(model, model.createData(), np.ones(6), np.ones(6)),
-    ):
-        pytest.skip("the functions of this version agree")
     answers["momentum_matrix_rate"] = lambda q, v: pin.computeCentroidalMapTimeVariation(
         model, data, q, v
     )
-    (cause,) = compare(scene, answers, states=3).causes
-    assert cause.names == ("point of a momentum",)
+    found = compare(scene, answers, states=3)
+    assert found.agree or [cause.names for cause in found.causes] == [("point of a momentum",)]
 
 
 def test_armature_of_a_mujoco_model_is_named() -> None:

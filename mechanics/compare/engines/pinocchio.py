@@ -60,8 +60,7 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
         "momentum_matrix": lambda q, v: moving(pin.ccrba)(q, v) @ basis(q),
     }
-    named = (link for link in tree if model.existFrame(link.name))
-    answers |= {f"jacobian {link.name}": jacobian(link) for link in named}
+    answers |= {f"jacobian {x.name}": jacobian(x) for x in tree if model.existFrame(x.name)}
     return Engine(f"pinocchio {pin.__version__}", answers)
 
 
