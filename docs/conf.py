@@ -36,7 +36,7 @@ html_theme = "furo"
 html_math_renderer = "mathml"
 html_static_path = ["stylesheets", "images", "scene.schema.json"]
 html_css_files = ["site.css", "drawings.css"]
-html_copy_source = html_show_sourcelink = html_show_sphinx = False
+html_copy_source = html_show_copyright = html_show_sourcelink = html_show_sphinx = False
 exclude_patterns = ["made/*"]
 autodoc_default_options = {"members": False}
 autodoc_typehints = "none"
@@ -161,8 +161,8 @@ def commands() -> str:
         lines = [line.strip("`") for line in examples.split("\n") if line.strip()]
         if lines:
             parts.append("```sh\n" + "\n".join(lines) + "\n```\n")
-        parts.append("| | |\n| --- | --- |")
-        parts += [_option(option) for option in made.params if option.name != "help"]
+        options = [_option(option) for option in made.params if option.name != "help"]
+        parts += ["| | |\n| --- | --- |", *options] if options else []
     return "\n".join(parts)
 
 
