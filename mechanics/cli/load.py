@@ -19,6 +19,7 @@ import typer
 
 from mechanics.checks.redundant import drop_redundant
 from mechanics.claims.read import file_text
+from mechanics.cli.nearest import meant
 from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import SYMBOLIC, assemble
@@ -106,8 +107,10 @@ def built_in(text: str) -> System:
             make: Callable[..., Scene] = system.scene
             return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
+    near = meant(text, known)
+    others = "mechanics systems lists them" if near else f": the systems are {', '.join(known)}"
     raise InputError(
-        f"system {text!r} is not known: the systems are {', '.join(known)};"
+        f"system {text!r} is not known{near}{' ' * bool(near)}{others};"
         " or give the path of a .py file with a function scene()"
     )
 

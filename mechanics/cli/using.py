@@ -17,6 +17,7 @@ from mechanics.errors import InputError
 from mechanics.export import write_c
 from mechanics.export.atomic import named, replaced_file
 from mechanics.export.folder import MANIFEST
+from mechanics.export.prefix import free_prefix
 from mechanics.kernel import Verdict
 from mechanics.report.animation import animation
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
@@ -154,7 +155,7 @@ def codegen(
     ] = True,
     name: Annotated[
         str | None,
-        typer.Option(help="What files and functions begin with; the scene's name by default."),
+        typer.Option(help="What files and functions begin with; SYSTEM by default."),
     ] = None,
     form: Annotated[
         str, typer.Option(help="How forward dynamics is written: auto, fewest, recursive, ...")
@@ -177,11 +178,13 @@ def codegen(
 
     `mechanics codegen elastic_pendulum -o small_c --fix g=9.81 --outputs forward_dynamics,energy`
 
-    `mechanics codegen elastic_pendulum -o chip_c --precision single --no-batch --name pendulum`
+    `mechanics codegen elastic_pendulum -o chip_c --precision single --no-batch`
 
     `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
     """
-    scene = load(system).scene()
+    loaded = load(system)
+    scene = loaded.scene()
+    name = free_prefix(loaded.name) if name is None else name
     fixed = assignments(fix or [], "--fix")
     asked = [name.strip() for name in outputs.split(",")] if outputs else None
     with Console(stderr=True).status("deriving"):

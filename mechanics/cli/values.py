@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from sympy import Expr, Rational, Symbol, pi
 
+from mechanics.cli.nearest import meant
 from mechanics.errors import InputError, RangeError
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
@@ -134,8 +135,11 @@ def sorted_out(
                 group[name] = _finite(name, value)
                 break
         else:
-            known = ", ".join(sorted(initial) + sorted(parameters) + sorted(inputs))
-            raise InputError(f"{scene.name}: there is no {name!r} to set: the names are {known}")
+            known = sorted(initial) + sorted(parameters) + sorted(inputs)
+            raise InputError(
+                f"{scene.name}: there is no {name!r} to set"
+                + (meant(name, known) or f": the names are {', '.join(known)}")
+            )
     return groups[0], groups[1], groups[2]
 
 

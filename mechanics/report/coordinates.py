@@ -17,7 +17,7 @@ from mechanics.report import ink
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import Paper
-from mechanics.scene import Body, RigidBody
+from mechanics.scene import Body, Gravity, RigidBody
 from mechanics.scene.symbols import name_of
 
 THIRD = 2 * np.pi / 3
@@ -216,6 +216,69 @@ def aside_of(view: View, paper: Paper, coordinate: Symbol) -> np.ndarray:
     side = normal(along)
     outward = side @ (paper.place(view.point(body.centre)) - paper.middle)
     return 44 * (side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side)
+
+
+def coordinate_words(view: View, coordinate: Symbol) -> str:
+    """What a coordinate is, made from the frames: of what, from where, which way.
+
+    The words hold at every state: where zero itself moves with other coordinates they say so.
+    """
+    body = moved(view, coordinate)
+    if coordinate in view.scene.quaternions or body is None:
+        return "coordinate"
+    turn = turn_of(view, body, coordinate)
+    other = View(view.scene, {q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
+    if turn is None:
+        along, elsewhere = (_way(at, body, coordinate) for at in (view, other))
+        fixed = np.allclose(along, elsewhere, atol=1e-9)
+        return f"displacement of {_the(body)}" + (_along(view, along) if fixed else "")
+    again = turn_of(other, body, coordinate)
+    same = again is not None and np.allclose(turn.start, again.start, atol=1e-9)
+    zero = _from(view, turn.start) if same else "relative to what carries it"
+    about = again is not None and np.allclose(turn.axis, again.axis, atol=1e-9)
+    return f"angle of {_the(body)} {zero}" + (_sense(view, turn.axis) if about else "")
+
+
+def _the(body: Body) -> str:
+    """A name with its article, where it is a word."""
+    return f"the {body.name}" if body.name.replace(" ", "").isalpha() else body.name
+
+
+def _way(view: View, body: Body, coordinate: Symbol) -> np.ndarray:
+    start, end = (set_to(view, coordinate, value).place(body.centre) for value in (0.0, 1.0))
+    length = np.linalg.norm(end - start)
+    return (end - start) / length if length > 1e-12 else end - start
+
+
+def _axis_name(direction: np.ndarray) -> str:
+    """A letter with its sign, where the direction is one of the inertial axes."""
+    place = int(np.argmax(np.abs(direction)))
+    if abs(abs(direction[place]) - 1) > 1e-9:
+        return ""
+    return ("" if direction[place] > 0 else "\u2212") + "xyz"[place]
+
+
+def _along(view: View, direction: np.ndarray) -> str:
+    name = _axis_name(direction)
+    return f" along {name}" if name else ""
+
+
+def _from(view: View, direction: np.ndarray) -> str:
+    down = next((g.field for g in view.scene.loads if isinstance(g, Gravity)), None)
+    if down is not None:
+        pull = view.numbers(view.scene.vector(down)).ravel()
+        share = float(pull @ direction / np.linalg.norm(pull))
+        if abs(abs(share) - 1) < 1e-9:
+            return "from hanging straight down" if share > 0 else "from the upright"
+    name = _axis_name(direction)
+    return f"from the direction of {name}" if name else "from where it is at zero"
+
+
+def _sense(view: View, axis: np.ndarray) -> str:
+    name = _axis_name(axis)
+    if view.planar:
+        return ", counterclockwise" if name == "z" else ", clockwise"
+    return f", about {name}" if name else ""
 
 
 def trace(view: View, body: Body) -> np.ndarray | None:

@@ -6,9 +6,13 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from sympy import Symbol
 
+from mechanics.compiled.quantities import angles as angle_names
 from mechanics.equations import Line
 from mechanics.kernel import Finding, Verdict
+from mechanics.mechanism import lower
+from mechanics.program import Builder
 from mechanics.report import charts, typeset
+from mechanics.report.coordinates import coordinate_words
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
 from mechanics.routes.multipliers import multipliers_of
@@ -114,11 +118,11 @@ def shown_state(result: SystemResult) -> dict[str, float]:
 
 def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
     """Coordinates at a state, declared speeds, inputs and parameters."""
-    turning = angles(scene)
+    turning, view = angles(scene), View(scene, state)
     rows = [
         SymbolRow(
             q.name,
-            "coordinate",
+            coordinate_words(view, q),
             f"{state.get(q.name, 0.0):.4g} {_unit(scene, turning, q)}".strip().replace(
                 "-", "\u2212"
             ),
@@ -128,7 +132,7 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
     if scene.speeds:
         rows += [SymbolRow(u.name, "speed", "") for u in scene.u]
     rows += [SymbolRow(f.name, "input, a given function of time", "") for f in scene.input_symbols]
-    values = View(scene, state).values
+    values = view.values
     for parameter in scene.parameters:
         unit = readable_unit(getattr(parameter, "unit", ""))
         known = parameter in scene.definitions or getattr(parameter, "typical", None) is not None
@@ -146,12 +150,9 @@ def readable_unit(unit: str) -> str:
 
 
 def angles(scene: Scene) -> set[Symbol]:
-    """Coordinates that turn a body."""
-    turned: set[Symbol] = set()
-    for body in scene.bodies:
-        if hasattr(body, "frame"):
-            turned |= scene.rotation(body.frame).free_symbols
-    return (turned & set(scene.q)) - scene.quaternions
+    """Coordinates that are angles, as the compiled functions have them."""
+    names = angle_names(lower(scene, Builder()))
+    return {q for q in scene.q if q.name in names} - scene.quaternions
 
 
 def _unit(scene: Scene, turning: set[Symbol], coordinate: Symbol) -> str:

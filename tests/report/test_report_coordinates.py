@@ -6,11 +6,19 @@ import numpy as np
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.report.coordinates import coordinate_picture, moved, set_to, trace, turn_of
+from mechanics.report.coordinates import (
+    coordinate_picture,
+    coordinate_words,
+    moved,
+    set_to,
+    trace,
+    turn_of,
+)
 from mechanics.report.drawing import paper_for
 from mechanics.report.projection import View
+from mechanics.report.sections import symbol_rows
 from mechanics.scene import Particle, Scene, gravity, parameters, reaction
-from systems import EVERY
+from systems import EVERY, acrobot, cartpole, elastic_pendulum, spinning_top
 
 FEW = [system for system in EVERY if len(system.scene().q) <= 4]
 
@@ -68,6 +76,33 @@ def test_a_point_mass_is_a_dot_on_its_circle_and_no_block() -> None:
     circle = trace(view, view.scene.bodies[0])
     assert circle is not None
     assert np.allclose(np.hypot(*circle.T), 0.5)
+
+
+@pytest.mark.parametrize(
+    ("scene", "name", "words"),
+    [
+        (elastic_pendulum, "x", "displacement of the carriage along x"),
+        (
+            elastic_pendulum,
+            "theta",
+            "angle of the pendulum from hanging straight down, counterclockwise",
+        ),
+        # Its pole stands at zero, and leans to the right for a positive angle.
+        (cartpole, "theta", "angle of the pole from the upright, clockwise"),
+        # The second angle of the acrobot is counted from the first link.
+        (acrobot, "theta2", "angle of link2 relative to what carries it, counterclockwise"),
+        (spinning_top, "phi", "angle of the top from the direction of −y, about z"),
+    ],
+)
+def test_a_coordinate_is_explained_from_the_frames(scene, name: str, words: str) -> None:
+    declared = scene.scene()
+    (coordinate,) = (q for q in declared.q if q.name == name)
+    assert coordinate_words(View(declared, declared.example), coordinate) == words
+
+
+def test_an_angle_of_a_point_mass_is_in_rad() -> None:
+    (row,) = (row for row in symbol_rows(pendulum(), {"theta": 2.0}) if row.name == "theta")
+    assert row.value == "2 rad"
 
 
 def pendulum() -> Scene:
