@@ -8,6 +8,7 @@ import re
 from sympy import Symbol, cos, sin
 
 from mechanics.scene import Scene
+from mechanics.scene.units import rolled
 
 ANGLES = frozenset(
     ("theta", "phi", "psi", "alpha", "beta", "gamma", "vartheta", "varphi", "th", "ph", "ps")
@@ -41,7 +42,7 @@ def angular(scene: Scene) -> set[Symbol]:
         for matrix in matrices:
             for function in matrix.atoms(sin, cos):
                 found |= function.free_symbols & set(scene.q)
-    return found
+    return found - rolled(scene)
 
 
 def quantity(scene: Scene, name: str) -> str:

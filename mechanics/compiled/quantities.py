@@ -23,6 +23,7 @@ from mechanics.routes.rows import acceleration_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
+from mechanics.scene.units import rolled
 
 # Digits for the value of an expression such as pi/4: more than a double has, so that rounding
 # it once gives the nearest double.
@@ -114,7 +115,7 @@ def quantities(
     """
     known = dict(fixed or {})
     scene, mechanism = equations.scene, mechanism_of(equations)
-    turning_q = {s for s in scene.q if s.name in angles(mechanism)}
+    turning_q = {s for s in scene.q if s.name in angles(mechanism)} - rolled(scene)
 
     def motion(symbols: Iterable[Symbol], turning: set[Symbol], order: int) -> tuple[Quantity, ...]:
         per = ("", "/s", "/s^2")[order]

@@ -34,7 +34,7 @@ from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
-from mechanics.judge.small_angles import right_for_small_angles
+from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -260,9 +260,11 @@ def _helping(
         plain = all(c.kind not in ("size", "masses") for change in changes[:1] for c in change)
         words = tuple(" and ".join(c.words for c in change) for change in changes)
         return words, plain and len(changes[0]) <= 2 and determines(truth, statements)
-    if words := right_at(truth, statements) or right_for_small_angles(truth, statements, findings):
+    if words := right_at(truth, statements):
         return words, True
-    return right_where(truth, statements, findings), False
+    # What is linearized needs a word of the person's.
+    words = right_for_small_angles(truth, statements, findings)
+    return words or right_where(truth, statements, findings), False
 
 
 def _judged(
@@ -278,6 +280,7 @@ def _judged(
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
+    statements, findings = as_said(truth, statements, findings)
     if not any(map(_differs, findings)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [

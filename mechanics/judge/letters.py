@@ -113,6 +113,23 @@ def _dimension(
     return found.pop() if len(found) == 1 else None
 
 
+def has_meaning(truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]) -> bool:
+    """Whether a name on the left can mean something of the dimension of what was written.
+
+    Parameters
+    ----------
+    truth : Equations
+    letter : Letter
+    known : mapping
+        Dimensions of symbols.
+    """
+    try:
+        written = _dimension(truth, letter, known)
+    except MixedDimensions:
+        return False
+    return bool(_living(truth, letter, written, known))
+
+
 def _of_some_term(
     truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]
 ) -> str:
@@ -225,7 +242,8 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
     constant = first == "frequency"  # of what a text calls omega
     if written is None or first not in UNITS or not (moves or constant):
         return Settled(statement)
-    if first in QUANTITIES:  # has a value: what differs from it can be mended
+    if first in QUANTITIES and (letter.said or sum(map(len, LETTERS[letter.name])) == 1):
+        # What is meant is plain, and has a value: what differs from it can be mended.
         return Settled(_first(truth, statement, first))
     needed = words(dimension_of_unit(UNITS[first], first) or ())
     message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"

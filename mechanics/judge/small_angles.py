@@ -5,10 +5,13 @@ M0 a0 = f0,    M0 a1 = f1 - M1 a0                 with M(e), f(e) expanded in th
 
 An equation counts as linearized only where an angle stands by itself, or no angle stands in a sine
 or cosine, and where no two of angles, rates, sines and cosines are multiplied: else a wrong term of
-higher order would be called right.
+higher order would be called right. It is right where the text says that it is meant so; elsewhere
+it is wrong, and that is told beside.
 """
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -25,6 +28,13 @@ from mechanics.symbolic.decide import prove_zero
 
 MOST = 4
 """Speeds up to which this is looked at."""
+
+SAID = re.compile(
+    r"small[ -]+(?:angle|oscillation|amplitude|displacement|\$?\\?(?:theta|phi|alpha))"
+    r"|lineari[sz]|to first order|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
+    re.IGNORECASE,
+)
+"""What says that equations are meant to first order."""
 
 STEPS = (Piecewise, Abs, Max, Min, Mod, sign)
 
@@ -43,24 +53,68 @@ def right_for_small_angles(
     findings : sequence of Finding
         Their verdicts as written.
     """
-    scene = truth.scene
-    angles = [q for q in scene.coordinates if plain_symbol(q) in angular(scene)]
     wrong = [s for s, f in zip(statements, findings, strict=True) if not f.shown]
-    unfit = scene.constraints or scene.speeds or truth.multipliers
-    if unfit or not wrong or not angles or len(scene.u) > MOST:
+    shown = to_first_order(truth, wrong)
+    if not wrong or not all(f is not None and f.shown for f in shown):
         return ()
+    return (f"linearized about {_zero(truth.scene)} (to first order, for small angles)",)
+
+
+def as_said(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
+) -> tuple[list[Statement], list[Finding]]:
+    """What a text gives for small angles, judged to first order, and said.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    findings : sequence of Finding
+        Their verdicts as written.
+    """
+    judged, shown = list(statements), list(findings)
+    said = [
+        k for k, (s, f) in enumerate(zip(statements, findings, strict=True))
+        if f.verdict is Verdict.REFUTED and s.written is not None and SAID.search(s.written.text)
+    ]  # fmt: skip
+    for k, found in zip(said, to_first_order(truth, [judged[k] for k in said]), strict=True):
+        if found is not None and found.shown:
+            note = f"it holds to first order about {_zero(truth.scene)}, as the text says"
+            judged[k] = replace(judged[k], notes=(*judged[k].notes, note))
+            shown[k] = found
+    return judged, shown
+
+
+def _angles(scene: Scene) -> list[Expr]:
+    return [q for q in scene.coordinates if plain_symbol(q) in angular(scene)]
+
+
+def _zero(scene: Scene) -> str:
+    return ", ".join(f"{plain_symbol(q).name} = 0" for q in _angles(scene))
+
+
+def to_first_order(truth: Equations, statements: Sequence[Statement]) -> list[Finding | None]:
+    """Verdicts on equations to first order in the angles; None for what is not linearized."""
+    scene = truth.scene
+    angles = _angles(scene)
+    unfit = scene.constraints or scene.speeds or truth.multipliers
+    if unfit or not statements or not angles or len(scene.u) > MOST:
+        return [None] * len(statements)
     orders = [{plain_symbol(q, k) for q in angles} for k in range(3)]
+    small = orders[0] | orders[1]
+    found: list[Finding | None] = []
     try:
-        residuals = [_residual(scene, s) for s in wrong]
-        if not all(r is not None and _linearized(r, *orders) for r in residuals):
-            return ()
-        small = orders[0] | orders[1]
         motion = _motion(truth, small)
-        shown = all(_first_order(scene, r, small, motion) for r in residuals if r is not None)
     except (MechanicsError, ValueError):
-        return ()  # nothing to expand at angles of zero
-    names = ", ".join(f"{plain_symbol(q).name} = 0" for q in angles)
-    return (f"linearized about {names} (to first order, for small angles)",) if shown else ()
+        return [None] * len(statements)  # nothing to expand at angles of zero
+    for statement in statements:
+        try:
+            residual = _residual(scene, statement)
+            fits = residual is not None and _linearized(residual, *orders)
+            found.append(_first_order(scene, residual, small, motion) if fits else None)
+        except (MechanicsError, ValueError):
+            found.append(None)
+    return found
 
 
 def _residual(scene: Scene, statement: Statement) -> Expr | None:
@@ -100,7 +154,7 @@ def _motion(truth: Equations, small: set[Symbol]) -> tuple[Matrix, Matrix]:
 
 def _first_order(
     scene: Scene, residual: Expr, small: set[Symbol], motion: tuple[Matrix, Matrix]
-) -> bool:
+) -> Finding:
     resting, growing = motion
     scaled = _scaled(Matrix([residual]), small)[0]
     there = dict(zip(scene.ud, resting, strict=True))
@@ -108,9 +162,7 @@ def _first_order(
         (scaled.diff(a) * b for a, b in zip(scene.ud, growing, strict=True)), S.Zero
     )
     orders = [scaled.subs(E, 0).xreplace(there), total.subs(E, 0).xreplace(there)]
-    return prove_zero("to first order", orders, try_normal=False).verdict in (
-        Verdict.PROVED, Verdict.CERTIFIED,
-    )  # fmt: skip
+    return prove_zero("to first order", orders, try_normal=False)
 
 
 def _scaled(entries: Matrix, small: set[Symbol]) -> Matrix:

@@ -11,16 +11,25 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from sympy import Add, Expr, Mul, Pow, Symbol, cos, exp, sin, sympify, tan
+from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import RigidBody, inertia_entries
 from mechanics.scene.declaration import Declaration
-from mechanics.scene.geometry import components, point_path, step_vector
+from mechanics.scene.geometry import (
+    components,
+    frame_path,
+    point_path,
+    relative_rotation,
+    step_vector,
+)
 from mechanics.scene.loads import Coulomb, Damper, Force, Gravity, Spring, Torque, TorsionSpring
 from mechanics.scene.outputs import Orientation
+from mechanics.scene.symbols import plain_symbol
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 
+NONE = dimension_of_unit("1", "")
 PLAIN = (sin, cos, tan, exp)
 """Functions whose values are numbers: beside a factor with a unit they have none."""
 
@@ -119,6 +128,22 @@ def _sum(scene: Declaration, expression: Add, where: str) -> Dimension | None:
             )
         known = found or known
     return known
+
+
+def rolled(scene: Declaration) -> set[Symbol]:
+    """Lengths that turn something: a wheel turned by x/R, where the unit of R is declared."""
+    found: set[Symbol] = set()
+    for body in scene.bodies:
+        steps = [column for parent, child in pairwise(point_path(scene.origin, body.centre))
+                 for _, column in components(step_vector(parent, child))]  # fmt: skip
+        if isinstance(body, RigidBody):
+            frames = pairwise(frame_path(scene.frame, body.frame))
+            steps += [relative_rotation(parent, child) for parent, child in frames]
+        for function in set().union(*(step.atoms(sin, cos) for step in steps)):
+            for q in function.atoms(AppliedUndef) & {*scene.coordinates}:
+                unit = dimension(scene, function.args[0].diff(q), body.name)
+                found |= {plain_symbol(q)} if unit not in (None, NONE) else set()
+    return found
 
 
 def declared(scene: Declaration) -> Iterator[tuple[str, Expr, str]]:

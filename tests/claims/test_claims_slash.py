@@ -26,7 +26,7 @@ def test_the_reading_of_one_dimension_is_taken(text: str, words: str) -> None:
     (entry,) = mechanics.check(PIVOT, text, blame=False).judged
     assert entry.finding.shown
     assert [n for n in entry.statement.notes if "as it is" in n] == (
-        [f"{words}: as it is, its terms have different dimensions"] if words else []
+        [f"{words}: as it is, dimensions do not agree"] if words else []
     )
 
 

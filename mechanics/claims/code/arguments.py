@@ -3,17 +3,20 @@
 f(x, theta, x_dot, theta_dot, F)        f(q, qd, u)        f(t, state, params)        p["m"]
 """
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from sympy import Expr, Symbol
 
+from mechanics.claims.code.integrators import ELSE_NAMES, STEP
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.unpacking import Apart, Record
+from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming
+from mechanics.claims.spelled_rates import key
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
@@ -25,6 +28,9 @@ SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "speeds", 
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
 PARAMETERS = ("p", "params", "parameters", "args", "theta", "constants")
+
+SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
+"""What an angular speed is called."""
 
 MOST = 6
 """Names that a message tells."""
@@ -92,7 +98,8 @@ def arguments_of(
     values: dict[str, Value] = {}
     matches: list[Match] = []
     state: tuple[Expr, ...] = ()
-    used: set[int] = set()
+    own = {naming.symbol(n, 0) for n in names if n not in parted and naming.knows(n)}
+    used = {k for k, (_, symbols) in enumerate(groups) if symbols and own.issuperset(symbols)}
     unexplained: list[str] = []
     for name in names:
         if name in given:
@@ -109,6 +116,14 @@ def arguments_of(
             values[name], why = symbol, naming.matches([name])[0].why
         else:
             group = _group(name, sizes.get(name), groups, used)
+            if group is None and name in ELSE_NAMES:
+                group = STEP, "the time of a step: no input of this name is left", -1
+            if group is None and (speed := _speed(naming, name, own)) is not None:
+                group = (
+                    speed,
+                    f"the rate of {speed.name.removesuffix(DOTS[1])}, of the same number",
+                    -1,
+                )
             if group is None:
                 unexplained.append(name)
                 continue
@@ -224,6 +239,18 @@ def _group(
                 why = f"{why}, its order a guess: --name '{name}={order}' gives it"
             return value, why, k
     return None
+
+
+def _speed(naming: Naming, name: str, own: Container[Expr | None]) -> Symbol | None:
+    """The rate of an angle of the same number, which is an argument, too: omega1 beside theta1."""
+    part = SPEED.fullmatch(name)
+    scene = naming.vocabulary.scene
+    turning = angular(scene) if part else set()
+    found = [q for q in scene.q if q in turning and q in own]
+    if part and part["number"]:
+        found = [q for q in found if key(q.name).endswith(part["number"])]
+    rates = [Symbol(q.name + DOTS[1], real=True) for q in found]
+    return rates[0] if len(rates) == 1 and rates[0] not in own else None
 
 
 def _unexplained(naming: Naming, names: Sequence[str], apart: Mapping[str, Apart]) -> str:

@@ -49,6 +49,8 @@ DIRECTIVE = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif)\b([^\n]*)", re
 BRANCH = re.compile(r"^[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|elif|else|endif)\b", re.MULTILINE)
 DEFINED = re.compile(r"#[ \t\v]*(?:define|undef)[ \t\v]+(\w+)")
 INCLUDED = re.compile(r"^[ \t\v]*#[ \t\v]*include[ \t\v]*<math\.h>", re.MULTILINE)
+GSL = re.compile(r"^[ \t\v]*#[ \t\v]*include[ \t\v]*<gsl/\w+\.h>", re.MULTILINE)
+"""Headers of the GNU Scientific Library, of which the status that is returned is known."""
 DEFINE = re.compile(r"#[ \t\v]*define\b")
 LINKAGE = re.compile(r"[ \t]*#[ \t]*ifdef[ \t]+__cplusplus[ \t]*")
 EXTERN = re.compile(r'\s*(?:extern\s*"C"\s*\{|\})\s*#\s*endif\b')
@@ -56,16 +58,20 @@ GUARD = re.compile(r"\w*_(?:H|HPP|C|INCLUDED)_*")
 
 
 def of_the_header(text: str) -> str:
-    """The text with numbers for the constants of math.h, where it includes that and defines none.
+    """The text with numbers for the constants of headers, where it includes these and defines none.
 
     sin(2*M_PI)  ->  sin(2*3.141592653589793)       the double, which is read as any other
     """
     plain = without_comments(text)
-    if not INCLUDED.search(plain):
-        return text
+    values = {name: repr(value) for name, value in CONSTANTS.items() if INCLUDED.search(plain)}
+    if GSL.search(plain):
+        values["GSL_SUCCESS"] = "0"
+        text = GSL.sub(lambda m: " " * len(m[0]), text)
     own = {name for m in DIRECTIVE.finditer(plain) for name in re.findall(r"\w+", m[2])}
-    own |= {match[1] for match in DEFINED.finditer(plain)}
-    values = {name: repr(value) for name, value in CONSTANTS.items() if name not in own}
+    for name in own | {match[1] for match in DEFINED.finditer(plain)}:
+        values.pop(name, None)
+    if not values:
+        return text
     return re.sub(TOKEN, lambda m: values.get(m[0], m[0]), text)
 
 

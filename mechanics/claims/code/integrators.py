@@ -24,6 +24,9 @@ NAMES = (
 )  # fmt: skip
 """What code calls it."""
 
+ELSE_NAMES = ("tau", "T", "delta")
+"""What it is called where no input of the scene is left that may be meant."""
+
 DIGITS, CLOSE = 30, 1e-9
 """Relative; of numbers that propose an integrator, which is then compared exactly."""
 

@@ -69,7 +69,11 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
             rates[rate] = array
     expanded = [_expanded(line, rates, found, arrays) for line in lines]
     matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
-    return [_told(line, naming, found) for line in expanded], matches
+    every = [
+        n.name for line in expanded if isinstance(line, Line) for s in line.sides for n in names(s)
+    ]
+    once = frozenset(name for name in every if every.count(name) == 1)
+    return [_told(line, naming, found, once) for line in expanded], matches
 
 
 def _of_own(line: Entry, own: Container[str]) -> Entry:
@@ -135,7 +139,7 @@ def _meanings(
     places: dict[int, Meaning]
     why = WHY
     if said:
-        places, why = dict(said), SAID
+        places, why = _with_rates(lines, array, rate, said, coordinates, used), SAID
     elif entries := column(naming, array) if max(used) - first < size else ():
         places = {first + i: (entry, 0) for i, entry in enumerate(entries)}
     elif rate:
@@ -155,6 +159,24 @@ def _meanings(
         if rate and order_of + 1 < len(DOTS):
             found[f"{rate}{of_rate[0]}{place}{of_rate[1]}"] = base + DOTS[order_of + 1], why
     return found
+
+
+def _with_rates(
+    lines: Sequence[Entry], array: str, rate: str, said: Mapping[int, Meaning],
+    coordinates: Sequence[str], used: Container[int],
+) -> dict[int, Meaning]:  # fmt: skip
+    """What is said of entries, what their rates are, and the speed of the only coordinate left."""
+    places = dict(said)
+    for i, j in _pairs(lines, array, rate) if rate else ():
+        if i in places and j not in places:
+            base, order = places[i]
+            places[j] = base, order + 1
+    left = [place for place in range(max(places, default=0) + 2) if place in used]
+    left = [place for place in left if place not in places]
+    free = [q for q in coordinates if q not in {base for base, _ in places.values()}]
+    if rate and len(left) == len(free) == 1:
+        places[left[0]] = free[0], 1
+    return places
 
 
 def _brackets(lines: Sequence[Entry], array: str) -> str:
@@ -181,9 +203,15 @@ def _order(lines: Sequence[Entry], array: str, rate: str, size: int, first: int)
     return blocks
 
 
-def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int) -> list[tuple[int, int]]:
-    """Places i and j of ``dy(i) = y(j)``."""
+def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int = 1) -> list[tuple[int, int]]:
+    """Places i and j of ``dy(i) = y(j)``, or of ``dy(i) = v`` where v is y(j)."""
     found: list[tuple[int, int]] = []
+    own = {
+        line.sides[0].name: place
+        for line in lines
+        if isinstance(line, Line) and len(line.sides) == 2 and isinstance(line.sides[0], Name)
+        and (place := _place(line.sides[1], array)) is not None
+    }  # fmt: skip
     for line in lines:
         if not isinstance(line, Line) or len(line.sides) != 2:
             continue
@@ -197,6 +225,8 @@ def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int) -> list[tu
             places = list(range(first, first + len(cells)))
         for i, cell in zip(places, cells, strict=True):
             j = _place(cell, array)
+            if j is None and isinstance(cell, Name) and not cell.order:
+                j = own.get(cell.name)
             if i is not None and j is not None:
                 found.append((i, j))
     return found
@@ -230,7 +260,9 @@ def _expanded(
     return replace(line, sides=(column_of, Table(right.at, tuple((cell,) for cell in cells))))
 
 
-def _told(line: Entry, naming: Naming, found: Mapping[str, tuple[str, str]]) -> Entry:
+def _told(
+    line: Entry, naming: Naming, found: Mapping[str, tuple[str, str]], once: Container[str]
+) -> Entry:
     """A line that only names an entry says nothing else."""
     if not isinstance(line, Line) or len(line.sides) != 2:
         return line
@@ -239,6 +271,8 @@ def _told(line: Entry, naming: Naming, found: Mapping[str, tuple[str, str]]) -> 
             continue
         target = naming.lookup(one.name)
         order = target[1] + one.order if target is not None else len(DOTS)
+        if target is None and one.name in once and not ELEMENT.match(one.name):
+            return Aside(f"{line.source[:60]}: the name of an entry, not used", line.at)
         if target is None or order >= len(DOTS) or ELEMENT.match(one.name):
             continue
         if found[other.name] == (target[0] + DOTS[order], SAID):

@@ -18,6 +18,7 @@ from mechanics.claims.partials import partial_of
 from mechanics.claims.place import Refused
 from mechanics.claims.text.elements import element
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.side_by_side import BESIDE
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -97,17 +98,37 @@ class Nodes:
     def multiply(self, tree: Tree, at: int) -> Node:
         """A product or quotient, likewise."""
         factors: list[Node] = []
+        beside: list[Tree] = []  # with no sign, behind the next operand to the left
         pointwise = False
         while isinstance(tree, Tree) and tree.data == "multiply":
             left, sign, right = tree.children
+            tree = left
+            if sign.type == BESIDE:
+                beside.append(right)
+                continue
             if sign == "\\":
                 # MATLAB's A \ b is the inverse of A times b.
-                return Product(at, (inverse(self.node(left)), self.node(right), *factors[::-1]))
+                rest = map(self.node, (right, *beside[::-1]))
+                return Product(at, (inverse(self.node(left)), *rest, *factors[::-1]))
             pointwise = pointwise or self.arrays or "." in f"{_last(left)[-1:]}{sign}"
-            factors += self._divided(right) if "/" in sign else [self.node(right)]
-            tree = left
-        factors.append(self.node(tree))
+            if "/" in sign and beside:
+                factors += self._below(right, beside[::-1])
+            else:
+                factors += map(self.node, beside)
+                factors += self._divided(right) if "/" in sign else [self.node(right)]
+            beside = []
+        factors += map(self.node, (*beside, tree))
         return (Pointwise if pointwise else Product)(at, tuple(reversed(factors)))
+
+    def _below(self, first: Tree, beside: list[Tree]) -> list[Node]:
+        """What a slash divides by, and what stands beside it: ``a/b c`` may be a/(b c)."""
+        words = " ".join(map(_word, (first, *beside)))
+        self.slash = f"/{words} is /({words})"
+        if self.below:
+            self.notes.append(f"a/b c is read as (a/b) c: /{words}")
+            return [*map(self.node, beside[::-1]), *self._divided(first)]
+        below = [self.node(first), *map(self.node, beside)]
+        return [inverse(product(below[0].at, below))]
 
     def _divided(self, tree: Tree) -> list[Node]:
         """What a slash divides by: ``/2L`` may be 1/(2 L), or L/2."""
@@ -131,7 +152,13 @@ class Nodes:
     def power(self, tree: Tree, at: int) -> Node:
         """base ** exponent."""
         base, sign, exponent = tree.children
-        node = Power(at, self.node(base), self.node(exponent))
+        below, above = self.node(base), self.node(exponent)
+        if base.data == "call" and isinstance(below, Product):
+            # M(x + 1)^2 is M (x + 1)^2.
+            return Product(
+                at, (below.factors[0], Power(below.factors[1].at, below.factors[1], above))
+            )
+        node = Power(at, below, above)
         inverted = constant(node.exponent) == -1 and (self.arrays or "." in sign)
         return Pointwise(at, (node,)) if inverted else node
 
@@ -341,6 +368,11 @@ def _last(tree: Tree | Token) -> str:
     while isinstance(tree, Tree) and tree.children:
         tree = tree.children[-1]
     return str(tree) if isinstance(tree, Token) else ""
+
+
+def _word(tree: Tree | Token) -> str:
+    """A factor in a note."""
+    return "(...)" if isinstance(tree, Tree) and tree.data == "bracket" else _letters(tree)
 
 
 def _letters(tree: Tree | Token) -> str:

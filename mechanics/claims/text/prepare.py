@@ -15,6 +15,9 @@ COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.]")
 
+SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
+"""A comment of Modelica or C++; elsewhere two slashes divide."""
+
 HEADER = re.compile(r"^[ \t]*(?:function\b|model\b)[^\n]*(?=\n)", re.MULTILINE)
 DECLARED = re.compile(
     r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
@@ -43,7 +46,8 @@ def without_declarations(text: str) -> str:
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
-    text = COMMENT.sub(lambda m: " " * len(m[0]), text)
+    for comments in (COMMENT, SLASHES):
+        text = comments.sub(lambda m: " " * len(m[0]), text)
     text = barred(without_declarations(text))
     text = on_one_line(sentences(text))
     out = list(text)

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from lark import Tree
+from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
 from mechanics.claims.functions import FUNCTIONS
@@ -19,6 +19,7 @@ from mechanics.claims.place import Refused, bounded, bounded_mathematics, locate
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.nodes import Nodes
 from mechanics.claims.text.prepare import prepared
+from mechanics.claims.text.side_by_side import letters_of, with_products
 
 BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
 VALUE = re.compile(
@@ -88,14 +89,21 @@ def _statements(clean: str) -> Iterator[tuple[str, int]]:
 
 
 @lru_cache(maxsize=64)
-def _tree(text: str) -> Tree:
+def _tokens(text: str) -> tuple[Token, ...]:
     """A text is read again when a name in it was guessed."""
-    return PARSER.parse(text)
+    return tuple(PARSER.lex(text))
+
+
+def _tree(clean: str, text: str, naming: Naming) -> Tree:
+    parser = PARSER.parse_interactive()
+    for token in with_products(_tokens(clean), letters_of(naming, text)):
+        parser.feed_token(token)
+    return parser.feed_eof()
 
 
 def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
     try:
-        tree = _tree(clean)
+        tree = _tree(clean, text, naming)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
     found: list[Entry] = []

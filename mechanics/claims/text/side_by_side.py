@@ -1,0 +1,118 @@
+"""Factors side by side: a product sign of no width where two operands meet.
+
+    1/2 (m + M) x'^2 g    ->    1/2 . (m + M) . x'^2 . g        mgcos(a)    ->    m . g . cos(a)
+
+What stands behind a function without brackets is its argument, and stays: cos w t.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+
+from lark import Token
+
+from mechanics.claims.functions import FUNCTIONS
+from mechanics.claims.names import Naming
+
+BESIDE = "BESIDE"
+ENDS = frozenset(("NUMBER", "NAME", "RPAR", "PRIME", "SUPERSCRIPT", "CLOSING"))
+STARTS = frozenset(("NUMBER", "NAME", "LPAR", "FUNCTION", "RAISED", "OPENING"))
+ALONE = frozenset((("NAME", "LPAR"), ("PRIME", "LPAR"), ("NUMBER", "NUMBER")))
+"""f(x) is a call or a product; x'(t) is neither, and 2 3 is a misprint."""
+FREE = ("FUNCTION", "RAISED")
+OPEN, CLOSED = ("LPAR", "LSQB"), ("RPAR", "RSQB")
+WORDS = frozenset((
+    "function", "model", "end", "if", "else", "elseif", "for", "while", "return", "in", "is", "the",
+    "and", "or", "of", "let", "so", "then", "by", "at", "we", "where", "with", "begin", "import",
+    "from", "Real", "Integer", "Boolean", "parameter", "constant",
+))  # fmt: skip
+"""Of a language: what stands beside them is no factor."""
+LETTER = re.compile(r"[^\W\d_](?:_?\d{1,2})?")
+DEFINED = re.compile(r"(\w+)[ \t]*(?:\(t\)[ \t]*)?=")
+
+
+def with_products(tokens: Sequence[Token], letters: Callable[[str], list[str]]) -> list[Token]:
+    """The tokens, a `BESIDE` between operands, and runs of letters apart.
+
+    Parameters
+    ----------
+    tokens : sequence of Token
+        Of the text grammar.
+    letters : callable
+        The names that a word is made of: one, or those of a product.
+    """
+    apart = list(_apart(tokens, letters))
+    found: list[Token] = []
+    depth, free = 0, -1  # at which depth a function without brackets takes what stands beside it
+    for i, token in enumerate(apart):
+        before = apart[i - 1] if i else None
+        if before is not None and _meet(apart, i) and not (free == depth and token.type != "LPAR"):
+            at = token.start_pos
+            found.append(
+                Token(BESIDE, "", at, token.line, token.column, token.line, token.column, at)
+            )
+        if token.type in CLOSED:
+            depth -= 1
+        if depth < free or (depth == free and token.type in ("PLUS", "TIMES", "COMMA", "_EQUALS")):
+            free = -1
+        if token.type == "_END":
+            depth, free = 0, -1
+        behind = apart[i + 1].type if i + 1 < len(apart) else ""
+        if token.type in FREE and behind != "LPAR":
+            free = depth
+        depth += token.type in OPEN
+        found.append(token)
+    return found
+
+
+def _apart(tokens: Sequence[Token], letters: Callable[[str], list[str]]) -> Iterator[Token]:
+    for i, token in enumerate(tokens):
+        parts = letters(str(token)) if token.type == "NAME" else [str(token)]
+        if len(parts) < 2:
+            yield token
+            continue
+        called = i + 1 < len(tokens) and tokens[i + 1].type == "LPAR"
+        at, column = int(token.start_pos or 0), int(token.column or 1)
+        for part in parts:
+            kind = "FUNCTION" if part in FUNCTIONS and not called else "NAME"
+            end, last = at + len(part), column + len(part)
+            yield Token(kind, part, at, token.line, column, token.end_line, last, end)
+            at, column = end, last
+
+
+def _meet(tokens: Sequence[Token], i: int) -> bool:
+    """Whether a factor ends before a token, and another one begins with it."""
+    before, token = tokens[i - 1], tokens[i]
+    if before.type not in ENDS or token.type not in STARTS:
+        return False
+    if {str(before), str(token)} & WORDS:
+        return False
+    if (before.type, token.type) == ("NUMBER", "NAME"):
+        # 2x is one factor, 2 x two of them, and in x^2y no factor begins with the 2.
+        above = [t.type for t in tokens[max(i - 3, 0) : i - 1]]
+        raised = above[-1:] == ["POWER"] or above == ["POWER", "PLUS"]
+        return raised or before.end_pos != token.start_pos
+    return (before.type, token.type) not in ALONE
+
+
+def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
+    """What splits words: mgl is m g l where these are names, and the text says nothing of mgl.
+
+    Parameters
+    ----------
+    naming : Naming
+    text : str
+        What stands before an equals sign in it is a name.
+    """
+    defined = frozenset(DEFINED.findall(text))
+
+    def letters(word: str) -> list[str]:
+        if word in FUNCTIONS or word in defined or word in naming.own or naming.knows(word):
+            return [word]
+        last = next((f for f in ("sin", "cos", "tan", "sqrt") if word.endswith(f)), "")
+        parts = LETTER.findall(word.removesuffix(last))
+        whole = "".join(parts) == word.removesuffix(last) and parts
+        if not whole or not all(naming.knows(p) or p in naming.own for p in parts):
+            return [word]
+        return [*parts, last] if last else parts
+
+    return letters
