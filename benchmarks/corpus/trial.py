@@ -2,9 +2,15 @@
 
 import re
 import tempfile
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
+from random import Random
 from time import process_time
+from typing import Any
+
+from sympy import N
 
 from benchmarks.corpus.load import SUFFIXES, Case, scene_of
 from mechanics import check
@@ -12,6 +18,13 @@ from mechanics.blame.result import Edit
 from mechanics.errors import MechanicsError
 from mechanics.grading.submission import things_in
 from mechanics.report.answer.check import Check
+
+CODE = ("python", "c", "cpp", "arduino")
+CLOSE = 1e-9
+"""Relative, of values at a state."""
+
+Rows = Mapping[str, Sequence[Any]]
+"""Sides by the tag of their statement."""
 
 SIGNS = re.compile(r"^[-+]")
 SPACES = re.compile(r"\\[,;! ]|\\left|\\right|[\s{}*]|\\cdot")
@@ -42,19 +55,23 @@ class Trial:
 
 def tried(case: Case, *, with_options: bool = False) -> Trial:
     """Judge a case as a file that somebody hands in."""
+    scene_of(case.scene, case.function)
+    start = process_time()
+    try:
+        found = _checked(case, case.text, **(case.options if with_options else {}))
+    except MechanicsError as error:
+        return Trial(case, "not read", str(error), 0, process_time() - start)
+    seconds = process_time() - start
+    words = "; ".join(_words(found))
+    return Trial(case, found.verdict.name, words, _place(case, found, _mended_rows(case)), seconds)
+
+
+def _checked(case: Case, text: str, **options: Any) -> Check:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"statement{SUFFIXES[case.input]}"
-        path.write_text(case.text, encoding="utf-8")
-        scene = scene_of(case.scene, case.function)
-        start = process_time()
-        try:
-            things = things_in(path, run_python=True)
-            found = check(scene, things, **(case.options if with_options else {}))
-        except MechanicsError as error:
-            return Trial(case, "not read", str(error), 0, process_time() - start)
-        seconds = process_time() - start
-    words = "; ".join(_words(found))
-    return Trial(case, found.verdict.name, words, _place(case, found), seconds)
+        path.write_text(text, encoding="utf-8")
+        things = things_in(path, run_python=True)
+        return check(scene_of(case.scene, case.function), things, **options)
 
 
 def _words(found: Check) -> list[str]:
@@ -66,17 +83,24 @@ def _words(found: Check) -> list[str]:
     ]
 
 
-def _place(case: Case, found: Check) -> int:
+def _place(case: Case, found: Check, mended: Rows) -> int:
     """Where among the repairs of a statement the true mistake is named.
 
-    An edit names it where it stands at the mistake, or puts there what it has to be.
+    An edit names it where it stands at the mistake, or puts there what it has to be. Code is told
+    as a formula, in which nothing stands where it stood: there an edit names it that is no larger,
+    and makes of the formula what the true change makes of it.
     """
     places = [0]
     for entry in found.told if not case.right else ():
         if entry.of_dimension:
             places.append(1)
+        source, tag = entry.statement.source, entry.statement.tag
         for place, repair in enumerate(entry.blame.repairs if entry.blame else (), start=1):
-            if any(_names(case, entry.statement.source, edit) for edit in repair.edits):
+            same = repair.row is not None and _same(repair.row.sides, mended.get(tag))
+            small = same and sum(_size(e.written, e.right) for e in repair.edits) <= 2 + _size(
+                case.written, case.mended
+            )
+            if small or any(_names(case, source, edit) for edit in repair.edits):
                 places.append(place)
                 break
     return min((place for place in places if place), default=0)
@@ -89,11 +113,52 @@ def _names(case: Case, source: str, edit: Edit) -> bool:
         return True
     if mended and not written:
         return SIGNS.sub("", other) in mended and bool(other)
-    flat = " ".join(source.split())
-    at = flat.find(" ".join(case.written.split())) if case.written else -1
-    if edit.span is not None and at >= 0:
-        return edit.span[0] < at + len(case.written) and at < edit.span[1]
+    if edit.span is not None and written in plain(source):
+        before, inside = plain(source[: edit.span[0]]), plain(source[: edit.span[1]])
+        return _meets(plain(source), written, len(before), len(inside))
+    if edit.definition and one in plain(case.text):
+        at = plain(case.text).find(one)
+        return bool(written) and _meets(plain(case.text), written, at, at + len(one))
     return bool(written) and (written in one or mended in other) and len(one) < 2 * len(written) + 9
+
+
+def _meets(text: str, part: str, start: int, end: int) -> bool:
+    """Whether a part of a text stands in a span, or beside it: a sign stands before its term."""
+    places = [m.start() for m in re.finditer(f"(?={re.escape(part)})", text)]
+    return any(start <= at + len(part) and at <= end for at in places)
+
+
+def _mended_rows(case: Case) -> Rows:
+    """What code would say without its mistake, by the tags of its statements."""
+    if case.right or case.input not in CODE:
+        return {}
+    found = _checked(case, case.text.replace(case.written, case.mended, 1), blame=False)
+    return {e.statement.tag: e.statement.row.sides for e in found.judged if e.statement.row}
+
+
+def _same(sides: Sequence[Any], others: Sequence[Any] | None) -> bool:
+    """Whether sides have the same values at some state."""
+    if others is None or len(sides) != len(others):
+        return False
+    source = Random(0)
+    symbols = sorted(set().union(*(e.free_symbols for e in (*sides, *others))), key=str)
+    state = {symbol: source.uniform(0.5, 1) for symbol in symbols}
+    values = [(N(a.subs(state)), N(b.subs(state))) for a, b in zip(sides, others, strict=True)]
+    return all(abs(a - b) < CLOSE * (1 + abs(a)) for a, b in values)
+
+
+def _size(one: str, other: str) -> int:
+    """How many characters a change exchanges, without what both begin and end with."""
+    one, other = plain(one), plain(other)
+    start = _alike(one, other)
+    one, other = one[start:], other[start:]
+    return max(len(one), len(other)) - _alike(one[::-1], other[::-1])
+
+
+def _alike(one: str, other: str) -> int:
+    """With how many equal characters two texts begin."""
+    pairs = takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False))
+    return sum(1 for _ in pairs)
 
 
 def plain(text: str) -> str:

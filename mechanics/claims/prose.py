@@ -24,7 +24,10 @@ NOUNS: tuple[tuple[str, str], ...] = (
 """Nouns, and the word for what they mean."""
 
 _ANY = "|".join(nouns for nouns, _ in NOUNS)
-_BEFORE = rf"(?P<noun>{_ANY})(?: (?:in|of|on|about) (?:the )?[\w$-]+){{0,2}}(?: is| as)?[ ,:]*(?:\$|\\\()?\s*"
+_BEFORE = (
+    rf"(?P<noun>{_ANY})(?: (?:in|of|on|about) (?:the )?[\w$-]+){{0,2}}(?: is| as)?[ ,:]*"
+    r"(?:\$|\\\()?\s*"
+)
 _AFTER = (
     r"\s*(?:\$|\\\))?\s*(?:is|be|denotes|for|,|:|being|means)\s+(?:the|its|a)?\s*"
     rf"(?:[a-z]+ ){{0,2}}?(?P<noun>{_ANY})\b"

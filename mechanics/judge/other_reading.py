@@ -55,8 +55,10 @@ def of_one_dimension(truth: Equations, statement: Statement) -> Statement:
             meant = _row(truth, row, written, sides, statement.letter)
         except (Refused, InputError, SceneError, ExpressionError):
             continue  # it cannot be read so
-        letter = meant and statement.letter and replace(statement.letter, sides=meant.sides)
-        if meant is not None and _agree(truth, meant, letter, known):
+        if meant is None:
+            continue
+        letter = statement.letter and replace(statement.letter, sides=meant.sides)
+        if _agree(truth, meant, letter, known):
             note = f"{words.partition(': ')[0]}: as it is, dimensions do not agree"
             new = replace(written, sides=sides)
             notes = (*statement.notes, note)

@@ -164,7 +164,10 @@ def test_prose_says_what_a_letter_is(text: str, verdict: tuple[Verdict, ...]) ->
         ("theta'' = g/l*sin(theta)", Verdict.UNDECIDED),
         ("theta'' = g/l*sin(theta)\nV = -m*g*l*cos(theta)", Verdict.REFUTED),
         ("theta'' = -g/(2*l)*sin(theta)", Verdict.REFUTED),
-        ("theta'' = -g/l*theta", Verdict.UNDECIDED),
+        ("theta'' = -g/l*theta", Verdict.REFUTED),
+        (r"For small angles $\ddot\theta = -\frac gl\theta$.", Verdict.PROVED),
+        (r"For small angles $\ddot\theta = -\frac{2g}{l}\theta$.", Verdict.REFUTED),
+        (r"For small oscillations $\ddot\theta = -\frac gl\theta^2$.", Verdict.REFUTED),
         ("theta'' = g/l*theta", Verdict.REFUTED),
     ],
 )

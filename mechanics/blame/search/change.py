@@ -64,8 +64,9 @@ class Change:
 
 
 def size_of(ratio: Fraction) -> float:
-    """How unlikely a number is: its digits, from 0 for one."""
-    return (abs(ratio.numerator) * ratio.denominator).bit_length() * HINT / 4
+    """How unlikely a number is: its digits, from 0 for one; a whole one is likelier."""
+    digits = (abs(ratio.numerator) * ratio.denominator).bit_length()
+    return (digits + (ratio.denominator > 1) / 2) * HINT / 4
 
 
 def minus(node: Node) -> Node:

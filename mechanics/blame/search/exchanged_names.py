@@ -1,4 +1,6 @@
-"""Two names that are exchanged wherever they stand: A for C and C for A, theta_1 for theta_2.
+"""Two names that are exchanged wherever they stand, or within one sum: A for C and C for A.
+
+    A x'' + C y'' -> C x'' + A y''        (C sin^2 + A cos^2) x' -> (A sin^2 + C cos^2) x'
 
 The edits are put in together, and the statement is valued anew.
 """
@@ -8,11 +10,12 @@ from dataclasses import replace
 from itertools import combinations, islice
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import HINT, TOKEN, Change
+from mechanics.blame.search.change import HINT, SECOND, TOKEN, Change
 from mechanics.blame.search.claim import edited_claim, posed
 from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.syntax_tree import Forest
 from mechanics.blame.search.words import Word
-from mechanics.claims.tree import Name
+from mechanics.claims.tree import Name, Sum
 from mechanics.kernel.field import Inadmissible
 
 MOST = 12
@@ -22,7 +25,7 @@ MOST = 12
 def exchanged(growth: Growth) -> list[tuple[Change, ...]]:
     """Edits that exchange two names of one kind, and make the statement right."""
     pairs = islice(_pairs(growth), MOST)
-    found = [changes for one, other in pairs if (changes := _changes(growth, one, other))]
+    found = [changes for one, other in pairs for changes in _changes(growth, one, other)]
     return [changes for changes in found if _mends(growth, changes)]
 
 
@@ -35,8 +38,8 @@ def _pairs(growth: Growth) -> Iterator[tuple[Word, Word]]:
             yield one, other
 
 
-def _changes(growth: Growth, one: Word, other: Word) -> tuple[Change, ...]:
-    """One edit for each place: a name with its dots."""
+def _changes(growth: Growth, one: Word, other: Word) -> Iterator[tuple[Change, ...]]:
+    """One edit for each place, of all and of those in a sum: a name with its dots."""
     forest = growth.problem.forest
     turned = {one.name.name: other.name.name, other.name.name: one.name.name}
     places = [
@@ -45,14 +48,29 @@ def _changes(growth: Growth, one: Word, other: Word) -> tuple[Change, ...]:
         if isinstance(node, Name) and node.name in turned and forest.written(index)
         and forest.copies[forest.place[index]][0] == index
     ]  # fmt: skip
-    if len(places) < 2 or any(forest.kids[index] for index, _ in places):
-        return ()
-    cost = 2 * TOKEN / len(places) + HINT
-    zero = (0,) * len(growth.problem.sheets)  # they are valued all together
-    return tuple(
-        Change(index, replace(node, name=turned[node.name]), Mistake.SYMBOL, cost, index, zero)
-        for index, node in places
-    )
+    if any(forest.kids[index] for index, _ in places):
+        return
+    sums = [
+        i for i, node in enumerate(forest.nodes) if isinstance(node, Sum) and forest.parent[i] > 0
+    ]
+    inside = [tuple(p for p in places if _below(forest, p[0], i)) for i in sums[:MOST]]
+    for group in dict.fromkeys((tuple(places), *inside)):
+        both = len({node.name for _, node in group}) == 2
+        if both or (group == tuple(places) and len(group) > 1):
+            cost = (TOKEN + SECOND + HINT) / len(group)
+            zero = (0,) * len(growth.problem.sheets)  # they are valued all together
+            yield tuple(
+                Change(
+                    index, replace(node, name=turned[node.name]), Mistake.SYMBOL, cost, index, zero
+                )
+                for index, node in group
+            )
+
+
+def _below(forest: Forest, index: int, above: int) -> bool:
+    while index > above:
+        index = forest.parent[index]
+    return index == above
 
 
 def _mends(growth: Growth, changes: tuple[Change, ...]) -> bool:

@@ -14,7 +14,7 @@ from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.edit_and_term import Both
 from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.exchanged_names import exchanged
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Growth, growing
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.probabilistic_check import Problem
@@ -55,12 +55,15 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
     singles = [change for change in changes if problem.mends(change)]
     yield _sorted(problem, [(change,) for change in (*singles, *numbers(problem))])
+    if (elsewhere := growing(claim, problem, words)) is not problem:
+        problem, words = elsewhere, words_of(claim, elsewhere)
+        changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
     growth = Growth(claim, problem, words)
+    yield _sorted(problem, exchanged(growth))
     lacking = Missing(growth).changes()
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
-    yield _sorted(problem, exchanged(growth))
     yield _sorted(problem, signs(problem))
     many = Several(growth, changes)
     yield _sorted(problem, many.pairs())

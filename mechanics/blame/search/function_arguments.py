@@ -98,10 +98,11 @@ class Inside:
             first = 2 * HINT if part is around.terms[0] else 0.0
             yield index, minus(part), Mistake.SIGN, TOKEN + first
             yield index, None, Mistake.EXTRA, DROPPED
-        elif isinstance(around, Call) and not isinstance(part, Number):
+        if isinstance(around, Call | Sum) and not isinstance(part, Number):
             for ratio in (Fraction(2), Fraction(1, 2)):
                 scaled = times(Number(0, ratio), part)
                 yield index, scaled, Mistake.FACTOR, TOKEN + SECOND
+        if isinstance(around, Call) and not isinstance(part, Number):
             for word in self.words.symbols:
                 if word.kind == "time":  # cos(omega) for cos(omega t)
                     yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND

@@ -10,7 +10,8 @@ from sympy import Symbol
 
 from mechanics.blame.search.claim import ALONG, Claim, posed
 from mechanics.blame.search.factors import Factor, factors
-from mechanics.blame.search.inverse_evaluation import sheet_of
+from mechanics.blame.search.inverse_evaluation import Sheet, sheet_of
+from mechanics.blame.search.point import Point
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
 from mechanics.claims.kinds import angular
@@ -38,16 +39,20 @@ class Growth:
     @cached_property
     def problems(self) -> dict[Symbol | None, Problem]:
         """The problem, by None, and as it is where a symbol is doubled; empty without points."""
-        scene = self.claim.truth.scene
-        fixed = {*angular(scene), *self._following}
         found: dict[Symbol | None, Problem] = {None: self.problem}
-        for word in self.words.symbols:
-            if word.symbol not in fixed and word.kind != "momentum":
-                doubled = self._doubled(word.symbol)
-                if doubled is None:
-                    return {}
-                found[word.symbol] = doubled
+        for symbol in self.symbols:
+            doubled = self._doubled(symbol)
+            if doubled is None:
+                return {}
+            found[symbol] = doubled
         return found
+
+    @property
+    def symbols(self) -> list[Symbol]:
+        """What is doubled."""
+        fixed = {*angular(self.claim.truth.scene), *self._following}
+        words = (w for w in self.words.symbols if w.kind != "momentum")
+        return [word.symbol for word in words if word.symbol not in fixed]
 
     @property
     def _moving(self) -> bool:
@@ -97,6 +102,29 @@ class Growth:
         except (Inadmissible, Refused):
             return None
         return Growth(claim, problem, words_at(self.words, problem))
+
+
+def growing(claim: Claim, problem: Problem, words: Words) -> Problem:
+    """The problem at points that have a value where any one quantity is doubled, too.
+
+    A root of 1 + 4 a^2 x^2 has one in a field at half of all points.
+    """
+    growth = Growth(claim, problem, words)
+    if growth.problems:
+        return problem
+    families = [sheet.point.family for sheet in problem.sheets]
+    doubled = [replace(f, doubled=(*f.doubled, s)) for f in families for s in growth.symbols]
+    builder = problem.sheets[0].builder
+
+    def sheets(points: list[Point]) -> tuple[Sheet, ...]:
+        kept = points[: len(families)]
+        return tuple(sheet_of(problem.forest, p, builder, problem.target(p)) for p in kept)
+
+    try:
+        found = claim.reference.points.together([*families, *doubled], sheets)
+    except Inadmissible:
+        return problem
+    return replace(problem, sheets=found)
 
 
 def words_at(words: Words, problem: Problem) -> Words:

@@ -102,7 +102,8 @@ class Tokens:
             value = node.value * ratio
             found = scaled(self.make.sheets, index, ratio)
             number = None if value == 1 and isinstance(around, Product) else Number(node.at, value)
-            yield self.make.change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
+            cost = TOKEN + size_of(value) + (SECOND if number is None else 0.0)
+            yield self.make.change(index, number, Mistake.FACTOR, cost, found)
         for word in self.make.words.symbols:
             if word.kind not in MOTION:
                 # 9.81 for g
@@ -129,6 +130,11 @@ class Tokens:
             new = raised(node.base, other) if other else Number(node.at, Fraction(1))
             far = HINT * abs(other - exponent)
             yield self.make.change(index, new, Mistake.POWER, TOKEN + far, values)
+        if exponent == 2:  # a resistance turns with the speed
+            turning = Product(node.at, (Call(node.at, "abs", (node.base,)), node.base))
+            worths = worth(self.make.sheets, turning)
+            if worths is not None:
+                yield self.make.change(index, turning, Mistake.POWER, TOKEN + SECOND, worths)
         yield from self._split(index, node, base, exponent)
 
     def _split(self, index: int, node: Power, base: int, exponent: int) -> Iterator[Change]:

@@ -18,6 +18,8 @@ from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
 
 TRIGONOMETRIC = ("sin", "cos", "tan")
+INVERTED = {"tan": "cot", "cot": "tan", "sec": "csc", "csc": "sec"}
+"""What is exchanged besides."""
 
 LARGE = 400
 """Nodes beyond which only symbols that were written are put in place of others."""
@@ -108,13 +110,10 @@ class Words:
 
     def functions(self, call: Call) -> list[Node]:
         """The same argument under another function."""
-        if call.function not in TRIGONOMETRIC:
-            return []
-        return [
-            Call(call.at, other, call.arguments)
-            for other in TRIGONOMETRIC
-            if other != call.function
-        ]
+        others = [INVERTED[call.function]] if call.function in INVERTED else []
+        others += [other for other in TRIGONOMETRIC if call.function in TRIGONOMETRIC]
+        names = dict.fromkeys(other for other in others if other != call.function)
+        return [Call(call.at, other, call.arguments) for other in names]
 
     def calls(self, call: Call) -> Iterator[tuple[Node, tuple[int, ...]]]:
         """Sines and cosines of what stands in this one, and of every coordinate."""
