@@ -167,9 +167,11 @@ def _repairs(
             if smallest is not None and cost > smallest + EQUALLY:
                 continue
             made = edited_row(claim, group)
+            if made is None:
+                continue
             # The same may be put right in the statement, or in a definition of the person's.
-            key = (made[0].sides, _homes(group)) if made is not None else ()
-            if made is None or key in seen:
+            key = (made[0].sides, () if claim.written.places else _homes(group))
+            if key in seen:
                 continue
             seen.add(key)
             tried += 1

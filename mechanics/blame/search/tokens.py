@@ -102,8 +102,7 @@ class Tokens:
             value = node.value * ratio
             found = scaled(self.make.sheets, index, ratio)
             number = None if value == 1 and isinstance(around, Product) else Number(node.at, value)
-            cost = TOKEN + size_of(value) + (SECOND if number is None else 0.0)
-            yield self.make.change(index, number, Mistake.FACTOR, cost, found)
+            yield self.make.change(index, number, Mistake.FACTOR, TOKEN + size_of(value), found)
         for word in self.make.words.symbols:
             if word.kind not in MOTION:
                 # 9.81 for g
