@@ -19,7 +19,8 @@ from mechanics.report.drawing import HEIGHT, WIDTH, directions, few_of, paper_fo
 from mechanics.report.projection import View
 from mechanics.scene import Scene
 
-FRAMES_A_SECOND = 24
+SMOOTH, COARSE = 24, 10
+"""Samples a second of a file, and of a page with much else on it."""
 FEWEST, MOST = 24, 240
 """Samples of a motion that are drawn."""
 POSES = 5
@@ -40,26 +41,43 @@ def animation(
     coordinates : mapping of str to array, shape (N,)
         By plain name.
     """
+    sheet = f'<rect class="sheet" width="{WIDTH:.0f}" height="{HEIGHT:.0f}" rx="6"/>'
+    inner = f"<style>{_style()}</style>{sheet}"
+    return moving_picture(scene, times, coordinates, SMOOTH, inner, XMLNS) + "\n"
+
+
+XMLNS = ' xmlns="http://www.w3.org/2000/svg"'
+
+
+def moving_picture(
+    scene: Scene,
+    times: NDArray[np.float64],
+    coordinates: Mapping[str, NDArray[np.float64]],
+    rate: float = COARSE,
+    before: str = "",
+    attributes: str = "",
+) -> str:
+    """A motion as an SVG element of a page that has the colours of drawings.
+
+    `rate` is how many samples a second are drawn; `before` stands under the picture.
+    """
     duration = float(times[-1])
-    count = int(np.clip(FRAMES_A_SECOND * duration, FEWEST, MOST)) + 1
-    moments = np.linspace(0, duration, count)
+    count = int(np.clip(rate * duration, FEWEST, MOST)) + 1
+    first = View(scene, {})
     views = [
-        View(scene, {name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
-        for t in moments
+        first.at({name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
+        for t in np.linspace(0, duration, count)
     ]
     paper = paper_for(views)
     asides = [aside_of(views[0], paper, q) for q in few_of(scene)]
     frames = [picture(view, paper, asides) for view in views]
-    everything = [part for frame in frames for part in frame]
-    corner = directions(views[0], paper, everything)
+    corner = directions(views[0], paper, [part for frame in frames for part in frame])
     moving = "".join(_moving(part, duration) for part in zip(*frames, strict=True))
     title = escape(f"{scene.name} in motion, {duration:.3g} s")
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="drawing"'
-        f' viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img" aria-label="{title}">'
-        f"<title>{title}</title><style>{_style()}</style>"
-        f'<rect class="sheet" width="{WIDTH:.0f}" height="{HEIGHT:.0f}" rx="6"/>'
-        f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(frames)}</g></svg>\n'
+        f'<svg{attributes} class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
+        f' aria-label="{title}"><title>{title}</title>{before}'
+        f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(frames)}</g></svg>'
     )
 
 
@@ -129,8 +147,7 @@ def _style() -> str:
         (
             f":root {{{light}}} @media (prefers-color-scheme: dark) {{ :root {{{dark}}} }}",
             *(" ".join(rule.split()) for rule in rules),
-            ".sheet { fill: var(--sheet); } .still { display: none; }"
-            " @media (prefers-reduced-motion: reduce), print"
-            " { .moving { display: none; } .still { display: inline; } }",
+            ".sheet { fill: var(--sheet); } @media (prefers-reduced-motion: reduce), print"
+            " { .moving { display: none; } .drawing .still { display: inline; } }",
         )
     )

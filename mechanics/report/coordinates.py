@@ -70,7 +70,7 @@ def _turned(view: View, body: Body, coordinate: Symbol) -> bool:
 
 def set_to(view: View, coordinate: Symbol, value: float) -> View:
     """The scene with another value of one coordinate."""
-    return View(view.scene, {**view.state, coordinate.name: value})
+    return view.at({**view.state, coordinate.name: value})
 
 
 def turn_of(view: View, body: Body, coordinate: Symbol) -> Turn | None:
@@ -227,7 +227,7 @@ def coordinate_words(view: View, coordinate: Symbol) -> str:
     if coordinate in view.scene.quaternions or body is None:
         return "coordinate"
     turn = turn_of(view, body, coordinate)
-    other = View(view.scene, {q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
+    other = view.at({q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
     if turn is None:
         along, elsewhere = (_way(at, body, coordinate) for at in (view, other))
         fixed = np.allclose(along, elsewhere, atol=1e-9)

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from markupsafe import Markup
 
 from mechanics.report import words
-from mechanics.report.drawing import drawing
+from mechanics.report.animation import moving_picture
+from mechanics.report.drawing import drawing, few_of
 from mechanics.report.environment import environment
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
@@ -64,5 +65,15 @@ def _section(number: int, result: SystemResult) -> Section:
         others=[finding for finding in others if finding.shown],
         witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
+        moving=_moving(result),
         charts=motion_charts(result),
     )
+
+
+def _moving(result: SystemResult) -> Markup:
+    """The scene as it moves, where there is a motion and its coordinates are drawn."""
+    motion = result.motion
+    if motion is None or not few_of(result.scene):
+        return Markup("")
+    coordinates = {q.name: motion.columns[q.name] for q in result.scene.q}
+    return Markup(moving_picture(result.scene, motion.columns["t"], coordinates))

@@ -33,16 +33,28 @@ class View:
     scene : Scene
     state : mapping of str to float
         Values by plain name; what is missing is 0 for coordinates and speeds.
+    known : mapping of Symbol to float, optional
+        Parameters, where another view of the scene has them already, see `at`.
     """
 
     scene: Scene
     state: Mapping[str, float]
+    known: Mapping[Symbol, float] | None = None
+
+    def at(self, state: Mapping[str, float]) -> "View":
+        """The scene at another state."""
+        return View(self.scene, state, self.constants)
+
+    @cached_property
+    def constants(self) -> Mapping[Symbol, float]:
+        """A number for every parameter."""
+        return self.known or {symbol: self._constant(symbol) for symbol in self.scene.parameters}
 
     @cached_property
     def values(self) -> dict[Symbol, float]:
         """A number for every symbol of the scene."""
         scene = self.scene
-        table = {symbol: self._constant(symbol) for symbol in scene.parameters}
+        table = dict(self.constants)
         table |= {symbol: UNKNOWN for symbol in scene.input_symbols}
         for symbol in (*scene.q, *scene.qd, *scene.u, *scene.ud):
             table[symbol] = float(self.state.get(symbol.name, 0.0))

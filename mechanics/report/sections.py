@@ -104,6 +104,7 @@ class Section:
     others: list[Finding]
     witnesses: list[Finding]
     residuals: list[ResidualRow]
+    moving: Markup
     charts: list[Chart]
 
 
