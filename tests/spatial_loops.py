@@ -1,4 +1,4 @@
-"""Closed loops in space, made of joints: Bricard's mechanism, and Stewart's platform."""
+"""Closed loops in space, made of joints: a four-bar, Bricard's mechanism, Stewart's platform."""
 
 from sympy import Expr, Rational
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
@@ -29,6 +29,35 @@ def _cross(a: tuple, b: tuple) -> tuple:
 
 def _vector(entries: tuple, frame: ReferenceFrame) -> Expr:
     return sum((x * e for x, e in zip(entries, frame, strict=True)), 0)
+
+
+def four_bar() -> Scene:
+    """Crank and rocker turn about axes across each other; a Cardan joint and a ball hold the rod.
+
+    It is closed where all angles are 0.
+    """
+    m, g, A, B = parameters("m g A B", typical="1 9.81 0.1 0.2")
+    N, O = ReferenceFrame("N"), Point("O")
+    q1, q2, q3, q4 = dynamicsymbols("q1:5")
+    crank = pin("crank_pin", None, "crank", at=O, axis=N.z, angle=q1)
+    end = O.locatenew("E", crank.frame.x)
+    rod = universal("cross", "crank", "rod", at=end, frame=crank.frame, axes="yz", angles=(q2, q3))
+    post = O.locatenew("G", 4 * N.x + 2 * N.z)
+    rocker = pin("rocker_pin", None, "rocker", at=post, axis=N.y, angle=q4)
+    # From E to H along x, by 3; from G down to H, by 2.
+    tip = rod.point.locatenew("T", 3 * rod.frame.x)
+    hung = post.locatenew("H", -2 * rocker.frame.z)
+    close = ball("close", "rod", "rocker", at=tip, frame=rod.frame, onto=hung)
+    bodies = tuple(
+        RigidBody(name, start.locatenew(f"C{name}", half), frame, m, inertia(frame, A, B, B))
+        for name, start, half, frame in (
+            ("crank", O, crank.frame.x / 2, crank.frame),
+            ("rod", end, 3 * rod.frame.x / 2, rod.frame),
+            ("rocker", post, -rocker.frame.z, rocker.frame),
+        )
+    )
+    return Scene("four-bar in space", N, O, bodies=bodies, joints=(crank, rod, rocker, close),
+                 loads=(gravity(-g * N.z),))  # fmt: skip
 
 
 def bricard() -> Scene:

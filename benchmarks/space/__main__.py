@@ -4,7 +4,8 @@
     python -m benchmarks.space --only "arm of 7" --json -
 
 Four routes are derived as programs and all pairs decided, each scene in a process of its own;
-processor times in seconds, imports aside. Growth is the exponent from 10 to 50 bodies of a tree.
+processor times in seconds, imports aside. Growth is the exponent from 10 to 50 bodies of a tree,
+and from 10 to 40 loops. What does not keep its limit is listed.
 Operations are counted after sharing, those that depend on parameters only apart. Prints Markdown.
 """
 
@@ -35,9 +36,18 @@ def seconds(found: dict) -> float:
 
 def growth(table: dict[str, dict]) -> float | None:
     """Exponent of the time from 10 to 50 bodies."""
-    if SMALL not in table or LARGE not in table:
+    return _exponent(table, SMALL, LARGE, 5)
+
+
+def loop_growth(table: dict[str, dict]) -> float | None:
+    """Exponent of the time from 10 to 40 loops."""
+    return _exponent(table, "10 four-bars", "40 four-bars", 4)
+
+
+def _exponent(table: dict[str, dict], small: str, large: str, factor: int) -> float | None:
+    if small not in table or large not in table:
         return None
-    return math.log(seconds(table[LARGE]) / seconds(table[SMALL])) / math.log(5)
+    return math.log(seconds(table[large]) / seconds(table[small])) / math.log(factor)
 
 
 def times(table: dict[str, dict]) -> str:
@@ -74,6 +84,34 @@ def counts(rows: list[dict]) -> str:
     return "\n".join(lines)
 
 
+def missed(table: dict[str, dict]) -> str:
+    """Limits of time and memory that were not kept."""
+    limits = {limit.name: limit for limit in LIMITS}
+    found = []
+    for name, row in table.items():
+        limit = limits[name]
+        if limit.seconds is not None and seconds(row) > limit.seconds:
+            most = max(("lower", "derive", "decide"), key=row.__getitem__)
+            found.append(f"{name}: {seconds(row):.2f} s of {limit.seconds} s, most of it to {most}")
+        if limit.megabytes is not None and row["megabytes"] > limit.megabytes:
+            found.append(f"{name}: {row['megabytes']} MB of {limit.megabytes} MB")
+        open_pairs = [pair for pair, verdict in row["verdicts"].items()
+                      if verdict not in ("PROVED", "CERTIFIED")]  # fmt: skip
+        found += [f"{name}: {pair} is {row['verdicts'][pair]}" for pair in open_pairs]
+    return (
+        "Not reached:\n" + "\n".join(f"- {line}" for line in found)
+        if found
+        else ("All limits of time and memory are kept, and all pairs are shown.")
+    )
+
+
+def constrained_rows(rows: list[dict]) -> str:
+    lines = ["| loops and rolling: forward dynamics with multipliers | operations | goal |",
+             "|---|---|---|"]  # fmt: skip
+    lines += [f"| {row['scene']} | {row['operations']} | {row['goal'] or '-'} |" for row in rows]
+    return "\n".join(lines)
+
+
 def factors(rows: list[dict]) -> str:
     lines = [
         "| scene | inverse dynamics | its Jacobians by q and u | ratio |", "|---|---|---|---|"
@@ -97,13 +135,17 @@ def main() -> None:
         (limit,) = (limit for limit in LIMITS if limit.name == given.one)
         print(json.dumps(derivation(limit.make)))
         return
+    # Compilers are imported here, so that the processes of scenes do not hold them.
+    from benchmarks.space.constrained import constrained
+
     table = {
         limit.name: in_process(limit)
         for limit in LIMITS
         if given.only is None or limit.name in given.only
     }
     whole = {
-        "times": table, "growth": growth(table), "operations": costs(), "ratios": ratios()
+        "times": table, "growth": growth(table), "loops": loop_growth(table),
+        "operations": costs(), "constrained": constrained(), "ratios": ratios()
     }  # fmt: skip
     if given.json:
         text = json.dumps(whole, indent=2)
@@ -115,7 +157,11 @@ def main() -> None:
     print(times(table))
     if whole["growth"] is not None:
         print(f"\nGrowth from 10 to 50 bodies: n^{whole['growth']:.2f}")
+    if whole["loops"] is not None:
+        print(f"\nGrowth from 10 to 40 loops: n^{whole['loops']:.2f}")
+    print("\n" + missed(table))
     print("\n" + counts(whole["operations"]))
+    print("\n" + constrained_rows(whole["constrained"]))
     print("\n" + factors(whole["ratios"]))
 
 

@@ -11,12 +11,13 @@ from time import process_time
 from sympy import Rational
 
 from benchmarks.space import scenes
+from benchmarks.space.branches import crossed
 from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.routes import free_body, kane, lagrange, moving_point
 from mechanics.scene import Scene
-from systems import andrews, bicycle, four_bar_chain, rolling_disc
+from systems import andrews, bicycle, four_bar, four_bar_chain, rolling_disc
 
 ROUTES = (free_body, moving_point, kane, lagrange)
 
@@ -29,6 +30,11 @@ def distinct(which: str, k: int) -> Rational:
         "ground": (105, 4, 1, 2),
     }[which]
     return Rational(base + (factor * k + offset) % 7 * size, 100)
+
+
+def near_crossing(which: str, k: int) -> Rational:
+    """Distinct lengths, couplers and grounds about twice as long: some loops may be crossed."""
+    return (distinct(which, k) - 1) / 10 + (1 if which == "crank" else 2)
 
 
 @dataclass(frozen=True)
@@ -53,9 +59,14 @@ LIMITS = (
     Limit("pendulum_chain 20", lambda: scenes.chain(20), 2, 1000),
     Limit("pendulum_chain 50", lambda: scenes.chain(50), 10, 1000),
     Limit("pendulum_chain 100", lambda: scenes.chain(100), 40, 1000),
+    Limit("four-bar linkage", four_bar.scene),
+    Limit("1 four-bar", lambda: four_bar_chain.scene(1)),
+    Limit("2 four-bars", lambda: four_bar_chain.scene(2)),
+    Limit("5 four-bars", lambda: four_bar_chain.scene(5)),
     Limit("10 four-bars", lambda: four_bar_chain.scene(10)),
     Limit("40 four-bars", lambda: four_bar_chain.scene(40), 5),
     Limit("40 four-bars, distinct numbers", lambda: four_bar_chain.scene(40, distinct), 5),
+    Limit("40 four-bars, some crossed", lambda: crossed(40, near_crossing), 5),
     Limit("Andrews' mechanism", andrews.scene, 2),
     Limit("rolling disc", rolling_disc.scene),
     Limit("bicycle", bicycle.scene),

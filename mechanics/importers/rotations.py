@@ -15,6 +15,7 @@ from fractions import Fraction
 
 from sympy import Expr, ImmutableMatrix, Integer, Matrix, Rational, cos, eye, pi, sin, tan
 
+from mechanics.scene.rotations import Rotation
 from mechanics.symbolic import canonical
 
 DIGITS = 20
@@ -49,10 +50,7 @@ def roll_pitch_yaw(angles: Sequence[Expr]) -> ImmutableMatrix:
 
 def euler_rodrigues(quaternion: Sequence[Rational]) -> ImmutableMatrix:
     """Equation (1), of a rational quaternion of any length but zero."""
-    w, *rest = quaternion
-    v = Matrix(rest)
-    skew = Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
-    return ImmutableMatrix(eye(3) + 2 * (w * skew + skew * skew) / (w**2 + v.dot(v)))
+    return ImmutableMatrix(Rotation(tuple(quaternion), ()).matrix)
 
 
 def towards(direction: Sequence[Rational]) -> tuple[ImmutableMatrix, int, int]:

@@ -10,12 +10,14 @@ from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.errors import SceneError
 from mechanics.routes.derivation import ROUTES
 from mechanics.scene import Scene
-from tests.spatial_loops import bricard, stewart
+from tests.spatial_loops import bricard, four_bar, stewart
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize(
-    ("scene", "left"), [(bricard, 4), (stewart, 18)], ids=["bricard", "stewart"]
+    ("scene", "left"),
+    [(four_bar, 3), (bricard, 4), (stewart, 18)],
+    ids=["four-bar", "bricard", "stewart"],
 )
 def test_routes_agree_on_loops_in_space(scene: Callable[[], Scene], left: int) -> None:
     whole = drop_redundant(scene())

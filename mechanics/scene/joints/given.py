@@ -1,4 +1,4 @@
-"""The arguments of each kind of joint, as `Joint.given` keeps them, and what each has to be.
+"""Whether the arguments of a joint, as `Joint.given` keeps them, are those of its kind.
 
 Checks read what a joint has to be from these alone; a scene in JSON may hold any.
 """
@@ -12,24 +12,10 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector
 from mechanics.errors import SceneError
 from mechanics.scene.declared import kind_of
 from mechanics.scene.euler import Euler
+from mechanics.scene.joints.arguments import ARGUMENTS
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.joints.rope import Rope
 from mechanics.scene.rotations import Rotation
-
-ARGUMENTS: Mapping[str, tuple[str, ...]] = {
-    "pin": ("axis", "angle", "onto"),
-    "slide": ("axis", "distance", "onto"),
-    "cylindrical": ("axis", "angle", "distance", "onto"),
-    "universal": ("frame", "axes", "angles", "onto"),
-    "planar": ("frame", "coordinates", "angle", "onto"),
-    "ball": ("frame", "rotation", "onto"),
-    "weld": ("frame", "onto"),
-    "free": ("frame", "coordinates", "rotation"),
-    "roll": (
-        "radius", "normal", "axis", "inside", "outside", "coordinates", "angles", "speeds", "onto",
-    ),
-    "rope": ("ends", "length", "along"),
-}  # fmt: skip
 
 OPTIONAL = {("roll", "axis"), ("roll", "inside"), ("roll", "outside"), ("rope", "along"),
             ("free", "rotation")}  # fmt: skip

@@ -23,6 +23,7 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.euler import Euler
+from mechanics.scene.joints.arguments import arguments
 from mechanics.scene.joints.axes import along_axes
 from mechanics.scene.joints.ends import Ends
 from mechanics.scene.joints.joint import Joint
@@ -67,8 +68,7 @@ def pin(
     >>> [reaction.name for reaction in shoulder.reactions]
     ['shoulder_x', 'shoulder_y', 'shoulder_z', 'shoulder_mx', 'shoulder_my']
     """
-    given = {"kind": "pin", "axis": axis, "angle": angle, "onto": onto}
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("pin", axis, angle, onto))
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(angle)
@@ -97,8 +97,7 @@ def slide(
         In place of `distance`, where the joint closes a loop: the child's point that stays on the
         axis, and its frame that stays parallel to that of the axis.
     """
-    given = {"kind": "slide", "axis": axis, "distance": distance, "onto": onto}
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("slide", axis, distance, onto))
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(distance)
@@ -115,14 +114,7 @@ def cylindrical(
     onto: tuple[Point, Vector] | None = None,
 ) -> Joint:  # fmt: skip
     """A sleeve on a shaft: the child turns about an axis and moves along it; see `pin`, `slide`."""
-    given = {
-        "kind": "cylindrical",
-        "axis": axis,
-        "angle": angle,
-        "distance": distance,
-        "onto": onto,
-    }
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("cylindrical", axis, angle, distance, onto))
     line = ends.axis(axis)
     if onto is not None:
         ends.alone(angle, distance)
@@ -154,8 +146,7 @@ def universal(
         In place of `angles`, where the joint closes a loop: the child's point that stays at `at`,
         and its axis, about which it turns in the cross; the second of `axes` is of no effect.
     """
-    given = {"kind": "universal", "frame": frame, "axes": axes, "angles": angles, "onto": onto}
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("universal", frame, axes, angles, onto))
     own = dict(along_axes(ends.frame(frame)))
     letters = axes.lower()
     if len(letters) != 2 or len({*letters} & {*own}) != 2:
@@ -199,10 +190,7 @@ def planar(
         In place of these, where the joint closes a loop: the child's point that stays in the plane
         through `at`, and its axis that stays normal to it.
     """
-    given = {
-        "kind": "planar", "frame": frame, "coordinates": coordinates, "angle": angle, "onto": onto,
-    }  # fmt: skip
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("planar", frame, coordinates, angle, onto))
     first, second, normal = along_axes(ends.frame(frame))
     if onto is not None:
         ends.alone(coordinates, angle)
@@ -231,8 +219,7 @@ def ball(
     onto : Point, optional
         In place of `rotation`, where the joint closes a loop: the child's point that stays at `at`.
     """
-    given = {"kind": "ball", "frame": frame, "rotation": rotation, "onto": onto}
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("ball", frame, rotation, onto))
     forces = along_axes(ends.frame(frame))
     if onto is not None:
         ends.alone(rotation)
@@ -256,8 +243,7 @@ def weld(
     onto : (Point, ReferenceFrame), optional
         Where the joint closes a loop: the child's point and frame that are held.
     """
-    given = {"kind": "weld", "frame": frame, "onto": onto}
-    ends = Ends(name, parent, child, at, given)
+    ends = Ends(name, parent, child, at, arguments("weld", frame, onto))
     axes = along_axes(ends.frame(frame))
     if onto is not None:
         return ends.closes_parallel(frame, onto, axes)
@@ -286,8 +272,7 @@ def free(
     onto : None
         Of other joints: what holds nothing closes no loop.
     """
-    given = {"kind": "free", "frame": frame, "coordinates": coordinates, "rotation": rotation}
-    ends = Ends(name, None, child, at, given)
+    ends = Ends(name, None, child, at, arguments("free", frame, coordinates, rotation))
     if onto is not None:
         raise SceneError(f"{ends.title}: it holds nothing, so it closes no loop: leave it out")
     x, y, z = ends.several("coordinates", coordinates, "three", 3)

@@ -27,6 +27,7 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 from mechanics.errors import SceneError
 from mechanics.scene.declared import scalar
 from mechanics.scene.geometry import frame_path, relative_rotation
+from mechanics.scene.joints.arguments import arguments
 from mechanics.scene.joints.axes import along_axes, constant_column, read_axis
 from mechanics.scene.joints.ends import Ends
 from mechanics.scene.joints.joint import Joint
@@ -104,11 +105,9 @@ def roll(
     >>> [reaction.name for reaction in disc.reactions]
     ['disc_normal', 'disc_x', 'disc_y']
     """
-    given = {
-        "kind": "roll", "radius": radius, "normal": normal, "axis": axis, "inside": inside,
-        "outside": outside, "coordinates": coordinates, "angles": angles, "speeds": speeds,
-        "onto": onto,
-    }  # fmt: skip
+    given = arguments(
+        "roll", radius, normal, axis, inside, outside, coordinates, angles, speeds, onto
+    )  # fmt: skip
     ends = Ends(name, parent, child, at, given)
     base = _base(ends, normal)
     if onto is not None:

@@ -18,6 +18,7 @@ from sympy.physics.vector import Point, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.declared import kind_of, scalar
+from mechanics.scene.joints.arguments import arguments
 from mechanics.scene.reactions import Constraint, Reaction, holonomic
 from mechanics.scene.rotations import Rotation
 
@@ -120,7 +121,7 @@ def rope(
     tension = replace(pulls[0], parts=tuple(pulls[1:]))
     taut = holonomic(f"{name}_length", total - scalar(length, f"{title}: the length"), name)
     tied = tuple((body, point) for body, point in ends)
-    given = {"kind": "rope", "ends": tied, "length": length, "along": along}
+    given = arguments("rope", tied, length, along)
     return Rope(name, tied, (tension,), (taut,), given=given)
 
 
