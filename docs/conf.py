@@ -19,10 +19,10 @@ from mechanics.crosscheck import CrossCheck, crosscheck
 from mechanics.report.drawing import drawing
 from mechanics.report.html import to_html
 from mechanics.report.notation import mathml
+from mechanics.report.style import colours, drawing_rules
 from mechanics.scene.system import System
 
 ROOT = Path(__file__).parents[1]
-TEMPLATES = ROOT / "mechanics" / "report" / "templates"
 REPORTS = os.environ.get("REPORTS", "").split()
 """Systems whose reports the site holds, or ``all``: these take minutes, so the default is none."""
 
@@ -115,14 +115,11 @@ def math(self: Any, node: Any) -> None:
 
 def drawing_style() -> str:
     """The rules of the reports for drawings, under the light and the dark colours of the theme."""
-    figures, page = ((TEMPLATES / name).read_text() for name in ("figures.css", "style.css"))
-    rules = re.findall(r"^\.drawing.*?\}", figures, re.MULTILINE | re.DOTALL)
-    found = (re.findall(r":root \{(.*?)\}", text, re.DOTALL)[:2] for text in (figures, page))
-    light, dark = (
-        re.sub(r"color-scheme:[^;]*;", "", " ".join(both)) for both in zip(*found, strict=True)
-    )
+    light, dark = colours()
     auto = f'@media (prefers-color-scheme: dark) {{ body:not([data-theme="light"]) {{{dark}}} }}'
-    return "\n".join([f"body {{{light}}}", f'body[data-theme="dark"] {{{dark}}}', auto, *rules])
+    return "\n".join(
+        [f"body {{{light}}}", f'body[data-theme="dark"] {{{dark}}}', auto, drawing_rules()]
+    )
 
 
 def gallery() -> str:

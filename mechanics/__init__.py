@@ -241,3 +241,8 @@ class _Package(ModuleType):
 
 
 sys.modules[__name__].__class__ = _Package
+
+if "IPython" in sys.modules:
+    from mechanics.notebook import register
+
+    register()

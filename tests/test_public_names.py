@@ -18,7 +18,7 @@ def test_every_name_is_there_and_no_module(name: str) -> None:
 
 def test_names_for_type_checkers_are_those_that_are_imported() -> None:
     tree = ast.parse(inspect.getsource(mechanics))
-    (block,) = (node for node in tree.body if isinstance(node, ast.If))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
     typed = {
         alias.asname or alias.name: (found.module, alias.name)
         for found in block.body

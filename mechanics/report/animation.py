@@ -5,10 +5,8 @@ from one sample to the next becomes a list of values that the browser goes throu
 the motion takes (SMIL). Who prefers less motion, or prints, sees a few poses on one sheet.
 """
 
-import re
 from collections.abc import Mapping, Sequence
 from html import escape
-from importlib.resources import files
 from xml.etree import ElementTree
 
 import numpy as np
@@ -17,6 +15,7 @@ from numpy.typing import NDArray
 from mechanics.report.coordinates import aside_of
 from mechanics.report.drawing import HEIGHT, WIDTH, directions, few_of, paper_for, picture
 from mechanics.report.projection import View
+from mechanics.report.style import colours, drawing_rules
 from mechanics.scene import Scene
 
 SMOOTH, COARSE = 24, 10
@@ -138,16 +137,10 @@ def _shown(text: str, place: int, count: int, duration: float) -> str:
 
 def _style() -> str:
     """The rules of the pages that a drawing needs, under light and dark colours."""
-    templates = files("mechanics.report") / "templates"
-    texts = [(templates / name).read_text("utf-8") for name in ("style.css", "figures.css")]
-    found = (re.findall(r":root \{(.*?)\}", text, re.DOTALL)[:2] for text in texts)
-    light, dark = (" ".join(" ".join(both).split()) for both in zip(*found, strict=True))
-    rules = re.findall(r"^\.drawing [^{]*\{.*?\}", texts[1], re.MULTILINE | re.DOTALL)
-    return " ".join(
-        (
-            f":root {{{light}}} @media (prefers-color-scheme: dark) {{ :root {{{dark}}} }}",
-            *(" ".join(rule.split()) for rule in rules),
-            ".sheet { fill: var(--sheet); } @media (prefers-reduced-motion: reduce), print"
-            " { .moving { display: none; } .drawing .still { display: inline; } }",
-        )
+    light, dark = colours()
+    return (
+        f":root {{{light}}} @media (prefers-color-scheme: dark) {{ :root {{{dark}}} }}"
+        f" {drawing_rules()} .sheet {{ fill: var(--sheet); }}"
+        " @media (prefers-reduced-motion: reduce), print"
+        " { .moving { display: none; } .drawing .still { display: inline; } }"
     )

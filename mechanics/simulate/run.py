@@ -194,6 +194,7 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
         reason=_reason(found, float(times[-1]), _singular_at_end(start, reached, found)),
         crossings=found.crossings,
         outputs=_outputs(model, {"q": states[0], "u": states[1], "inputs": given, "p": start.p}),
+        scene=model.equations.scene,
     )
 
 

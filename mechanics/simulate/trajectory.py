@@ -7,6 +7,8 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.scene import Scene
+
 
 class Ending(Enum):
     """Why a simulation ended; the value says it."""
@@ -86,6 +88,8 @@ class Trajectory:
         By name; empty where they were not asked for.
     outputs : mapping of str to array, shape (N,)
         What the scene wants computed, entry by entry: ``tool_x``.
+    scene : Scene or None
+        What moved; None where only its samples are known.
     """
 
     title: str
@@ -109,6 +113,7 @@ class Trajectory:
     horizon: float | None = None
     reactions: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     outputs: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    scene: Scene | None = None
 
     def __repr__(self) -> str:
         names = ", ".join((*self.coordinates, *self.speeds))
