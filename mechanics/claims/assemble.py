@@ -229,6 +229,10 @@ class _Assembly:
             return
         size = len(self.scene.u)
         unused = name not in self.reached
+        if letter is None and unused and scalar(sides) and (said := said_of(self.text, name)):
+            letter = Letter(name, tuple(map(self.scene.pressed, sides)), said)
+            self._letter(line, tag, place, letter, sides, builder)
+            return
         if letter is not None and unused and name not in self.needed:
             self._letter(line, tag, place, letter, sides, builder)
             return

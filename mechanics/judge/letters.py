@@ -10,6 +10,7 @@ dimension, or what the person says that it means, is nothing else.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from sympy import Add, Symbol
 
@@ -207,18 +208,22 @@ UNEXPLAINED = "is defined and never used, so it is NOT checked: say what it mean
 
 
 def _unproved(truth: Equations, statement: Statement, meaning: str) -> Settled:
-    """A statement that nothing of that meaning makes right; in doubt where there is no such."""
-    if meaning != OWN and next(iter(candidates(truth, meaning)), None) is None:
-        name = _letter(statement).name
-        doubt = f"{name} is read as {_article(meaning)}, and the scene has none: say what it means"
-        return Settled(replace(statement, doubt=statement.doubt or doubt))
-    return Settled(_first(truth, statement, meaning))
+    """A statement that nothing of that meaning makes right.
+
+    In doubt where the scene has no such thing, or several and only prose names it so.
+    """
+    name = _letter(statement).name
+    some = list(islice(candidates(truth, meaning), 2)) if meaning != OWN else []
+    if meaning == OWN or len(some) == 1 or (some and name in LETTERS):
+        return Settled(_first(truth, statement, meaning))
+    have = "none of the scene's is that" if some else "the scene has none"
+    doubt = f"{name} is read as {_article(meaning)}, and {have}: say what it means"
+    return Settled(replace(statement, doubt=statement.doubt or doubt))
 
 
 def _first(truth: Equations, statement: Statement, meaning: str) -> Statement:
     """The statement under the first thing that has a meaning; as it is, where nothing has."""
-    found, _ = next(_trials(truth, [statement], meaning), ([statement], ""))
-    return found[0] if meaning == OWN or _letter(statement).name in LETTERS else statement
+    return next(_trials(truth, [statement], meaning), ([statement], ""))[0][0]
 
 
 def _noted(statement: Statement, letter: Letter, meaning: str) -> Settled:
