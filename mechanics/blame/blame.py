@@ -11,17 +11,21 @@ from sympy import Expr, Symbol
 
 from mechanics.blame.difference import differences
 from mechanics.blame.reference import Reference
-from mechanics.blame.result import Blame, Repair
+from mechanics.blame.result import Blame, Mistake, Repair
 from mechanics.blame.search.budget import Budget
+from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.claim import Claim, as_motion, at_once, claim_of, problems
-from mechanics.blame.search.find import EQUALLY, Solution, solutions
+from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.find import EQUALLY, Solution, solutions, words_of
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.repair import edited_row, proved, spelling_of
 from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.place import Refused
 from mechanics.claims.statement import Statement
+from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, MechanicsError
 from mechanics.scene.published import Published
+from mechanics.scene.quantities import Lagrangian
 
 SHOWN = 3
 """Repairs that are told, where several are equally small."""
@@ -31,6 +35,9 @@ MOST = 40
 
 TRIED = 12
 """Edits that are proved at most."""
+
+TRIED_ONE_BY_ONE = 60
+"""Edits that are proved where no point tells whether they help."""
 
 STEPS = 10_000
 """After which nothing more is tried; an equation of a page takes less than a thousand."""
@@ -144,12 +151,13 @@ def _repairs(
     claim: Claim, statement: Statement, budget: Budget
 ) -> Iterator[tuple[Repair, Published]]:
     """Proved repairs, equally small ones, the likeliest first, until the budget is spent."""
-    single = False
-    for mended in _in_one_place(claim, statement, budget):
-        single = True
-        yield mended
-    if single:
-        return
+    for search in (_in_one_place, _up_to_a_rate):
+        single = False
+        for mended in search(claim, statement, budget):
+            single = True
+            yield mended
+        if single:
+            return
     wrong = [problem for problem in problems(claim) if problem.residual]
     if not wrong:
         return
@@ -204,6 +212,34 @@ def _in_one_place(
             repair = proved(asked, (solution,), statement.source) if made else None
             if repair is not None and made is not None:
                 yield repair, made[0]
+
+
+def _up_to_a_rate(
+    claim: Claim, statement: Statement, budget: Budget
+) -> Iterator[tuple[Repair, Published]]:
+    """Single edits of a Lagrangian that is right up to the rate of a function of q and t.
+
+    No value at a point tells these: the likeliest ones are proved one by one.
+    """
+    if not isinstance(claim.row.quantity, Lagrangian) or not claim.truth.scene.explicit_time:
+        return
+    for asked, problem in at_once(claim):
+        words = words_of(asked, problem)
+        changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
+        tried = 0
+        # Numbers, of which there are many, come last.
+        for change in sorted(changes, key=lambda c: (c.mistake is Mistake.FACTOR, c.cost)):
+            solution = Solution(problem, (change,))
+            made = edited_row(asked, (solution,))
+            if made is None or check_energy(claim.truth, made[0]) is not None:
+                continue
+            tried += 1
+            budget.spend(len(problem.forest.nodes))
+            if (repair := proved(asked, (solution,), statement.source)) is not None:
+                yield repair, made[0]
+                return
+            if tried >= TRIED_ONE_BY_ONE or budget.spent:
+                return
 
 
 def _stages(
