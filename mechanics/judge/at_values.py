@@ -14,6 +14,7 @@ from typing import Any
 from sympy import Expr, Integer, Rational, Symbol
 
 from mechanics.checks.ledger import check_row
+from mechanics.checks.ledger_momenta import derived
 from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
@@ -24,12 +25,21 @@ from mechanics.judge.rounding import is_rounding
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
-from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+from mechanics.scene.quantities import (
+    EquationOfMotion,
+    GeneralizedForce,
+    GeneralizedMomentum,
+    Identity,
+    ReactionValue,
+)
 
 Values = Mapping[Symbol, Expr]
 
 KINDS = (EquationOfMotion, ReactionValue, Identity)
 """What is compared with nothing but the equations."""
+
+DERIVED = (GeneralizedForce, GeneralizedMomentum)
+"""What a side is compared with alone: inverse dynamics, and what is conserved."""
 
 MOST = 40
 """Values that are tried."""
@@ -64,6 +74,7 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
     InputError
         For a row about something else than motion, which is compared with the scene itself.
     """
+    row = as_identity(truth, row)
     if not isinstance(row.quantity, KINDS):
         raise InputError("values of parameters are for equations of motion: leave them out here")
     there = _put(in_plain_symbols(truth.kinematics, row), values)
@@ -72,6 +83,14 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
         evidence = "the sides differ by no more than the rounding of numbers that the code computes"
         return undecided(found.subject, f"{evidence}, where {words(values)}")
     return replace(found, evidence=f"{found.evidence}, where {words(values)}")
+
+
+def as_identity(truth: Equations, row: Published) -> Published:
+    """A row about a force or momentum with what it has to be, in which values can be put."""
+    if not isinstance(row.quantity, DERIVED):
+        return row
+    sides = (*row.sides, *derived(truth.kinematics, row.quantity))
+    return replace(row, quantity=Identity(), sides=sides)
 
 
 def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.importers import as_scene
 from mechanics.judge.at_rest import at_rest
-from mechanics.judge.at_values import Values, read_values, right_at
+from mechanics.judge.at_values import Values, as_identity, read_values, right_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.bounded_blame import blamed, declared_only
@@ -236,7 +236,11 @@ def _blamed(
     if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):
         return declared_only(judged, "it holds momenta, a mass matrix or declared speeds")
     if values:
-        return blamed(Reference(fix(truth, values)), judged, values)
+        rows = (s.row and as_identity(truth, s.row) for s in statements)
+        plain = [replace(e, statement=replace(e.statement, row=row))
+                 for e, row in zip(judged, rows, strict=True)]  # fmt: skip
+        found = blamed(Reference(fix(truth, values)), plain, values)
+        return tuple(replace(e, blame=f.blame) for e, f in zip(judged, found, strict=True))
     change = only_change(truth, statements, counted)
     if change is None:
         return declared_only(judged, "what is declared leaves several conventions open")

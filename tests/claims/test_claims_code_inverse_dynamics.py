@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import mechanics
+from mechanics.blame.result import Mistake
 from systems import cartpole, rod_pendulum
 
 ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
@@ -88,3 +89,22 @@ def test_all_freedoms_and_only_those_that_are_driven() -> None:
     assert _verdict(CART, lambda q, qd, qdd, mc, mp, l, g: -cart(q, qd, qdd, mc, mp, l, g)[0]) == (
         "REFUTED"
     )
+
+
+VALUES = {"m": 2, "l": "0.5", "g": "9.81"}
+
+
+def test_numbers_of_a_robot_stand_for_parameters() -> None:
+    def drive(q, qd, qdd):
+        return 2 * 0.25 / 3 * qdd - 2 * 9.81 * 0.5 / 2 * np.sin(q)
+
+    def wrong(q, qd, qdd, m, l, g):
+        return m * l**2 / 3 * qdd - 3 * m * g * l / 2 * np.sin(q)
+
+    assert _verdict(ROD, drive, values=VALUES) == "PROVED"
+    assert _verdict(ROD, drive, values={**VALUES, "m": 3}) == "REFUTED"
+    (entry,) = mechanics.check(ROD, wrong, values=VALUES).judged
+    assert entry.finding.verdict.name == "REFUTED"
+    assert entry.blame is not None and entry.blame.repairs
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.mistake is Mistake.FACTOR
