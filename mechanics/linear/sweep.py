@@ -76,8 +76,11 @@ def sweep(
     """
     if over not in linear.program.inputs:
         known = ", ".join(linear.program.inputs) or "none"
+        speed = linear.scene.u[0].name
         raise InputError(
-            f"{linear.scene.name}: the linear equations do not depend on {over!r}, but on {known}"
+            f"{linear.scene.name}: the linear equations do not depend on {over!r}, but on {known}:"
+            f" give a speed of a steady motion by it, as in --speeds {speed}={over}, or another"
+            " parameter"
         )
     poles = _poles(linear, over, numbers)
     rows = [poles(value) for value in values]

@@ -55,7 +55,7 @@ ROWS = [
     ("linearize rolling_disc --speeds u2=2 --at lean=1", "lean = 1 u2 = 2 no steady motion"),
     ("modes rolling_disc --over u2", "--over u2 range --from 0 --to 10"),
     ("modes rolling_disc --over u2 --from 5 --to 1", "--over u2 range"),
-    ("modes rolling_disc --over zz --from 0 --to 1", "do not depend on 'zz' R, g, m"),
+    ("modes rolling_disc --over zz --from 0 --to 1", "depend on 'zz' R, g, m --speeds u1=zz"),
     ("modes rolling_disc --plot {tmp}/a.svg", "--plot --over NAME"),
     ("modes rolling_disc --over u2 --from 0 --to 1 --plot {tmp}/a.png", ".png use .svg"),
     ("bogus", "'bogus'"),
