@@ -8,6 +8,8 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 from mechanics.scene import (
     RigidBody,
     Scene,
+    Torque,
+    TorsionSpring,
     free,
     gravity,
     holonomic,
@@ -19,6 +21,7 @@ from mechanics.scene import (
     reaction_couple,
     slide,
     torque,
+    torsion_spring,
 )
 
 MOMENTS = ("0.02", "0.03", "0.025", "0.002", "-0.003", "0.004")
@@ -60,6 +63,20 @@ def arm(count: int = 3, damped: str = "", tool: bool = False) -> Scene:
         "arm", N, O, bodies=tuple(bodies), joints=tuple(joints), loads=tuple(loads),
         outputs=outputs if tool else {},
     )  # fmt: skip
+
+
+def sprung(power: int = 0) -> Scene:
+    """The arm of two joints with dampers, and a spring in the second one that rests elsewhere.
+
+    With a power the spring is a couple, proportional to that power of its angle.
+    """
+    base = arm(2, "0.4")
+    k, r = parameters("k r", "N*m/rad rad", "3 1/5", positive=False)
+    angle, axis = base.coordinates[1], base.joints[1].frame.z
+    pull: TorsionSpring | Torque = torsion_spring("spring", angle - r, axis, k, "link2", "link1")
+    if power:
+        pull = torque("couple", -k * (angle - r) ** power * axis, on="link2", by="link1")
+    return replace(base, loads=(*base.loads, pull))
 
 
 def lift() -> Scene:

@@ -7,17 +7,24 @@ body                       mass, centre and inertia about it, in the link's fram
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Ours
+from mechanics.compare.ours import Array, Ours, of_scene
+from mechanics.compare.quantities import Answer
+from mechanics.compare.states import draw
 from mechanics.errors import InputError
-from mechanics.scene import Force, Gravity, Torque
+from mechanics.scene import Force, Gravity, Scene, Torque
 from mechanics.scene.joints import Joint
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import name_of
 
+SAMPLES = 16
+EXACT = 1e-11
+"""Part of the largest force that is left by rounding."""
 TAKEN = ("pin", "slide", "weld", "free", "ball")
 
 
@@ -41,6 +48,8 @@ class Link:
     inertia : (3, 3)
     q, v : tuples of int
         Coordinates and speeds of the joint in the scene.
+    stiffness, rest, damping : float
+        Of the force -k (q - r) - b v at its one coordinate.
     """
 
     name: str
@@ -55,6 +64,9 @@ class Link:
     inertia: Array
     q: tuple[int, ...]
     v: tuple[int, ...]
+    stiffness: float = 0.0
+    rest: float = 0.0
+    damping: float = 0.0
 
 
 def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
@@ -69,10 +81,12 @@ def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
     Raises
     ------
     InputError
-        For what engines have no common word for: other joints, loops, springs, other loads.
+        For what engines have no common word for: other joints, loops, other loads than gravity,
+        inputs, and springs and dampers at joints.
     """
     scene = ours.scene
     _refuse(ours, whole)
+    passive = _passive(ours) if whole else {}
     zero, names = ours.zero, [*scene.coordinates]
     poses, columns = ours.links(zero), ours.jacobians(zero)
     bodies = {
@@ -103,6 +117,7 @@ def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
             joint.child, joint.name, [*found, None].index(joint.parent) if joint.parent else -1,
             kind, axis, base.T @ turn, base.T @ (at - base_at), float(mass),
             turn.T @ (centre - at), way @ inertia @ way.T, places, speeds,
+            *(passive.get(speeds[0], ()) if len(speeds) == 1 else ()),
         )  # fmt: skip
     return tuple(found.values())
 
@@ -132,15 +147,82 @@ def _refuse(ours: Ours, whole: bool) -> None:
             raise InputError(
                 f"joint {joint.name} is {words}: engines' models are made of {', '.join(TAKEN)}"
             )
-    for load in scene.loads if whole else ():
-        drives = isinstance(load, Torque | Force) and any(
-            column.has(*scene.inputs) for column, _ in load.vector.args if scene.inputs
-        )
-        if not isinstance(load, Gravity) and not drives:
+
+
+def _passive(ours: Ours) -> dict[int, tuple[float, float, float]]:
+    """Stiffness, rest and damping by speed, from the generalized forces of the other loads."""
+    scene = ours.scene
+    others = [
+        load for load in scene.loads if not isinstance(load, Gravity) and not _drives(load, scene)
+    ]
+    if not others:
+        return {}
+    bare = replace(scene, loads=tuple(load for load in scene.loads if load not in others))
+    known = {symbol.name for symbol in bare.parameters}
+    empty = of_scene(bare, {n: value for n, value in ours.values.items() if n in known})
+    states, found = draw(scene, SAMPLES, ours.values), {}
+    still = np.zeros_like(states.v)
+    force = empty.forces(states.q, states.v, still) - ours.forces(states.q, states.v, still)
+    for speed, values in enumerate(force.T):
+        if not values.any():
+            continue
+        rates, x = scene.u[speed] in scene.qd, np.zeros(3)
+        if rates:
+            q, v = states.q[:, ours.coordinate(speed)], states.v[:, speed]
+            columns = np.stack([-q, -v, np.ones(SAMPLES)], axis=1)
+            x = np.linalg.lstsq(columns, values, rcond=None)[0]
+            x[np.abs(x) < EXACT * np.abs(x).max()] = 0.0
+        left = values - columns @ x if rates else values
+        if np.abs(left).max() > EXACT * np.abs(values).max() or (x[2] and not x[0]):
             raise InputError(
-                f"load {load.name}: engines' models are made with gravity and inputs alone: leave"
-                " it out of the scene"
+                f"load{'s' * (len(others) > 1)} {', '.join(load.name for load in others)}: engines'"
+                " models are made with gravity, inputs, and springs and dampers that are linear in"
+                " the coordinate of one joint: leave what is neither out of the scene"
             )
+        stiffness, damping, constant = map(float, x)
+        found[speed] = stiffness, constant / stiffness if stiffness else 0.0, damping
+    stored = sum(
+        stiffness * (states.q[:, ours.coordinate(speed)] - rest) ** 2 / 2
+        for speed, (stiffness, rest, _) in found.items()
+    )
+    own, less = (one.energies(states.q, still)[1] for one in (ours, empty))
+    if np.ptp(own - less - stored) > EXACT * np.abs(own).max():
+        raise InputError(
+            f"{', '.join(load.name for load in others)}: a spring without potential energy, which"
+            " engines give to every spring: declare torsion_spring(...) or spring(...)"
+        )
+    return found
+
+
+def _drives(load: Any, scene: Scene) -> bool:
+    """Whether it is the force or torque of an input."""
+    return isinstance(load, Torque | Force) and any(
+        column.has(*scene.inputs) for column, _ in load.vector.args if scene.inputs
+    )
+
+
+def with_passive(answers: Mapping[str, Answer], tree: tuple[Link, ...]) -> dict[str, Answer]:
+    """The answers of an engine that knows no springs and dampers at joints, with these added."""
+    moved = [link for link in tree if link.stiffness or link.damping]
+    if not moved:
+        return dict(answers)
+
+    def force(q: Any, v: Any) -> Any:
+        total = np.zeros(len(v))
+        for one in moved:
+            total[one.v[0]] -= one.stiffness * (q[one.q[0]] - one.rest) + one.damping * v[one.v[0]]
+        return total
+
+    def stored(q: Any, v: Any) -> Any:
+        return sum(one.stiffness * (q[one.q[0]] - one.rest) ** 2 / 2 for one in moved)
+
+    added: dict[str, Answer] = {
+        "bias": lambda q, v: answers["bias"](q, v) - force(q, v),
+        "inverse_dynamics": lambda q, v, a: answers["inverse_dynamics"](q, v, a) - force(q, v),
+        "forward_dynamics": lambda q, v, f: answers["forward_dynamics"](q, v, f + force(q, v)),
+        "potential_energy": lambda q, v: answers["potential_energy"](q, v) + stored(q, v),
+    }
+    return {**answers, **{name: answer for name, answer in added.items() if name in answers}}
 
 
 def fixed_base(engine: str, tree: tuple[Link, ...]) -> tuple[Link, ...]:

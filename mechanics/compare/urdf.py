@@ -83,3 +83,6 @@ def fill(mujoco: Any, model: Any, tree: tuple[Link, ...]) -> None:
         model.body_ipos[own] = link.centre
         mujoco.mju_mat2Quat(model.body_iquat[own], axes.ravel())
     mujoco.mj_setConst(model, mujoco.MjData(model))
+    for link in (link for link in tree if link.kind in ("pin", "slide")):
+        joint = model.joint(link.joint)
+        joint.stiffness, joint.qpos_spring, joint.damping = link.stiffness, link.rest, link.damping

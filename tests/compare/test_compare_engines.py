@@ -14,7 +14,8 @@ from systems import double_pendulum, pendulum_chain
 
 UR5 = Path(__file__).parents[1] / "models" / "ur5.urdf"
 SCARA = Path(__file__).parents[1] / "models" / "scara.urdf"
-TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_trees.floating}
+TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_trees.floating,
+         "sprung": small_trees.sprung}  # fmt: skip
 SLOW = ("sympy", "drake", "pybullet", "roboticstoolbox")
 
 
@@ -30,7 +31,7 @@ def test_an_engine_agrees_with_a_scene(name: str, model: str) -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("model", ["arm", "lift"])
+@pytest.mark.parametrize("model", ["arm", "lift", "sprung"])
 @pytest.mark.parametrize("name", SLOW)
 def test_an_engine_that_is_slower_agrees_with_a_scene(name: str, model: str) -> None:
     if name not in installed():
@@ -88,8 +89,11 @@ def test_what_engines_do_not_take_is_refused_in_one_line() -> None:
         assert "take a tree, in which one joint carries each body" in refused(
             double_pendulum.scene(), "pinocchio"
         )
-        assert "load damping1: engines' models are made with gravity" in refused(
-            small_trees.arm(2, "0.4"), "pinocchio"
+        assert "couple: engines' models are made with gravity, inputs, and springs" in refused(
+            small_trees.sprung(3), "pinocchio"
+        )
+        assert "couple: a spring without potential energy" in refused(
+            small_trees.sprung(1), "pinocchio"
         )
     assert "up to 4 bodies" in refused(pendulum_chain.scene(8), "sympy")
     with pytest.raises(InputError, match="engine 'bullet': they are pinocchio, mujoco"):

@@ -12,7 +12,7 @@ from mechanics.compare.engines import Engine
 from mechanics.compare.order import Order
 from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
-from mechanics.compare.tree import Link, fixed_base, links
+from mechanics.compare.tree import Link, fixed_base, links, with_passive
 from mechanics.compare.urdf import urdf
 from mechanics.importers.decimals import Notes
 from mechanics.importers.robot import ordered
@@ -73,4 +73,4 @@ def make(drake: Any, ours: Ours, file: Path | None = None) -> Engine:
         "potential_energy": lambda q, v: (at(q, v), plant.CalcPotentialEnergy(context))[1],
     }
     answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
-    return Engine(f"drake {version('drake')}", answers)
+    return Engine(f"drake {version('drake')}", with_passive(answers, tree))

@@ -11,7 +11,7 @@ from mechanics.compare.engines import Engine
 from mechanics.compare.order import Order
 from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
-from mechanics.compare.tree import Link, links
+from mechanics.compare.tree import Link, links, with_passive
 
 
 def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
@@ -61,7 +61,7 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         "momentum_matrix": lambda q, v: moving(pin.ccrba)(q, v) @ basis(q),
     }
     answers |= {f"jacobian {x.name}": jacobian(x) for x in tree if model.existFrame(x.name)}
-    return Engine(f"pinocchio {pin.__version__}", answers)
+    return Engine(f"pinocchio {pin.__version__}", with_passive(answers, tree))
 
 
 def _from_tree(pin: Any, tree: tuple[Link, ...]) -> Any:

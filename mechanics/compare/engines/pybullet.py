@@ -11,7 +11,7 @@ import numpy as np
 
 from mechanics.compare.engines import Engine
 from mechanics.compare.ours import Ours
-from mechanics.compare.tree import Link, fixed_base, links
+from mechanics.compare.tree import Link, fixed_base, links, with_passive
 from mechanics.compare.urdf import urdf
 
 
@@ -65,4 +65,4 @@ def make(pybullet: Any, ours: Ours, file: Path | None = None) -> Engine:
         "inverse_dynamics": inverse,
     }
     answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
-    return Engine(f"pybullet {version('pybullet')}", answers)
+    return Engine(f"pybullet {version('pybullet')}", with_passive(answers, tree))

@@ -11,7 +11,7 @@ import numpy as np
 
 from mechanics.compare.engines import Engine
 from mechanics.compare.ours import Ours
-from mechanics.compare.tree import Link, fixed_base, links
+from mechanics.compare.tree import Link, fixed_base, links, with_passive
 from mechanics.compare.urdf import urdf
 
 
@@ -55,4 +55,6 @@ def make(roboticstoolbox: Any, ours: Ours, file: Path | None = None) -> Engine:
     }
     if len({link.before for link in tree}) == len(tree):
         answers |= {f"jacobian {link.name}": jacobian(link) for link in tree}
-    return Engine(f"roboticstoolbox {version('roboticstoolbox-python')}", answers)
+    return Engine(
+        f"roboticstoolbox {version('roboticstoolbox-python')}", with_passive(answers, tree)
+    )
