@@ -14,7 +14,7 @@ from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.declared_conventions import NAMES
 from mechanics.claims.read import file_text
 from mechanics.cli.files import refuse_unwritable, write, write_file
-from mechanics.cli.load import load, run_file
+from mechanics.cli.load import SystemArgument, load, run_file
 from mechanics.cli.values import assignments, names_of
 from mechanics.errors import InputError
 from mechanics.judge.check import check as run
@@ -27,7 +27,7 @@ NOT_A_NAME = re.compile(r"[^A-Za-z0-9]+")
 
 
 def check(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     files: Annotated[
         list[str],
         typer.Argument(metavar="FILE...", help="LaTeX, text, C, file.py:function, or -."),

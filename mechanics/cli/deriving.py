@@ -8,7 +8,7 @@ import sympy
 import typer
 from sympy import Matrix
 
-from mechanics.cli.load import load
+from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.program_listing import program_latex, program_python, program_text
 from mechanics.cli.python_module import python_module
 from mechanics.cli.values import assignments
@@ -28,7 +28,7 @@ class Format(StrEnum):
 
 
 def derive(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     route: Annotated[
         str, typer.Option(help="free_body, moving_point, kane or lagrange.")
     ] = "free_body",

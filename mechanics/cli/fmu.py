@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from mechanics.cli.load import load
+from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
@@ -16,7 +16,7 @@ from mechanics.export.fmu import write_unit
 
 
 def fmu(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     out: Annotated[
         Path,
         typer.Option("--out", "-o", metavar="NAME.fmu", help="File to write.", parser=named),

@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Annotated, Any
 
 import typer
 
@@ -32,6 +32,9 @@ from mechanics.scene.json.read import from_json
 from mechanics.scene.published import Published
 from mechanics.scene.system import System
 
+SystemArgument = Annotated[
+    str, typer.Argument(metavar="SYSTEM", help="A name, or a file: .py, .json, URDF or MJCF.")
+]
 CALL = re.compile(r"(\w+)(?:\((\d+)\)|:(\d+))")
 FILE = re.compile(r"(.*\.py)(?::(\w+))?", re.DOTALL)
 ROBOT = re.compile(r"(.*\.(?:urdf|xml))(?::([\w,]+))?", re.DOTALL | re.IGNORECASE)

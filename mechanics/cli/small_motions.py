@@ -9,7 +9,7 @@ import typer
 from sympy import Expr, Matrix, Rational, Symbol
 
 from mechanics.cli.files import refuse_unwritable, write, write_file
-from mechanics.cli.load import load
+from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
@@ -38,7 +38,6 @@ GRAVITY = "g"
 LONGEST = 16
 """Characters of a number that is printed as it is."""
 
-SystemArgument = Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")]
 AtOption = Annotated[
     list[str] | None,
     typer.Option(

@@ -14,7 +14,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from mechanics.cli.files import refuse_unwritable, write, write_file
-from mechanics.cli.load import load
+from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import points, sorted_out
 from mechanics.crosscheck import derive, derive_textbook
 from mechanics.report.trade import trade_html
@@ -32,7 +32,7 @@ WIDE = 130
 
 
 def trade(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     horizon: Annotated[float, typer.Option(help="Length of the motion in s.")] = 10.0,
     settings: Annotated[
         list[str] | None,

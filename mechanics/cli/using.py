@@ -8,7 +8,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.cli.load import is_file, load
+from mechanics.cli.load import SystemArgument, is_file, load
 from mechanics.cli.progress import working
 from mechanics.cli.values import assignments, points, sorted_out
 from mechanics.compiled import compile
@@ -26,7 +26,7 @@ from mechanics.trade.accurate import simulate as run
 
 
 def simulate(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     out: Annotated[
         Path | None, typer.Option(metavar="FILE.csv|.parquet", help="Where samples go.")
     ] = None,
@@ -134,7 +134,7 @@ def simulate(
 
 
 def codegen(
-    system: Annotated[str, typer.Argument(metavar="SYSTEM", help="A name or a .py file.")],
+    system: SystemArgument,
     out: Annotated[
         Path,
         typer.Option("--out", "-o", metavar="DIR", help="Folder to write.", parser=named),

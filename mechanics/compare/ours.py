@@ -487,7 +487,8 @@ def of_scene(scene: Scene, given: Mapping[str, float] | None = None) -> Ours:
         value = given.get(name, getattr(symbol, "typical", None))
         if value is None:
             raise ValueMissingError(
-                f"{scene.name}: parameter {name} has no value: give it one, as in {name}=1.5"
+                f"{scene.name}: parameter {name} has no value: give it one, --value {name}=1.5"
+                f" or values={{{name!r}: 1.5}}"
             )
         values[name] = float(value)
     outputs: dict[str, Output] = dict(scene.outputs)
