@@ -40,9 +40,7 @@ from mechanics.importers.sympy_scene import from_sympy
 from mechanics.kernel import Verdict
 
 LONGEST = 120
-"""Seconds of processor time for one model."""
-LONGEST_TEST = 400
-"""The same for a test that makes some: those of the bicycle compare long expressions."""
+"""Seconds of processor time for one model, or for a test that makes some."""
 
 DOCUMENTED = (
     "kane", "lagrange", "system", "models", "joint", "jointsmethod", "actuator", "pathway",
@@ -70,14 +68,14 @@ class TooLong(Exception):
 
 
 @contextlib.contextmanager
-def limited(seconds: int = LONGEST) -> Iterator[None]:
+def limited() -> Iterator[None]:
     """Interrupt what takes too long."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         raise TooLong
 
     signal.signal(signal.SIGPROF, stop)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
+    signal.setitimer(signal.ITIMER_PROF, LONGEST)
     try:
         yield
     finally:
@@ -151,7 +149,7 @@ def tests() -> Iterator[Example]:
 
             sys.setprofile(look)
             try:
-                with limited(LONGEST_TEST), contextlib.suppress(Exception):
+                with limited(), contextlib.suppress(Exception):
                     getattr(function, "__wrapped__", function)()
             finally:
                 sys.setprofile(None)
