@@ -190,13 +190,19 @@ def check_energy(mechanism: Mechanism, rows: Rows) -> Finding:
     Rows power-conjugate to u, of a mechanism that is not driven; constraints do no work, so that
     their reactions are left out.
     """
+    work, growth = energy_rates(mechanism, rows)
+    subject = f"{rows.route}: rate of energy = power of the loads"
+    return equal(subject, mechanism, [work], [growth])
+
+
+def energy_rates(mechanism: Mechanism, rows: Rows) -> tuple[Node, Node]:
+    """u . r, and the rate of T + V less the power of the loads that have no potential, in W."""
     motions = differentiate.motions(mechanism)
     energy = kinetic(mechanism) + potential(mechanism, motions.poses)
     (growth,) = tangent([energy], mechanism.rates)
     power = _power(mechanism, motions, other(mechanism, motions))
     work = dot(mechanism.u, remainder(mechanism.builder, rows.values, rows.multipliers))
-    subject = f"{rows.route}: rate of energy = power of the loads"
-    return equal(subject, mechanism, [work], [growth - power])
+    return work, growth - power
 
 
 def check_energy_balance(route: Derived, support: Derived) -> Finding:

@@ -22,6 +22,7 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.report.result import SystemResult
+from mechanics.scene.system import System
 
 
 def systems() -> None:
@@ -64,6 +65,12 @@ def crosscheck(
     states: Annotated[
         int, typer.Option(min=0, help="Random states for the residuals of compiled functions.")
     ] = DEFAULT_STATES,
+    coq: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Write theorems for Coq, and have coqc check them, where it is."
+        ),
+    ] = None,
 ) -> None:
     """Derive systems by four routes and prove that they agree with each other and their source.
 
@@ -78,6 +85,8 @@ def crosscheck(
     `mechanics crosscheck rocker --report rocker.html`
 
     `mechanics crosscheck 'pendulum_chain(10)' my_system.py --json -`
+
+    `mechanics crosscheck elastic_pendulum --coq theorems`
     """
     chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
     named_routes(chosen)
@@ -96,7 +105,35 @@ def crosscheck(
         write(json.dumps(to_json(results), indent=2, ensure_ascii=False), json_file)
     if json_file != "-":
         _summary(Console(), results)
-    raise typer.Exit(exit_code(results))
+    accepted = coq is None or all([_theorems(system, coq) for system in loaded])
+    raise typer.Exit(exit_code(results) or (0 if accepted else 3))
+
+
+def _theorems(system: System, folder: Path) -> bool:
+    """Write theorems about a system; whether coqc accepts them, or is not there."""
+    from mechanics.coq import checked, write_coq
+
+    console = Console()
+    target = folder / "".join(c if c.isalnum() else "_" for c in system.name)
+    with Console(stderr=True).status(f"{system.name}: writing theorems"):
+        written = write_coq(system, target)
+    for entry in written:
+        if entry.path is None:
+            console.print(escape(f"left out: {entry.name}: {entry.reason}"))
+    files = [entry for entry in written if entry.path is not None]
+    with Console(stderr=True).status(f"{system.name}: coqc"):
+        found = checked(files)
+    if found is None:
+        console.print(
+            escape(f"{len(files)} theorems in {target}: coqc, which checks them, is not here")
+        )
+        return True
+    refused = [entry for entry in found if entry.reason]
+    words = f"{len(files)} theorems in {target}: coqc accepts {len(files) - len(refused)}"
+    console.print(escape(words))
+    for entry in refused:
+        console.print(escape(f"refused: {entry.name}: {entry.reason}"))
+    return not refused
 
 
 def exit_code(results: Sequence[SystemResult]) -> int:
