@@ -98,8 +98,8 @@ def file_text(system: str, name: str, theorem: Theorem) -> str:
     lemmas = [_lemma(f"{name}_{k + 1}", theorem.laws, goal) for k, goal in enumerate(theorem.goals)]
     head = _comment(
         f"{system}: {theorem.words}. Every variable is a real number; s_a and c_a are the sine and"
-        " cosine of the angle a. Quotients are multiplied out: nothing is said where a denominator is"
-        " zero. In each lemma the last equation follows from the others."
+        " cosine of the angle a. Quotients are multiplied out: nothing is said where a denominator"
+        " is zero. In each lemma the last equation follows from the others."
     )
     return "\n".join(
         [*wrap(head, WIDTH), "Require Import Reals Nsatz.", "Open Scope R_scope.", "", *lemmas]
