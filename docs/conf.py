@@ -40,6 +40,7 @@ html_copy_source = html_show_copyright = html_show_sourcelink = html_show_sphinx
 exclude_patterns = ["made/*"]
 autodoc_default_options = {"members": False}
 autodoc_typehints = "none"
+add_module_names = False
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 # A `name` in a docstring is code.
@@ -84,10 +85,24 @@ def fill(app: Sphinx, page: str, source: list[str]) -> None:
         source[0] += MADE[page]()
 
 
+MENDED = {
+    'class="caption" role="heading"': 'class="caption" role="heading" aria-level="2"',
+    "<pre>": '<pre tabindex="0">',
+    '<aside class="sidebar-drawer">': '<aside class="sidebar-drawer" aria-label="Pages">',
+    '<aside class="toc-drawer">': '<aside class="toc-drawer" aria-label="On this page">',
+}
+"""What the theme writes, and what those need who do not see the page or use no mouse."""
+
+
 def finish(app: Sphinx, error: Exception | None) -> None:
-    """Write the colours of drawings, and the reports."""
+    """Write the colours of drawings, and the reports; make the theme accessible."""
     if error:
         return
+    for path in Path(app.outdir).rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        for written, mended in MENDED.items():
+            text = text.replace(written, mended)
+        path.write_text(text, encoding="utf-8")
     (Path(app.outdir) / "_static" / "drawings.css").write_text(drawing_style(), encoding="utf-8")
     for system in reported():
         page = to_html([crosscheck(system, CrossCheck(motion=True))])
@@ -159,7 +174,7 @@ def commands() -> str:
         if lines:
             parts.append("```sh\n" + "\n".join(lines) + "\n```\n")
         options = [_option(option) for option in made.params if option.name != "help"]
-        parts += ["| | |\n| --- | --- |", *options] if options else []
+        parts += ["| option | what it does |\n| --- | --- |", *options] if options else []
     return "\n".join(parts)
 
 

@@ -139,8 +139,17 @@ def options(
     """What stands before a command."""
 
 
-for _name, (_, _help) in COMMANDS.items():
-    app.command(_name, help=_help)(_nothing)
+GROUPS = {
+    "Find out whether equations are right": ("crosscheck", "check", "grade", "compare"),
+    "Derive and look": ("systems", "derive", "linearize", "modes"),
+    "Simulate and measure": ("simulate", "trade", "extremes"),
+    "Export and serve": ("codegen", "verify", "fmu", "serve-mcp"),
+}
+"""Commands by what somebody wants to do, in the order of the list of all."""
+
+for _group, _names in GROUPS.items():
+    for _name in _names:
+        app.command(_name, help=COMMANDS[_name][1], rich_help_panel=_group)(_nothing)
 
 DEFECT = 70
 """Exit code after an error that nobody expected (EX_SOFTWARE of sysexits.h)."""

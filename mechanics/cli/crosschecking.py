@@ -106,6 +106,9 @@ def crosscheck(
     if json_file != "-":
         _summary(Console(), results)
     accepted = coq is None or all([_theorems(system, coq) for system in loaded])
+    if json_file != "-":
+        closing = closing_line(results, report)
+        Console().print(f"[bold]{escape(closing)}[/]", soft_wrap=True)
     raise typer.Exit(exit_code(results) or (0 if accepted else 3))
 
 
@@ -142,6 +145,19 @@ def exit_code(results: Sequence[SystemResult]) -> int:
     if Verdict.REFUTED in verdicts:
         return 1
     return 0 if all(result.ok for result in results) else 3
+
+
+def closing_line(results: Sequence[SystemResult], report: Path | None = None) -> str:
+    """The verdict on everything, and where the report is."""
+    count = sum(len(result.claims) for result in results)
+    failed = sum(len(result.open) for result in results)
+    if not count:
+        words = "Nothing was checked."
+    elif failed:
+        words = f"{failed} of {count} checks did not pass."
+    else:
+        words = f"All {count} checks passed."
+    return words if report is None else f"{words} The report is {report}."
 
 
 def _seed() -> list:

@@ -13,6 +13,7 @@ from sympy import Matrix
 
 import systems
 from mechanics.cli.app import COMMANDS as LISTED
+from mechanics.cli.app import GROUPS
 from mechanics.cli.app import command as imported
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.symbolic import is_zero
@@ -179,6 +180,10 @@ def test_the_console_command_in_a_process_of_its_own() -> None:
     assert ran.returncode == 2
     assert ran.stdout == ""
     assert ran.stderr.count("\n") == 1
+
+
+def test_every_command_stands_in_one_group_of_the_list() -> None:
+    assert sorted(name for names in GROUPS.values() for name in names) == sorted(LISTED)
 
 
 def test_the_list_of_commands_says_what_each_says_of_itself() -> None:

@@ -1,6 +1,7 @@
 """`mechanics crosscheck`: exit codes and JSON, with a person's own file."""
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -64,6 +65,8 @@ def test_what_is_undecided_is_exit_code_three(run: Any, pendulum: Any) -> None:
     ran = run("crosscheck", doubt, "--states", 0)
     assert ran.code == 3, ran.out
     assert "UNDECIDED" in ran.out
+    # The verdict comes last.
+    assert re.fullmatch(r"1 of \d+ checks did not pass\.", ran.out.splitlines()[-1])
 
 
 def test_json_and_report_go_to_files(run: Any, pendulum: Any, tmp_path: Any) -> None:
