@@ -57,10 +57,15 @@ class Aside:
 
 
 def gives(line: Line, naming: Naming) -> bool:
-    """Whether an equation sets a name to a number, or parameters to each other."""
+    """Whether an equation sets a name to a number, or parameters to each other.
+
+    The rate of what the scene does not have is given no value: that E' = 0 is a claim on E.
+    """
     if len(line.sides) < 2:
         return False
     plain = [side for side in line.sides if isinstance(side, Name)]
+    if any(side.order and naming.lookup(side.name) is None for side in plain):
+        return False
     numbers = [side for side in line.sides if not names(side)]
     if len(plain) + len(numbers) < len(line.sides) or not plain:
         return False

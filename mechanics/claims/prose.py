@@ -34,6 +34,25 @@ _AFTER = (
 )
 
 
+EQUILIBRIUM = re.compile(r"equilibri|stationary (?:point|solution)|fixed point", re.IGNORECASE)
+ENDS = re.compile(r"[.;!?](?=\s)|\n\s*\n")
+"""Of sentences."""
+
+
+def of_equilibrium(text: str, at: int) -> bool:
+    """Whether the sentence around a place in a text speaks of an equilibrium.
+
+    Parameters
+    ----------
+    text : str
+    at : int
+    """
+    ends = [match.end() for match in ENDS.finditer(text)]
+    start = max((end for end in ends if end <= at), default=0)
+    end = min((end for end in ends if end > at), default=len(text))
+    return EQUILIBRIUM.search(text, start, end) is not None
+
+
 def said_of(text: str, letter: str) -> str:
     """The word for what a text says that a letter is; empty where it says nothing, or two things.
 

@@ -1,4 +1,4 @@
-"""Equilibria: what a text says of theta_0, where the scene has theta.
+"""Equilibria: what a text says of theta_0, where the scene has theta, or of theta at equilibrium.
 
     cos(theta_0) = g / (Omega^2 R)    ->    g = Omega^2 R cos(theta_0): then nothing accelerates
 
@@ -12,6 +12,7 @@ from dataclasses import replace
 from sympy import Expr, S, Symbol
 
 from mechanics.claims.guess import equilibrium_of
+from mechanics.claims.prose import of_equilibrium
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.scene.published import Published
@@ -28,7 +29,7 @@ def at_rest(truth: Equations, statement: Statement) -> Statement:
     statement : Statement
     """
     row, written, scene = statement.row, statement.written, truth.scene
-    if row is None or written is None or not statement.doubt or len(scene.q) != 1 or scene.speeds:
+    if row is None or written is None or len(scene.q) != 1 or scene.speeds:
         return statement
     if not isinstance(row.quantity, Identity) or len(row.sides) != 2:
         return statement
@@ -36,9 +37,12 @@ def at_rest(truth: Equations, statement: Statement) -> Statement:
     held = set().union(*(side.free_symbols for side in sides))
     (q,) = scene.q
     unknown = held - {*scene.parameters, *scene.definitions}
-    if len(unknown) != 1 or equilibrium_of(written.naming, next(iter(unknown)).name) != q.name:
+    if len(unknown) != 1:
         return statement
     (value,) = unknown
+    named = statement.doubt and equilibrium_of(written.naming, value.name) == q.name
+    if not named and not (value == q and of_equilibrium(written.text, written.start)):
+        return statement
     for vanishing in _left_over(truth, sides[0] - sides[1], value):
         note = f"{value} is read as {q} at an equilibrium"
         found = replace(row, sides=(scene.pressed(vanishing), S.Zero))

@@ -29,12 +29,15 @@ from mechanics.symbolic.decide import prove_zero
 MOST = 4
 """Speeds up to which this is looked at."""
 
+ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
 SAID = re.compile(
-    r"small[ -]+(?:angle|oscillation|amplitude|displacement|\$?\\?(?:theta|phi|alpha))"
-    r"|lineari[sz]|to first order|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
+    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|\$?{ANGLE})"
+    rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
+    r"|(?<!without )(?<!before )(?<!not )(?<!not be )(?<!never )lineari[sz]"
+    r"|to first order|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
     re.IGNORECASE,
 )
-"""What says that equations are meant to first order."""
+"""What says that equations are meant to first order: no text that says they are not."""
 
 STEPS = (Piecewise, Abs, Max, Min, Mod, sign)
 
