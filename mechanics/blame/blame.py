@@ -124,7 +124,7 @@ def _mended(
     for places in (kept, frozenset[int | str]())[not kept :]:
         searches = (
             list(islice(_repairs(each, replace(statement, row=each.row), budget), SHOWN))
-            for each in (replace(claim, kept=places) for claim in asked)
+            for each in (replace(claim, kept=claim.kept | places) for claim in asked)
         )
         more = next((repairs for repairs in searches if repairs), [])
         if more and (not smallest or len(more[0][0].edits) < len(smallest[0][0].edits)):

@@ -24,6 +24,7 @@ from mechanics.claims.about import (
 from mechanics.claims.arguments import applied_alike
 from mechanics.claims.build import Builder, Value
 from mechanics.claims.claim import Written
+from mechanics.claims.conserved import with_first_integrals
 from mechanics.claims.definitions import (
     defines,
     definitions,
@@ -90,7 +91,9 @@ def assemble(
     """
     words = {name: meaning for name, meaning in given.items() if meaning in WORDS}
     plain = {name: meaning for name, meaning in given.items() if meaning not in WORDS}
-    naming, lines = named(read, Naming(Vocabulary(scene), plain))
+    naming, lines = named(
+        lambda own: list(with_first_integrals(read(own), own)), Naming(Vocabulary(scene), plain)
+    )
     lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)

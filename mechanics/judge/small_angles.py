@@ -31,10 +31,10 @@ MOST = 4
 
 ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
 SAID = re.compile(
-    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|\$?{ANGLE})"
+    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
     rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
     r"|(?<!without )(?<!before )(?<!not )(?<!not be )(?<!never )lineari[sz]"
-    r"|to first order|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
+    r"|to first order|linear (?:model|equation|approximation)|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
     re.IGNORECASE,
 )
 """What says that equations are meant to first order: no text that says they are not."""

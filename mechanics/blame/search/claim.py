@@ -109,7 +109,9 @@ def claim_of(
     if put:
         written = replace(written, put=put)
         row = row_of(row, written, trees)
-    return Claim(reference, row, written, trees)
+    # What a function returns is no line of its author: nothing is changed on the left.
+    kept = frozenset({0} if written.notation == "code" and len(row.sides) == 2 else ())
+    return Claim(reference, row, written, trees, kept)
 
 
 def used(claim: Claim) -> frozenset[str]:

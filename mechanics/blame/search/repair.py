@@ -16,7 +16,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.claims.claim import Trees, Written, row_of
 from mechanics.claims.place import Refused
 from mechanics.claims.spelling import Spelling
-from mechanics.claims.tree import Name, parts
+from mechanics.claims.tree import Name, names, parts
 from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.scene.published import Published
@@ -42,7 +42,7 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
     if found is None:
         return None
     row, entries = found
-    if _says_nothing(claim, row):
+    if _says_nothing(claim, row) or not _returns(claim, chosen):
         return None
     try:
         finding = check_row(claim.truth.scene, row, claim.truth)
@@ -73,6 +73,22 @@ def assigned(written: Written, names: Sequence[str]) -> str:
     spelling, table = Spelling(written, frozenset()), dict(written.definitions)
     lines = (f"{written.places[n]}: {n} = {spelling(table[n])}" for n in names)
     return "; ".join(lines)
+
+
+def _returns(claim: Claim, chosen: Sequence[Solution]) -> bool:
+    """Whether code still computes what it returns of what it had: of no further acceleration."""
+    if claim.written.notation != "code" or len(claim.entries) < 2:
+        return True
+    before, after = map(_accelerations, (claim, edited_claim(claim, _changes(chosen))))
+    return after <= before
+
+
+def _accelerations(claim: Claim) -> set[str]:
+    """Names of accelerations in what is returned and in the code's own names."""
+    lookup = claim.written.naming.lookup
+    trees = (*claim.entries[1:], *claim.definitions.values())
+    held = {name for tree in trees for name in names(tree)}
+    return {n.name for n in held if (lookup(n.name) or ("", 0))[1] + n.order > 1}
 
 
 def _says_nothing(claim: Claim, row: Published) -> bool:

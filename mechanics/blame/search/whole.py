@@ -27,6 +27,8 @@ def whole(claim: Claim, problem: Problem, statement: Statement) -> list[tuple[Ch
     """A term for each group that differs, all of them together; empty where they are many."""
     if len(claim.entries) > 2 or isinstance(claim.row.quantity, MassMatrix):
         return []
+    if problem.numbers[0] in claim.kept:
+        return []
     found = groups(claim.reference, statement)
     if not 0 < len(found) <= MOST or any(group.multiplied for group in found):
         return []

@@ -67,7 +67,12 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
         if rate or said or not any(array in _named_rates(other) for other in arrays):
             found |= _meanings(lines, naming, array, rate, arrays, said)
             rates[rate] = array
-    expanded = [_expanded(line, rates, found, arrays) for line in lines]
+    columns = {
+        name for name, line in own.items()
+        if not isinstance(line.sides[1], Name) and name not in rates
+    }  # fmt: skip
+    size = 2 * len(naming.vocabulary.scene.q)
+    expanded = [_expanded(line, rates, found, arrays, columns, size) for line in lines]
     matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
     every = [
         n.name for line in expanded if isinstance(line, Line) for s in line.sides for n in names(s)
@@ -165,7 +170,10 @@ def _with_rates(
     lines: Sequence[Entry], array: str, rate: str, said: Mapping[int, Meaning],
     coordinates: Sequence[str], used: Container[int],
 ) -> dict[int, Meaning]:  # fmt: skip
-    """What is said of entries, what their rates are, and the speed of the only coordinate left."""
+    """What is said of entries, what their rates are, and the speed of the only coordinate left.
+
+    The others are in the one usual order that has what is said.
+    """
     places = dict(said)
     for i, j in _pairs(lines, array, rate) if rate else ():
         if i in places and j not in places:
@@ -176,6 +184,15 @@ def _with_rates(
     free = [q for q in coordinates if q not in {base for base, _ in places.values()}]
     if rate and len(left) == len(free) == 1:
         places[left[0]] = free[0], 1
+    elif rate and left:
+        size, first = len(coordinates), 0 if 0 in used else 1
+        blocks = list(range(first, first + 2 * size))
+        usual = [
+            {place: (coordinates[k % size], k // size) for k, place in enumerate(order)}
+            for order in ((blocks, [*blocks[::2], *blocks[1::2]]) if size > 1 else (blocks,))
+        ]
+        fitting = [one for one in usual if places.items() <= one.items()]
+        places = fitting[0] if len(fitting) == 1 else places
     return places
 
 
@@ -239,7 +256,7 @@ def _place(node: Node, array: str) -> int | None:
 
 def _expanded(
     line: Entry, rates: Mapping[str, str], found: Mapping[str, object],
-    arrays: Mapping[str, set[int]],
+    arrays: Mapping[str, set[int]], columns: Container[str], size: int,
 ) -> Entry:  # fmt: skip
     """``dydt = [a; b]`` as an equation of columns."""
     if not isinstance(line, Line) or len(line.sides) != 2:
@@ -247,7 +264,7 @@ def _expanded(
     left, right = line.sides
     if not isinstance(left, Name) or not isinstance(right, Table) or left.name not in rates:
         return line
-    cells = [cell for row in right.rows for cell in row]
+    cells = _stacked([cell for row in right.rows for cell in row], columns, size)
     used = arrays[rates[left.name]] | arrays.get(left.name, set())
     first = 0 if 0 in used else 1
     labels = [
@@ -258,6 +275,22 @@ def _expanded(
         return line
     column_of = Table(left.at, tuple((ended(Name(left.at, n), left.end),) for n in labels))
     return replace(line, sides=(column_of, Table(right.at, tuple((cell,) for cell in cells))))
+
+
+def _stacked(cells: Sequence[Node], columns: Container[str], size: int) -> list[Node]:
+    """Entries one by one; a column of the person's own among them has what they lack."""
+    own = [isinstance(c, Name) and not c.order and c.name in columns for c in cells]
+    if not any(own) or len(cells) >= size or (size - len(cells)) % sum(own):
+        return list(cells)
+    height = (size - len(cells)) // sum(own) + 1
+    found: list[Node] = []
+    for cell, column_of in zip(cells, own, strict=True):
+        entries = [
+            ended(Call(cell.at, ENTRY, (cell, Number(cell.at, Fraction(i + 1)))), cell.end)
+            for i in range(height)
+        ]
+        found += entries if column_of else [cell]
+    return found
 
 
 def _told(

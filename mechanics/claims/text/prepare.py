@@ -44,8 +44,13 @@ def without_declarations(text: str) -> str:
     return text
 
 
+RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
+"""The rate of a bracket, which Modelica calls der."""
+
+
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
+    text = RATE.sub("der ", text)
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)
     text = barred(without_declarations(text))
