@@ -5,6 +5,9 @@
     class Cart { double m = 1; double a(double u) const { return u/m; } };
     ->  double a(double u, double m) { return u/m; }
 
+    std::array<double, 2> f(double x) { return {x, -x}; }
+    ->  void f(double x, double out[2]) { out[0] = x; out[1] = -x; }
+
 Fields of a class are arguments of its functions, so that what is judged holds for all their values.
 """
 
@@ -33,6 +36,15 @@ WORDS = (
 )  # fmt: skip
 """What stands in place of words of C++."""
 
+BINDING = re.compile(r"(?:const\s+)?double\s*&?\s*\[([\w\s,]+)\]\s*=\s*(\w+)\s*;")
+"""What takes an array apart, once `auto` is gone."""
+ARRAY = re.compile(
+    r"\b(?:array|vector)\s*<\s*(?:double|float)\s*(?:,\s*(?P<size>\d+)\s*)?>\s+"
+    r"(?P<name>\w+)\s*\((?P<arguments>[^(){};]*)\)\s*\{"
+)
+RETURN = re.compile(r"\breturn\s*\{(?P<values>[^;]*)\}\s*;\s*$")
+"""The last line of a function."""
+
 CLASS = re.compile(r"\b(?:class|struct)\s+(\w+)\s*(?:final\s*)?\{")
 ACCESS = re.compile(r"\b(?:public|private|protected)\s*:")
 FIELD = re.compile(r"\s*(const\s+|static\s+)*(?:double|float)\s+([^;(){}]+);")
@@ -49,6 +61,7 @@ def in_c(text: str, origin: str) -> str:
     """
     for pattern, words in WORDS:
         text = re.sub(pattern, words, text)
+    text = _returned(BINDING.sub(_bound, text))
     for found in reversed([m for m in CLASS.finditer(text) if FUNCTION.search(_inside(text, m))]):
         inside = _inside(text, found)
         end = found.end() + len(inside)
@@ -61,6 +74,44 @@ def in_c(text: str, origin: str) -> str:
             text[: found.start()] + _gone(found[0]) + _plain(inside, found[1]) + text[after.end() :]
         )
     return text
+
+
+def _bound(match: re.Match[str]) -> str:
+    """Each name of a structured binding as an entry, on as many lines."""
+    names = [name.strip() for name in match[1].split(",")]
+    entries = ", ".join(f"{name} = {match[2]}[{i}]" for i, name in enumerate(names))
+    return f"const double {entries};" + "\n" * match[0].count("\n")
+
+
+def _returned(text: str) -> str:
+    """Functions that return a list of numbers, which C writes where an argument says."""
+    for found in reversed(list(ARRAY.finditer(text))):
+        inside = _inside(text, found)
+        last = RETURN.search(inside)
+        if last is None or len(re.findall(r"\breturn\b", inside)) > 1:
+            continue
+        values = _parts(last["values"])
+        size = len(values)
+        if found["size"] is not None and int(found["size"]) != size:
+            continue
+        lines = "".join(f"out[{i}] = {value};" for i, value in enumerate(values))
+        arguments = ", ".join(filter(None, (found["arguments"].strip(), f"double out[{size}]")))
+        head = f"void {found['name']}({arguments}) {{"
+        rest = text[found.end() + len(inside) :]
+        text = text[: found.start()] + head + inside[: last.start()] + lines + rest
+    return text
+
+
+def _parts(values: str) -> list[str]:
+    """What commas outside of brackets part."""
+    parts, depth = [""], 0
+    for character in values:
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(character, 0)
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return parts if parts[-1].strip() else parts[:-1]
 
 
 def _inside(text: str, opening: re.Match[str]) -> str:
