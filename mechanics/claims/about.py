@@ -56,17 +56,26 @@ _MEANINGS: tuple[tuple[str, str, str], ...] = (
 OF_CONSTANTS = frozenset(("frequency", "turns per second"))
 """What is no function of the state: omega = theta' is something else."""
 
+ENTRIES: dict[str, tuple[int, int]] = {
+    f"entry {i + 1}{j + 1} of the mass matrix": (i, j) for i in range(7) for j in range(7)
+}
+"""Entries of the mass matrix, by the words for them."""
+
 LETTERS: dict[str, Ranks] = {
     letter: tuple(tuple(words.split("|")) for words in ranks if words)
-    for letters, *ranks in _MEANINGS
+    for letters, *ranks in (
+        *_MEANINGS,
+        *((" ".join(f"{m}_{i + 1}{j + 1} {m}{i + 1}{j + 1}" for m in "MDH"), words, "")
+          for words, (i, j) in ENTRIES.items()),
+    )
     for letter in letters.split()
-}
+}  # fmt: skip
 """What a name on the left means that the scene does not have, where the line says no more."""
 
 WORDS = frozenset((*QUANTITIES, *(w for ranks in LETTERS.values() for rank in ranks for w in rank)))
 """All that a person may say that a name means."""
 
-OTHERS = tuple(sorted(WORDS - QUANTITIES.keys()))
+OTHERS = tuple(sorted(WORDS - QUANTITIES.keys() - ENTRIES.keys()))
 """What is looked for in the scene: which reaction, about which point."""
 
 ENERGY_NAMES: dict[str, str] = {

@@ -196,8 +196,13 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         alike = _greek(name) == _greek(target) or target.startswith(name)
         return name[0] == target[0] and alike
 
+    def begins(name: str, target: str) -> bool:
+        letters = name.rstrip("0123456789_")
+        return len(letters) > 1 and letters != name and _begins(target, name)
+
     return [
         (_same_letters, CAPITALS),
+        (begins, "its first letters, the same number"),
         (lambda n, t: unit(n, t) and _same_number(n, t), "the same unit and number"),
         (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
         (unit, "the only quantity of its unit that is left"),

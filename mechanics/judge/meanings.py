@@ -17,7 +17,7 @@ from sympy import Add, Expr, S, Symbol, pi
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from mechanics.checks.ledger_energy import energy_of
-from mechanics.claims.about import QUANTITIES, named_quantity
+from mechanics.claims.about import ENTRIES, QUANTITIES, named_quantity
 from mechanics.equations import Equations
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
@@ -92,6 +92,10 @@ def candidates(truth: Equations, words: str) -> Iterator[Candidate]:
     """
     if words in QUANTITIES:
         yield Candidate(words, named_quantity(words))
+    elif words in ENTRIES:
+        mass, (i, j) = truth.kinematics.mass_matrix, ENTRIES[words]
+        if max(i, j) < mass.rows:
+            yield Candidate(words, q.Identity(), (mass[i, j],))
     elif words in SEARCHED:
         yield from SEARCHED[words](truth)
 

@@ -152,3 +152,24 @@ def test_a_linear_system_by_the_line_of_the_entry_that_is_wrong(tmp_path) -> Non
             (edit,) = entry.blame.repairs[0].edits
             assert edit.definition == name
             assert int(edit.place.rpartition(" ")[2]) in (line, line - 1)
+
+
+FORGOTTEN = """
+from math import cos, sin
+
+def rates(x, th, dx, dth, force, masscart, masspole, length, gravity):
+    total = masscart + masspole
+    temp = (force + masspole*length*dth**2*sin(th))/total
+    thacc = (gravity*sin(th) - cos(th)*temp)/(length*(4/3 - masspole*cos(th)**2/total))
+    xacc = temp - masspole*length*thacc*cos(th)
+    return xacc, thacc
+"""
+
+
+def test_code_is_mended_neither_by_another_output_nor_by_what_it_has_not(tmp_path) -> None:
+    (tmp_path / "cart.py").write_text(FORGOTTEN, encoding="utf-8")
+    rates = run_file(tmp_path / "cart.py").rates
+    wrong, right = mechanics.check(CART, rates, names={"force": "F"}).judged
+    assert (wrong.finding.verdict.name, right.finding.verdict.name) == ("REFUTED", "PROVED")
+    for repair in wrong.blame.repairs:
+        assert not any("_ddot" in edit.written + edit.right for edit in repair.edits)

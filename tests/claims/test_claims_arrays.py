@@ -2,6 +2,9 @@
 
 import pytest
 
+from mechanics.judge.check import check, derived
+from mechanics.kernel import Verdict
+from systems import cartpole
 from tests.notation_scenes import judged, verdicts
 
 PENDULUM = [
@@ -71,3 +74,21 @@ def test_the_mistake_is_named_in_the_authors_entries() -> None:
     (entry,) = found.judged
     assert entry.blame is not None
     assert "y(1)" in str(entry.blame)
+
+
+UNPACKED = """function dz = f(t, z)
+x = z(1); th = z(2); xd = z(3); thd = z(4);
+A = [mc+mp, mp*l*cos(th); mp*l*cos(th), 4/3*mp*l^2];
+b = [F + mp*l*thd^2*sin(th); mp*g*l*sin(th)];
+qdd = A\\b;
+dz = [xd; thd; qdd];
+end
+"""
+
+
+def test_a_state_taken_apart_by_names_and_a_column_stacked_under_speeds() -> None:
+    truth = derived(cartpole.scene())
+    assert check(truth, UNPACKED, blame=False).ok
+    for right, wrong in (("4/3", "1/3"), ("thd^2", "xd^2"), ("xd; thd", "thd; xd")):
+        found = check(truth, UNPACKED.replace(right, wrong), blame=False)
+        assert found.verdict is Verdict.REFUTED

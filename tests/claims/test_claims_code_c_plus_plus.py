@@ -88,3 +88,25 @@ def test_void_that_is_cast_to_nothing_is_refused_by_its_place(tmp_path: Path) ->
     (tmp_path / "a.c").write_text("double f(double x, void *p)\n{\n return x;\n}\n")
     with pytest.raises(InputError, match=r"line 1, column 20: argument p is void"):
         mechanics.check(ROD, tmp_path / "a.c")
+
+
+RETURNED = """
+#include <array>
+#include <cmath>
+std::array<double, 2> rhs(const std::array<double, 2>& y, double R, double omega, double g) {
+  const auto [th, w] = y;
+  return {w, (omega*omega*std::cos(th) - g/R)*std::sin(th)};
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "verdict"),
+    [("", "", "PROVED"), ("[th, w]", "[w, th]", "REFUTED"), ("omega*omega*", "omega*", "REFUTED")],
+)
+def test_a_list_that_is_returned_and_one_that_is_taken_apart(
+    tmp_path: Path, old: str, new: str, verdict: str
+) -> None:
+    file = tmp_path / "rhs.cpp"
+    file.write_text(RETURNED.replace(old, new) if old else RETURNED, encoding="utf-8")
+    assert mechanics.check(HOOP, file, blame=False).verdict.name == verdict

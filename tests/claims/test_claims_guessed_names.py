@@ -8,7 +8,7 @@ from mechanics import Particle, Scene, parameters
 from mechanics.claims.kinds import kinds
 from mechanics.judge.check import derived
 from mechanics.scene import force
-from systems import cartpole
+from systems import acrobot, cartpole
 
 CART = derived(cartpole.scene())
 RAIL = "(mc + mp)*xdd = F - mp*l*(theta''*cos(theta) - theta'^2*sin(theta))\n"
@@ -78,3 +78,25 @@ def test_where_no_choice_is_right_the_guess_is_told_beside_the_refutation() -> N
 def test_no_choice_is_taken_that_makes_only_one_of_two_right() -> None:
     found = mechanics.check(derived(carts()), "M*x'' = F; M*y'' = -k*y", blame=False)
     assert [entry.finding.verdict.name for entry in found.judged] == ["REFUTED", "PROVED"]
+
+
+def test_the_first_letters_and_the_number_of_an_angle() -> None:
+    truth = derived(acrobot.scene())
+    potential = "V = -m1*g*lc1*cos(th1) - m2*g*(l1*cos(th1) + lc2*cos(th1 + th2))"
+    assert mechanics.check(truth, potential, blame=False).ok
+    assert not mechanics.check(truth, potential.replace("th1 + th2", "th2"), blame=False).ok
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"$M_{12} = m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2$", "PROVED"),
+        ("D22 = m2*lc2^2 + I2", "PROVED"),
+        (r"$M_{12} = m_2(l_{c2}^2 + l_1 l_{c2}\sin\theta_2) + I_2$", "REFUTED"),
+        ("M11 = m2*lc2^2 + I2", "REFUTED"),
+        ("M33 = m2*lc2^2 + I2", "UNDECIDED"),
+    ],
+)
+def test_an_entry_of_the_mass_matrix_by_its_place(text: str, verdict: str) -> None:
+    found = mechanics.check(derived(acrobot.scene()), text, blame=False)
+    assert found.verdict.name == verdict

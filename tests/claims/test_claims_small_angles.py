@@ -60,3 +60,20 @@ def test_it_is_told_beside_a_refutation() -> None:
     (entry,) = check(SCENE, SECOND.format("", "theta"), blame=False).judged
     assert entry.finding.verdict is Verdict.REFUTED
     assert entry.right_if == told(SECOND.format("", "theta"))
+
+
+@pytest.mark.parametrize(
+    ("words", "right"),
+    [
+        (r"With $\theta$ small,", True),
+        ("Linearized about the lower position,", True),
+        ("For a small pitch", True),
+        ("Without linearization", False),
+        ("Before linearizing,", False),
+        ("This is not linearized:", False),
+    ],
+)
+def test_what_the_text_says_of_small_angles(words: str, right: bool) -> None:
+    formula = r"\frac{L}{3}\ddot\theta + \frac12\ddot x + \frac g2\theta = 0"
+    found = check(derived(SCENE), f"{words} ${formula}$.", blame=False)
+    assert found.ok if right else found.verdict is Verdict.REFUTED

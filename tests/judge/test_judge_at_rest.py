@@ -36,6 +36,50 @@ def test_equilibria(formula: str, verdict: str) -> None:
     assert on_hoop(f"There is an equilibrium at ${formula}$.") == [verdict]
 
 
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"Equilibria: $\theta=0$ and $\cos\theta = g/(\omega^2 R)$.", "PROVED"),
+        (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta\cos\theta$.", "PROVED"),
+        (r"Equilibria: $\cos\theta = \omega^2 R/g$.", "REFUTED"),
+        (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta$.", "REFUTED"),
+        (r"We look for equilibria. A constraint is $\cos\theta = g/(\omega^2 R)$.", "REFUTED"),
+    ],
+)
+def test_a_sentence_on_equilibria_is_about_the_angle_at_rest(text: str, verdict: str) -> None:
+    assert on_hoop(text) == [verdict]
+
+
+JACOBI = r"\frac12 mR^2\dot\theta^2 %s \frac12 mR^2\omega^2\sin^2\theta - mgR\cos\theta"
+
+
+@pytest.mark.parametrize("rate", [r"\dot E = 0", r"\frac{dE}{dt} = 0"])
+def test_what_prose_says_of_the_rate_of_an_energy_is_judged(rate: str) -> None:
+    text = f"The energy $E = {JACOBI % '+'}$ is conserved, ${rate}$."
+    assert on_hoop(text) == ["PROVED", "REFUTED"]  # it is T + V, whose rate is not zero
+    assert on_hoop(r"At rest $\dot\theta = 0$; $\ddot\theta = (\omega^2\cos\theta-g/R)\sin\theta$.") == [
+        "PROVED"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (rf"${JACOBI % '-'} = \text{{const}}$", ["PROVED"]),
+        (rf"${JACOBI % '+'} = \text{{const}}$", ["REFUTED"]),
+        (r"$p_\theta = mR^2\dot\theta = \mathrm{const}$", ["PROVED", "REFUTED"]),
+    ],
+)
+def test_what_is_said_to_be_constant_has_the_rate_zero(text: str, verdict: list[str]) -> None:
+    assert on_hoop(text) == verdict
+
+
+def test_the_rate_of_a_bracket_in_plain_text() -> None:
+    right = "m*R^2*omega^2*sin(theta)*cos(theta) - m*g*R*sin(theta)"
+    assert on_hoop(f"d/dt(m*R^2*theta') = {right}") == ["PROVED"]
+    assert on_hoop(f"d/dt(m*R*theta') = {right}") == ["REFUTED"]
+
+
 def test_what_it_is_read_as() -> None:
     (entry,) = mechanics.check(hoop(), r"\cos\theta_0 = g/(\omega^2 R)", blame=False).judged
     assert "theta_0 is read as theta at an equilibrium" in entry.statement.notes
