@@ -16,7 +16,9 @@ from dataclasses import replace
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from mechanics.claims.claim import Written
 from mechanics.claims.kinds import angular
+from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -33,11 +35,13 @@ ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
 SAID = re.compile(
     rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
     rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
-    r"|(?<!without )(?<!before )(?<!not )(?<!not be )(?<!never )lineari[sz]"
-    r"|to first order|linear (?:model|equation|approximation)|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
+    r"|lineari[sz]|to first order|linear (?:model|equation|approximation)"
+    r"|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
     re.IGNORECASE,
 )
-"""What says that equations are meant to first order: no text that says they are not."""
+"""What says that equations are meant to first order."""
+DENIED = re.compile(r"\b(?:not?|nor|never|without|before|cannot)\b|n't\b", re.IGNORECASE)
+"""What says that they are not, in the same sentence."""
 
 STEPS = (Piecewise, Abs, Max, Min, Mod, sign)
 
@@ -78,7 +82,7 @@ def as_said(
     judged, shown = list(statements), list(findings)
     said = [
         k for k, (s, f) in enumerate(zip(statements, findings, strict=True))
-        if f.verdict is Verdict.REFUTED and s.written is not None and SAID.search(s.written.text)
+        if f.verdict is Verdict.REFUTED and s.written is not None and _said(s.written)
     ]  # fmt: skip
     for k, found in zip(said, to_first_order(truth, [judged[k] for k in said]), strict=True):
         if found is not None and found.shown:
@@ -86,6 +90,14 @@ def as_said(
             judged[k] = replace(judged[k], notes=(*judged[k].notes, note))
             shown[k] = found
     return judged, shown
+
+
+def _said(written: Written) -> bool:
+    """Whether a sentence up to the statement says so, and does not deny it."""
+    starts = [0, *(match.end() for match in ENDS.finditer(written.text))]
+    sentences = zip(starts, [*starts[1:], len(written.text)], strict=True)
+    said = (written.text[a:b] for a, b in sentences if a <= written.start)
+    return any(SAID.search(one) and not DENIED.search(one) for one in said)
 
 
 def _angles(scene: Scene) -> list[Expr]:

@@ -71,9 +71,16 @@ def test_it_is_told_beside_a_refutation() -> None:
         ("Without linearization", False),
         ("Before linearizing,", False),
         ("This is not linearized:", False),
+        ("Small angles are not assumed:", False),
     ],
 )
 def test_what_the_text_says_of_small_angles(words: str, right: bool) -> None:
     formula = r"\frac{L}{3}\ddot\theta + \frac12\ddot x + \frac g2\theta = 0"
     found = check(derived(SCENE), f"{words} ${formula}$.", blame=False)
     assert found.ok if right else found.verdict is Verdict.REFUTED
+
+
+def test_what_is_said_behind_an_equation_is_about_another() -> None:
+    formula = r"\frac{L}{3}\ddot\theta + \frac12\ddot x + \frac g2\theta = 0"
+    text = f"The equation is ${formula}$. We linearize it later."
+    assert check(derived(SCENE), text, blame=False).verdict is Verdict.REFUTED

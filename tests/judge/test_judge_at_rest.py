@@ -57,9 +57,9 @@ JACOBI = r"\frac12 mR^2\dot\theta^2 %s \frac12 mR^2\omega^2\sin^2\theta - mgR\co
 def test_what_prose_says_of_the_rate_of_an_energy_is_judged(rate: str) -> None:
     text = f"The energy $E = {JACOBI % '+'}$ is conserved, ${rate}$."
     assert on_hoop(text) == ["PROVED", "REFUTED"]  # it is T + V, whose rate is not zero
-    assert on_hoop(r"At rest $\dot\theta = 0$; $\ddot\theta = (\omega^2\cos\theta-g/R)\sin\theta$.") == [
-        "PROVED"
-    ]
+    assert on_hoop(
+        r"At rest $\dot\theta = 0$; $\ddot\theta = (\omega^2\cos\theta-g/R)\sin\theta$."
+    ) == ["PROVED"]
 
 
 @pytest.mark.parametrize(
