@@ -3,7 +3,7 @@
 edits that make it right at a point  ->  proved  ->  what differs, term by term  ->  where from
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import islice, product
 
@@ -175,13 +175,9 @@ def _repairs(
             if smallest is not None and cost > smallest + EQUALLY:
                 continue
             made = edited_row(claim, group)
-            if made is None:
+            if made is None or made[0].sides in seen:
                 continue
-            # The same may be put right in the statement, or in a definition of the person's.
-            key = (made[0].sides, () if claim.written.places else _homes(group))
-            if key in seen:
-                continue
-            seen.add(key)
+            seen.add(made[0].sides)
             tried += 1
             budget.spend(len(first.forest.nodes))
             repair = proved(claim, group, statement.source)
@@ -192,11 +188,6 @@ def _repairs(
                 return
         if smallest is not None or budget.spent:
             return
-
-
-def _homes(group: Sequence[Solution]) -> frozenset[int | str]:
-    """The entries and definitions that edits stand in."""
-    return frozenset(s.problem.forest.place[c.index][0] for s in group for c in s.changes)
 
 
 def _in_one_place(
