@@ -133,7 +133,7 @@ def _begins(name: str, base: str) -> bool:
 
 
 def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str]) -> list[Match]:
-    """p_phi1, and p1, p_1 or pi_1: no name of which a second derivative is used."""
+    """p_phi1, p1, p_1 or pi_1, p where there is one: no name that has a second derivative."""
     vocabulary = naming.vocabulary
     names = {name.name for name in used} - {name.name for name in used if name.order > 1}
     found = []
@@ -144,6 +144,12 @@ def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str
             found.append(Match(name, meant[0] + DOTS[meant[1]], why))
     taken = taken | {match.meaning for match in found}
     free = [name for name in vocabulary.momenta if name not in taken]
+    if (
+        "p" in names - own
+        and naming.lookup("p") is None
+        and len(vocabulary.momenta) == len(free) == 1
+    ):
+        return [*found, Match("p", free[0], "the only momentum")]
     numbered = sorted(name for name in names if MOMENTUM.fullmatch(name))
     return [*found, *_pairs(numbered, free, [(_same_number, "a momentum, the same number")])]
 

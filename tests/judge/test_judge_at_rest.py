@@ -74,6 +74,15 @@ def test_what_is_said_to_be_constant_has_the_rate_zero(text: str, verdict: list[
     assert on_hoop(text) == verdict
 
 
+@pytest.mark.parametrize(("sign", "verdict"), [("-", "PROVED"), ("+", "REFUTED")])
+def test_p_is_the_only_momentum(sign: str, verdict: str) -> None:
+    rest = r"\frac12 mR^2\omega^2\sin^2\theta - mgR\cos\theta"
+    assert on_hoop(rf"$H = \frac{{p^2}}{{2mR^2}} {sign} {rest}$") == [verdict]
+    assert (
+        on_hoop(rf"$p = mR^2\dot\theta$, $H = \frac{{p^2}}{{2mR^2}} {sign} {rest}$")[-1] == verdict
+    )
+
+
 def test_the_rate_of_a_bracket_in_plain_text() -> None:
     right = "m*R^2*omega^2*sin(theta)*cos(theta) - m*g*R*sin(theta)"
     assert on_hoop(f"d/dt(m*R^2*theta') = {right}") == ["PROVED"]
