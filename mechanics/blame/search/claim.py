@@ -109,8 +109,10 @@ def claim_of(
     if put:
         written = replace(written, put=put)
         row = row_of(row, written, trees)
-    # What a function returns is no line of its author: nothing is changed on the left.
-    kept = frozenset({0} if written.notation == "code" and len(row.sides) == 2 else ())
+    # What a function returns is no line of its author: nothing is changed on the left of it. Of a
+    # residual it stands there itself.
+    named = len(row.sides) == 2 and isinstance(row.sides[0], Symbol)
+    kept = frozenset({0} if written.notation == "code" and named else ())
     return Claim(reference, row, written, trees, kept)
 
 
