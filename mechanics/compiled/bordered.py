@@ -204,11 +204,16 @@ def tried_pivots(quantities: Quantities, fixed: Mapping[str, Expr]) -> Choose:
             build, nodes = bind(whole, fixed)
             program = build.program(nodes)
         inputs = {name: columns[name] for name in program.inputs}
-        found = interpret(program, Arrays(), inputs)
+        with np.errstate(all="ignore"):
+            found = interpret(program, Arrays(), inputs)
         left, column = (
             np.array([np.broadcast_to(entry, TRIALS) for entry in found[name]]).T
             for name in ("K", "k")
         )
+        # Where an entry has no value, no order of pivots gives one.
+        defined = np.isfinite(left).all(axis=1) & np.isfinite(column).all(axis=1)
+        if defined.any():
+            left, column = left[defined], column[defined]
         return pivot_order(left.reshape(-1, n, n).copy(), column.copy())
 
     return choose

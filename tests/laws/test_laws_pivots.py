@@ -23,7 +23,7 @@ from mechanics.mechanism import Mechanism, name_of
 from mechanics.program import Program
 from mechanics.routes import kane
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, velocity_forms
-from systems import EVERY
+from systems import EVERY, four_bar_chain
 
 CONSTRAINED = {s.name: s for s in EVERY if built(s.scene).constraints}
 QUICK = {"four_bar_chain"}
@@ -112,3 +112,12 @@ def test_accelerations_keep_their_digits_at_every_regular_state(name: str) -> No
             error = np.abs(own - right).max() / size
             assert error < LOST * condition * EPS, (route, {k: float(v) for k, v in given.items()})
     assert regular
+
+
+@pytest.mark.campaign
+def test_states_at_which_an_entry_has_no_value_choose_no_pivot() -> None:
+    """A warning would be an error: ten loops have entries that are quotients."""
+    model = mechanics.compile(
+        mechanics.derive(four_bar_chain.scene(10), "free_body"), compiler=None
+    )
+    assert model.program("forward_dynamics").operations > 0
