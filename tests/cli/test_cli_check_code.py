@@ -1,12 +1,15 @@
 """`mechanics check` on C functions by name, black boxes, and a scene of the person's own."""
 
 import json
+import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
 from mechanics.cli.app import app
+from mechanics.cli.load import run_file
 
 C_FILE = """
 #include <math.h>
@@ -131,3 +134,12 @@ def test_a_method_of_an_object_is_named_and_that_of_a_class_needs_one(tmp_path: 
     assert read.exit_code == 1
     missing = CliRunner().invoke(app, ["check", "cartpole", f"{file}:Dog.rates"])
     assert "it has no Dog.rates" in str(missing.exception)
+
+
+def test_a_file_that_changes_within_a_second_is_read_anew(tmp_path: Path, monkeypatch: Any) -> None:
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    file = tmp_path / "mine.py"
+    for value in (1, 2):
+        file.write_text(f"x = {value}\n", encoding="utf-8")
+        assert run_file(file).x == value
+    assert [*tmp_path.iterdir()] == [file]
