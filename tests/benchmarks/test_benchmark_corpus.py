@@ -36,17 +36,8 @@ def test_a_case_has_its_verdict(name: str) -> None:
     assert next(iter(figures([trial], [])))
 
 
-FALSE = {
-    "gym_cartpole/step": "a step of Euler's whose argument for the time step is called tau",
-    "meriam_rolling/frequency": "2g/3(R-r) is read as a product, its dimension as a mistake",
-}
-"""Right statements that are REFUTED today, and why."""
-
-
 @pytest.mark.campaign
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
-def test_no_verdict_is_false(case: Case, request: pytest.FixtureRequest) -> None:
-    if case.name in FALSE:
-        request.applymarker(pytest.mark.xfail(reason=FALSE[case.name]))
+def test_no_verdict_is_false(case: Case) -> None:
     trial = tried(case)
     assert not false(trial), trial.words

@@ -192,12 +192,14 @@ def test_a_joint_that_closes_a_loop_leaves_its_freedoms(kind: str) -> None:
 
 
 @pytest.mark.campaign
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", CLOSING)
 def test_everything_is_shown_of_what_a_closed_loop_holds(kind: str) -> None:
     assert crosscheck(free_and_closed(kind)).ok
 
 
 @pytest.mark.campaign
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", JOINTS)
 def test_everything_of_the_cross_check_is_shown(kind: str) -> None:
     assert crosscheck(two_bodies(JOINTS[kind][1](None))).ok

@@ -87,7 +87,7 @@ def top() -> Scene:
     N, O = ReferenceFrame("N"), Point("O")
     turning = quaternion("e0 e1 e2 e3", "wx wy wz")
     F = turning.orient("F", N)
-    body = RigidBody("top", O.locatenew("C", L * F.z), F, m, inertia(F, A, A, C))
+    body = RigidBody("top", O.locatenew("C", L * F.z), F, m, inertia(F, B, B, C))
     forces = [reaction(f"R{k}", O, "top", None, along) for k, along in enumerate((N.x, N.y, N.z))]
     tip = body.centre.locatenew("T", h * F.x)
     outputs = {"tool": position(tip), "camera": orientation(F), "slip": velocity(tip, along=F.y)}

@@ -69,6 +69,7 @@ def test_published_equations_come_back(system: System) -> None:
 
 
 @pytest.mark.campaign
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", PUBLISHING, ids=lambda system: system.name)
 def test_a_system_from_json_has_the_verdicts_of_the_one_that_ships(system: System) -> None:
     ours, back = (crosscheck(one) for one in (system, from_json(to_json(system))))

@@ -22,6 +22,7 @@ OTHERS = [system for system in EVERY if system not in (*ALL, *VARIANTS)]
 
 
 @pytest.mark.campaign
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", OTHERS, ids=lambda system: system.name)
 def test_every_system_is_shown_with_its_published_rows(system) -> None:
     result = crosscheck(system, CrossCheck(states=1000))
