@@ -14,6 +14,7 @@ from mechanics.scene import (
     reaction,
     spring,
 )
+from mechanics.scene import pin as hinge
 
 q1, q2, q3, q4, q5 = dynamicsymbols("q1:6")
 alpha, beta, x, F = dynamicsymbols("a b x F")
@@ -112,6 +113,34 @@ def parallelogram(folded: bool, cut: str) -> Scene:
     )
 
 
+def peaucellier() -> Scene:
+    """Peaucellier's linkage: bars of two lengths, whose last point P moves on a straight line.
+
+    Arms OA and OC, a rhombus A B P C, and a crank from D to B, as long as D is from O. P = B closes
+    it, too: two components, which meet where the rhombus is flat.
+    """
+    r, L = parameters("r L", units="m m", typical="0.4 1")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    places = {"O": origin, "D": origin.locatenew("D", r * ground.x)}
+    bodies, joints = [], []
+    bars = (("DB", None, r), ("OA", None, L), ("OC", None, L), ("AB", "OA", l), ("CB", "OC", l),
+            ("AP", "OA", l), ("CP", "OC", l))  # fmt: skip
+    for (name, parent, length), angle in zip(bars, dynamicsymbols("q1:8"), strict=True):
+        at = places[name[0]]
+        joint = hinge(f"pin {name}", parent, name, at=at, axis=ground.z, angle=angle)
+        bodies.append(rod(name, joint.frame, at, length))
+        end = at.locatenew(f"end of {name}", length * joint.frame.x)
+        before = places.setdefault(name[1], end)
+        joints.append(joint)
+        if before is not end:
+            one = next(bar for bar, _, _ in bars if bar[1] == name[1])
+            joints.append(hinge(f"{one} {name}", one, name, at=before, axis=ground.z, onto=end))
+    start = (0.6, 0.81, -0.21, -1.49, 2.09, -1.05, 1.65)
+    return Scene("Peaucellier", ground, origin, plane=ground.z, bodies=bodies, joints=joints,
+                 loads=(gravity(-g * ground.y),),
+                 example={f"q{k}": angle for k, angle in enumerate(start, 1)})  # fmt: skip
+
+
 def two_loops() -> Scene:
     """A four-bar linkage whose rocker is the crank of a second one."""
     ground, origin = ReferenceFrame("N"), Point("A")
@@ -176,6 +205,7 @@ LINKAGES = {
     "parallelogram, cut at the rocker": lambda: parallelogram(False, "rocker"),
     "folded, cut at the coupler": lambda: parallelogram(True, "coupler"),
     "folded, cut at the rocker": lambda: parallelogram(True, "rocker"),
+    "a rhombus in three loops": peaucellier,
     "two loops": two_loops,
     "lifted bead": lifted_bead,
 }

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from linkages import LINKAGES, parallelogram, slider_crank
+from linkages import LINKAGES, parallelogram, peaucellier, slider_crank
 from sympy import Expr, Rational
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -95,6 +95,18 @@ def test_a_parallelogram_and_its_twin_are_told_apart_by_the_example() -> None:
         _, closed = mechanism.filters
         equal.append(closed.is_zero(q1.cos() - q3.cos()) and closed.is_zero(q1.sin() - q3.sin()))
     assert equal == [True, False]
+
+
+def test_bars_of_a_rhombus_meet_across_it_as_in_the_example() -> None:
+    """Peaucellier's inversor: |OB| |OP| = L^2 - l^2, so that P keeps its distance along x."""
+    mechanism = lower(peaucellier(), Builder())
+    _, closed = mechanism.filters
+    r, L, l = (mechanism.builder.input(name) for name in "rLl")
+    q2, q4, q5, q6, q7 = (mechanism.q[k] for k in (1, 3, 4, 5, 6))
+    assert closed.is_zero(2 * r * (L * q2.cos() + l * q6.cos()) - L * L + l * l)
+    assert closed.is_zero(q6.cos() + q5.cos())
+    assert closed.is_zero(q7.sin() + q4.sin())
+    assert not closed.is_zero(q6.sin() - q4.sin())
 
 
 def test_without_typical_values_no_start_is_known() -> None:

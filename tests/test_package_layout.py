@@ -266,7 +266,7 @@ def test_no_module_keeps_what_it_was_asked_for() -> None:
     assert breaches(keeps_objects, files(*PACKAGES, suffix=".py")) == []
 
 
-LINES_OF_A_VERDICT, CODE_OF_A_VERDICT = 6370, 3994
+LINES_OF_A_VERDICT, CODE_OF_A_VERDICT = 6389, 3999
 """At most 4,000 of code: whoever makes it less writes the figures here and in docs/evidence.md."""
 
 

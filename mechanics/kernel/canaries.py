@@ -23,17 +23,13 @@ def _of_solution(x: Node, y: Node, z: Node) -> Node:
     return x * first + y * second
 
 
+def _of_sum(x: Node, y: Node, sign: int) -> Node:
+    return x.sin() * y.cos() + sign * x.cos() * y.sin()
+
+
 KNOWN: tuple[tuple[str, Sides, bool], ...] = (
-    (
-        "sin(x + y)",
-        lambda x, y, z: ((x + y).sin(), x.sin() * y.cos() + x.cos() * y.sin()),
-        True,
-    ),
-    (
-        "sin(x + y) with a wrong sign",
-        lambda x, y, z: ((x + y).sin(), x.sin() * y.cos() - x.cos() * y.sin()),
-        False,
-    ),
+    ("sin(x + y)", lambda x, y, z: ((x + y).sin(), _of_sum(x, y, 1)), True),
+    ("sin(x + y) with a wrong sign", lambda x, y, z: ((x + y).sin(), _of_sum(x, y, -1)), False),
     ("M x = f", lambda x, y, z: (_of_solution(x, y, z), x * z), True),
     ("M x = 2 f", lambda x, y, z: (_of_solution(x, y, z), 2 * x * z), False),
     ("sqrt(x y)", lambda x, y, z: ((x * y).sqrt(), x.sqrt() * y.sqrt()), True),

@@ -8,6 +8,7 @@
     a_i cos t + b_i sin t + d_i = 0, i = 1, 2
                                     cos t, sin t by Cramer's rule; cos^2 t + sin^2 t = 1     (4)
     two circles: f - lambda g, without its squares, is linear                                (5)
+    w = a sin t' - b cos t',  where another angle t' solves (3), too                         (6)
 
 One input at a time, the first way that applies; what is put in is a program like any other, so that
 field, normal form and balls know nothing of constraints. (4) takes one angle out of a loop of two
@@ -16,8 +17,9 @@ and leaves an equation (3) for the other.
 A point certifies its own component, and components meet where a divisor or a radicand vanishes. If
 a state on the constraints is known, nothing is divided by what is zero there, and sigma is the sign
 that leads to it: a parallelogram and its folded twin are two components, told apart by sigma where
-w is a polynomial, of which the radicand is the square. Elsewhere both signs of w may be on one
-component: a statement of meromorphic functions continues from one to the other, |y| = y does not.
+w is a polynomial, of which the radicand is the square, or (6): bars of a rhombus meet where they
+met before, or across it. Elsewhere both signs of w may be on one component: a statement of
+meromorphic functions continues from one to the other, |y| = y does not.
 For those, and without such a state, sigma is the sign of an input of its own: what holds on one
 branch only is not shown.
 """
@@ -28,8 +30,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
-from graphlib import TopologicalSorter
-from math import comb
+from graphlib import CycleError, TopologicalSorter
+from math import comb, cos, isclose, sin
 
 from mechanics.errors import ZeroDivisorError
 from mechanics.kernel.angles import Form, Forms, Monomial, accumulate, base_angles, node_of
@@ -54,6 +56,9 @@ MEROMORPHIC = {
 
 COARSE = 1000
 """Largest denominator of the numbers near the start that witnesses are looked for at."""
+
+
+Solution = Callable[[Node], Node]
 
 
 @dataclass(frozen=True)
@@ -124,6 +129,7 @@ class _Solver:
     below: dict[str, frozenset[str]] = field(default_factory=dict)
     _held: dict[int, frozenset[str]] = field(default_factory=dict)
     _failed: set[tuple[object, ...]] = field(default_factory=set)
+    _alike: list[tuple[str, Node, Node]] = field(default_factory=list)
 
     def closed(self, constraints: Sequence[Node]) -> bool:
         """Whether the typical values are a state on the constraints."""
@@ -152,7 +158,18 @@ class _Solver:
                     if longer is not None or not self._holds(node, False)]  # fmt: skip
             if left == before:
                 return False
+        self._tell_apart()
         return True
+
+    def _tell_apart(self) -> None:
+        """Equation (6) in the place of roots, where it holds: all constraints are solved by now."""
+        for name, remainder, value in self._alike:
+            before, self.values[name] = self.values[name], value
+            try:
+                holds = self._holds(remainder, False)
+            except CycleError:  # the other angle is computed from this one
+                holds = False
+            self.values[name] = value if holds else before
 
     def _take(self, found: Replacement) -> None:
         held = frozenset[str]().union(*(self.held(node.number) for node in found.used))
@@ -296,7 +313,7 @@ class _Solver:
         value = self.at_start(node)
         return self._holds(node, True) if value is None else abs(value) < NEGLIGIBLE
 
-    def roots(self, radicand: Node, solution: Callable[[Node], Node], name: str) -> Node | None:
+    def roots(self, radicand: Node, solution: Solution, name: str, *slopes: Node) -> Node | None:
         """The solution for the root that leads to the start, or for either by a sign that is free.
 
         None where both roots meet at the start: there the branch cannot be told.
@@ -306,14 +323,30 @@ class _Solver:
         root = radicand.sqrt() if polynomial is None else polynomial
         if value is not None and abs(value) < NEGLIGIBLE:
             return None
-        solutions = [solution(root), solution(-root)]
-        one, two = (self.from_start(node, name) for node in solutions)
-        told = polynomial is not None or self.continues
-        if told and one is not None and two is not None:
-            return solutions[two < one]
+        if polynomial is None and slopes and value is not None:
+            self._compare(name, radicand, solution, *slopes)
+        nearest = self.nearest(name, solution, root)
+        if nearest is not None and (polynomial is not None or self.continues):
+            return nearest
         # No input of the statement has so long a name.
         free = self.builder.input(" ".join(("branch of", name, *self.statement.program.inputs)))
         return solution(root * ((free * free).sqrt() / free))
+
+    def _compare(self, name: str, radicand: Node, solution: Solution, a: Node, b: Node) -> None:
+        """Keep the angles that solve (3) at the start, too."""
+        square, x, y = (self.at_start(node) or 0.0 for node in (radicand, a, b))
+        for other, angle in self.start.items():
+            if other != name and isclose((x * sin(angle) - y * cos(angle)) ** 2, square):
+                t = self.builder.input(other)
+                w = a * t.sin() - b * t.cos()
+                if (value := self.nearest(name, solution, w)) is not None:
+                    self._alike.append((name, w * w - radicand, value))
+
+    def nearest(self, name: str, solution: Solution, root: Node) -> Node | None:
+        """The solution for the root, or for its opposite, whichever is nearer to the start."""
+        solutions = [solution(root), solution(-root)]
+        one, two = (self.from_start(node, name) for node in solutions)
+        return None if one is None or two is None else solutions[two < one]
 
     def from_start(self, node: Node, name: str) -> float | None:
         """How far a value for an input is from the start; angles by the chord between them."""
@@ -386,7 +419,7 @@ def _of_one_angle(solver: _Solver, name: str, holding: Sequence[Node]) -> Replac
         c, s = (-(a * d) - b * root) / square, (a * root - b * d) / square
         return solver.builder.call("atan2", s, c)
 
-    value = solver.roots(square - d * d, solution, name)
+    value = solver.roots(square - d * d, solution, name, a, b)
     return None if value is None else Replacement(name, value, (holding[0],))
 
 

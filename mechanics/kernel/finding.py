@@ -203,11 +203,10 @@ def follows(subject: str, premises: Sequence[Finding]) -> Finding:
     words = "follows from " + " and ".join(premise.subject for premise in premises)
     places = [premise.evidence.partition(COMPONENT) for premise in premises]
     words += "".join(dict.fromkeys(COMPONENT + where for _, found, where in places if found))
-    if Verdict.SUPPORTED in verdicts:
-        return Finding(subject, Verdict.SUPPORTED, words)
+    if Verdict.SUPPORTED in verdicts or Verdict.CERTIFIED not in verdicts:
+        weakest = Verdict.SUPPORTED if Verdict.SUPPORTED in verdicts else Verdict.PROVED
+        return Finding(subject, weakest, words)
     bounds = [premise.error_bound for premise in premises if premise.error_bound is not None]
-    if Verdict.CERTIFIED not in verdicts:
-        return Finding(subject, Verdict.PROVED, words)
     return Finding(subject, Verdict.CERTIFIED, words, error_bound=sum(bounds))
 
 

@@ -13,7 +13,7 @@ arithmetic expressions involving radicals", Algorithmica 27 (2000) 87-99.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from math import inf, lcm, log2
+from math import inf, lcm, log2, prod
 
 from flint import arb, fmpq, fmpq_mpoly
 
@@ -101,34 +101,27 @@ class Numbers:
 
     def bound(self, terms: Terms) -> tuple[float, float] | None:
         """log2 of u and l of (1), or None where something is no root."""
-        most: dict[int, int] = {}
-        for monomial in terms:
-            for place, power in enumerate(monomial):
-                if power:
-                    most[place] = max(most.get(place, 0), int(power))
+        powers = zip(*terms, strict=True)
+        most = {k: int(max(column)) for k, column in enumerate(powers) if any(column)}
         if not most.keys() <= self._bounds.keys():
             return None
         whole = lcm(*(int(value.q) for value in terms.values()))
         l = log2(whole) + sum(self._bounds[k][1] * n for k, n in most.items())
-        sizes = [
-            log2(abs(int(value.p)) * (whole // int(value.q)))
-            + sum(
-                self._bounds[k][0] * int(monomial[k]) + self._bounds[k][1] * (n - int(monomial[k]))
-                for k, n in most.items()
-            )
-            for monomial, value in terms.items()
-        ]
+        sizes = []
+        for monomial, value in terms.items():
+            size = log2(abs(int(value.p)) * (whole // int(value.q)))
+            for k, n in most.items():
+                u, own = self._bounds[k]
+                size += u * int(monomial[k]) + own * (n - int(monomial[k]))
+            sizes.append(size)
         # Logarithms are rounded: stay above.
         return max(sizes) + log2(len(sizes)) + 1e-6, l + 1e-6
 
 
 def _at(terms: Terms, values: Mapping[int, arb]) -> arb:
     """The ball of a polynomial."""
-    total = arb(0)
-    for monomial, coefficient in terms.items():
-        term = arb(coefficient)
-        for place, power in enumerate(monomial):
-            if power:
-                term *= values[place] ** power
-        total += term
-    return total
+
+    def term(monomial: tuple[int, ...]) -> arb:
+        return prod((values[k] ** n for k, n in enumerate(monomial) if n), start=arb(1))
+
+    return sum((value * term(monomial) for monomial, value in terms.items()), arb(0))

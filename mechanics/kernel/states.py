@@ -18,9 +18,7 @@ from mechanics.kernel.draws import Draws
 State = Mapping[str, Fraction | arb]
 """Values of inputs, by name."""
 
-SIMPLE = tuple(
-    Fraction(value) for value in ("1", "-1", "1/2", "-1/2", "2", "-2", "3", "-3", "10", "-10")
-)
+SIMPLE = tuple(map(Fraction, ["1", "-1", "1/2", "-1/2", "2", "-2", "3", "-3", "10", "-10"]))
 DRAWN = 48
 """States at which all inputs are drawn together, half of them on all scales."""
 
