@@ -97,7 +97,7 @@ def _constraint_rows(
     mechanism: Mechanism, anywhere: Residues, filter_: Residues
 ) -> list[list[int]]:
     """A of A u + a = 0 at the point, after each constraint was found linear and independent."""
-    forms = velocity_forms(mechanism)
+    forms, vacuous = velocity_forms(mechanism), list[str]()
     for form, constraint in zip(forms, mechanism.constraints, strict=True):
         where = f"constraint {constraint.name}"
         (slopes,) = coefficients([form], mechanism.u)
@@ -110,15 +110,17 @@ def _constraint_rows(
                 f"{where}: it holds accelerations: state it for coordinates or for their rates"
             )
         if all(map(anywhere.is_zero, slopes)):
-            raise SceneError(
-                f"{where}: it restricts no speed: is it an identity? drop_redundant(scene) leaves"
-                " it out with its reaction, which is then not determined"
-            )
-        if all(map(filter_.is_zero, slopes)):
+            vacuous.append(constraint.name)
+        elif all(map(filter_.is_zero, slopes)):
             raise SceneError(
                 f"{where}: it restricts no speed where the constraints hold: give an example of a"
                 " state at which it does"
             )
+    if vacuous:
+        raise SceneError(
+            f"constraint {', '.join(vacuous)}: it restricts no speed: is it an identity?"
+            " drop_redundant(scene) leaves it out with its reaction, which is then not determined"
+        )
     table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
     kept = _rank(filter_, table, len(mechanism.u))
     names = [constraint.name for constraint in mechanism.constraints]

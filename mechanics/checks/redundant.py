@@ -35,7 +35,7 @@ def drop_redundant(scene: Scene) -> Scene:
     -------
     Scene
         The same motion, for parameters at which all constraints hold. A joint that lost a reaction
-        is declared by what it still holds.
+        is declared by what it still holds, and a note says which reactions are left out.
 
     Raises
     ------
@@ -73,8 +73,14 @@ def drop_redundant(scene: Scene) -> Scene:
                 " only, or for some parameters: remove them by hand where they follow"
             )
     lost = {name for constraint in gone for name in constraint.reactions}
+    note = (
+        f"{', '.join(sorted(lost))} left out: what they maintain follows from other constraints;"
+        " rigid bodies do not determine how such loads are shared, the other reactions are those of"
+        " joints that give way there"
+    )
     return replace(
         scene,
+        notes=(*scene.notes, note),
         # What a joint still holds stands in the scene; it is no longer a joint of its kind.
         joints=tuple(j for j in scene.joints if not lost & {r.name for r in j.reactions}),
         constraints=tuple(c for c in scene.constraints if c not in gone),

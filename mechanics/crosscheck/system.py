@@ -127,7 +127,8 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     programs = derive_rows(mechanism, names, stage)
     derived, seconds = _equations(scene, programs, stage)
     own, told = _own(scene, made, programs, stage)
-    told = (*told, *absolute_coordinates(scene))
+    notes = [f"Note: {note}." for note in scene.notes]
+    told = (*notes, *told, *absolute_coordinates(scene))
     if any(equations.textbook is None for equations in derived.values()):
         return _without_textbook(system, derived, programs, own, told, stage)
     stage("comparing routes")

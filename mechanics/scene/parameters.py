@@ -66,7 +66,7 @@ class Parameter(Symbol):
 def parameters(
     names: str,
     units: str = "",
-    typical: str = "",
+    typical: str | Expr | float | Sequence[Any] = "",
     meanings: Sequence[str] = (),
     positive: bool = True,
 ) -> tuple[Parameter, ...]:
@@ -78,10 +78,10 @@ def parameters(
         ``"M m L"``.
     units : str
         One SI unit a name, ``"kg kg m"``; ``1`` for a pure number. Empty: not stated.
-    typical : str
+    typical : str, number, or sequence of these
         One decimal number, fraction or multiple of pi a name (``"0.1 1/3 pi/10"``), read exactly,
         or ``-`` for one that has none, which is an error only where a number is needed. Empty: none
-        has one.
+        has one. Numbers may stand for their text: ``[0.1, Rational(1, 3), pi/10]``.
     meanings : sequence of str
         One phrase a name, for reports and C headers.
     positive : bool
@@ -97,6 +97,10 @@ def parameters(
     if not split:
         raise SceneError("parameters: no name given: write the names separated by blanks")
 
+    if isinstance(typical, Expr | int | float):
+        typical = (typical,)
+    values = typical.split() if isinstance(typical, str) else list(map(str, typical))
+
     def column(title: str, entries: Sequence[str]) -> Sequence[str]:
         if entries and len(entries) != len(split):
             raise SceneError(
@@ -108,7 +112,7 @@ def parameters(
     rows = zip(
         split,
         column("units", units.split()),
-        column("typical values", typical.split()),
+        column("typical values", values),
         column("meanings", list(meanings)),
         strict=True,
     )

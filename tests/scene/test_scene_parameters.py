@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from sympy import Rational, cos, pi, sin
+from sympy import Rational, cos, pi, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.checks.admissible import check_scene
@@ -32,6 +32,16 @@ def test_multiples_of_pi_are_exact() -> None:
     assert pickle.loads(pickle.dumps(angles[1])).exact == pi / 10
     assert parameters("e f", typical="1/3 -")[0].exact == Rational(1, 3)
     assert parameters("e f", typical="1/3 -")[1].exact is None
+
+
+def test_typical_values_may_be_numbers() -> None:
+    assert parameters("a", typical=pi / 10)[0].exact == pi / 10
+    a, b, c = parameters("a b c", typical=[0.1, -3 * pi / 4, Rational(1, 3)], positive=False)
+    assert [p.exact for p in (a, b, c)] == [Rational(1, 10), -3 * pi / 4, Rational(1, 3)]
+    with pytest.raises(
+        SceneError, match=r"parameter b: the typical value 'sqrt\(2\)' is no number"
+    ):
+        parameters("a b", typical=[1, sqrt(2)])
 
 
 def test_an_equilibrium_at_a_multiple_of_pi_is_proved() -> None:
