@@ -9,6 +9,7 @@ from systems import (
     atwood,
     bead_on_hoop,
     bicycle,
+    bicycle_ledger,
     cartpole,
     cartpole_friction,
     cylinder_in_cylinder,
@@ -85,7 +86,7 @@ ROBOTS_AND_VEHICLES: tuple[System, ...] = (
     System("arm_seven_joints", arm_seven_joints.scene),
     System("humanoid", humanoid.scene),
     System("quadrotor", quadrotor.scene, quadrotor.PUBLISHED),
-    System("bicycle", bicycle.scene),
+    System("bicycle", bicycle.scene, bicycle_ledger.PUBLISHED),
     System("half_car", half_car.scene, half_car.PUBLISHED),
 )
 VARIANTS: tuple[System, ...] = (

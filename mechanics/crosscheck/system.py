@@ -47,7 +47,7 @@ from mechanics.errors import wanted
 from mechanics.importers import as_scene
 from mechanics.importers.sympy_model import is_formed
 from mechanics.kernel import Finding, Verdict
-from mechanics.linear.ledger import check_linear_row, linear_equations
+from mechanics.linear.ledger import OF_PROGRAMS, check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes.derivation import as_program, by_route, steps_of
 from mechanics.scene import Scene
@@ -248,14 +248,25 @@ def _without_textbook(
         *(check_program(scene, name, solved(programs, name), states) for name in programs.routes),
     ]
     stage("published equations")
-    known = tuple(row for row in system.published if isinstance(row.quantity, QUANTITIES))
+    kinds = (*QUANTITIES, *OF_PROGRAMS)
+    known = tuple(row for row in system.published if isinstance(row.quantity, kinds))
     if len(known) < len(system.published):
         remarks.append(
             "Published rows about linear equations are not checked: they need formulas of these."
         )
     support = programs.route("free_body").rows
     equations = as_program(scene, programs.mechanism, support)
-    published = tuple(LedgerResult(row, check_row(scene, row, equations)) for row in known)
+    linear = next((e for e in derived.values() if e.conjugate), first)
+    linears = linear_equations(known, linear)
+    published = tuple(
+        LedgerResult(
+            row,
+            check_linear_row(scene, row, linear, linears)
+            if isinstance(row.quantity, OF_PROGRAMS)
+            else check_row(scene, row, equations),
+        )
+        for row in known
+    )
     motions = [row for row in known if isinstance(row.quantity, EquationOfMotion)]
     if motions:
         findings.append(check_complete(scene, motions, equations))

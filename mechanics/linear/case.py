@@ -192,7 +192,9 @@ def entries(side: Expr | Matrix) -> list[Expr]:
 
 def linear_at(equations: Equations, point: OperatingPoint) -> Linear:
     """The equations linearized about an operating point."""
-    return linearize(equations, dict(point.coordinates), dict(point.inputs))
+    return linearize(
+        equations, dict(point.coordinates), dict(point.inputs), speeds=dict(point.speeds)
+    )
 
 
 def closed_loop(linear: Linear, feedback: ProportionalFeedback) -> Linear:

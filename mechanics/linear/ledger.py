@@ -10,7 +10,7 @@ from sympy import Expr, Symbol
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError
 from mechanics.kernel import Finding, undecided
-from mechanics.linear import control_rows, modal_rows
+from mechanics.linear import control_rows, modal_rows, speed_rows
 from mechanics.linear.case import Case, linear_at
 from mechanics.linear.form import Linear
 from mechanics.scene import Scene
@@ -20,10 +20,14 @@ from mechanics.scene.published import Published, Quantity
 CHECKS: dict[type[LinearQuantity], Callable[[Case], Finding]] = {
     **control_rows.CHECKS,
     **modal_rows.CHECKS,
+    **speed_rows.CHECKS,
 }
 
 QUANTITIES: tuple[type[Quantity], ...] = tuple(CHECKS)
 """What this ledger can check; rows about other quantities belong to other checks."""
+
+OF_PROGRAMS: tuple[type[Quantity], ...] = tuple(speed_rows.CHECKS)
+"""What it can check of equations that are too long to be written out."""
 
 
 Linears = Mapping[OperatingPoint, Linear]

@@ -124,7 +124,7 @@ def speed_form(linear: Linear, speed: str, gravity: str = "g") -> SpeedForm:
         for one, two in zip(*rows, strict=True)
     ]
     program = builder.program({"left": left, "right": right})
-    finding = decide(Statement("the form in v and g", program, _signs(linear, program)))
+    finding = decide(Statement("the form in v and g", program, signs_of(linear, program)))
     if not finding.shown:
         raise InputError(
             f"{linear.scene.name}: the linear equations are not of the form M x'' + {speed} C1 x' +"
@@ -181,9 +181,10 @@ def _vanish(linear: Linear, builder: Builder, matrix: Rows) -> bool:
     if not entries:
         return True
     program = builder.program({"left": entries, "right": [0] * len(entries)})
-    return decide(Statement("momenta are kept", program, _signs(linear, program))).shown
+    return decide(Statement("momenta are kept", program, signs_of(linear, program))).shown
 
 
-def _signs(linear: Linear, program: Program) -> dict[str, Range]:
+def signs_of(linear: Linear, program: Program) -> dict[str, Range]:
+    """What is known of the inputs of a program made of linear equations."""
     known = [name for name in program.inputs if name in linear.names]
     return {name: range_of(linear.names[name]) for name in known}

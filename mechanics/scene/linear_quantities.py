@@ -2,10 +2,10 @@
 
     M x'' + C x' + K x = E w        D(s) X = E W        K a = omega^2 M a
 
-All of it holds about an operating point that is proved to be an equilibrium; coordinates and inputs
-in a row stand for deviations from it. Coordinates, inputs, bodies and points are named as in the
-scene. An *equation* has two sides and is checked as a whole: scaled or combined rows and swapped
-sides are the same equation. Of any other quantity every side of the row is a form.
+All of it holds about an operating point that is proved to be an equilibrium, or a steady motion;
+coordinates and inputs in a row stand for deviations from it. Coordinates, inputs, bodies and points
+are named as in the scene. An *equation* has two sides and is checked as a whole: scaled or combined
+rows and swapped sides are the same equation. Of any other quantity every side of the row is a form.
 """
 
 from collections.abc import Mapping
@@ -20,21 +20,24 @@ Named = tuple[tuple[str, Expr], ...]
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """Values of all coordinates and inputs, by name."""
+    """Values of all coordinates and inputs, by name; of a steady motion speeds, as `linearize`."""
 
     coordinates: Named
     inputs: Named = ()
+    speeds: Named = ()
 
 
 def operating_point(
-    coordinates: Mapping[str, Expr | int], inputs: Mapping[str, Expr | int] | None = None
+    coordinates: Mapping[str, Expr | int],
+    inputs: Mapping[str, Expr | int] | None = None,
+    speeds: Mapping[str, Expr | int] | None = None,
 ) -> OperatingPoint:
     """An operating point: ``operating_point({"theta": 0}, {"f": 0})``."""
 
-    def named(values: Mapping[str, Expr | int]) -> Named:
-        return tuple((name, sympify(value)) for name, value in values.items())
+    def named(values: Mapping[str, Expr | int] | None) -> Named:
+        return tuple((name, sympify(value)) for name, value in (values or {}).items())
 
-    return OperatingPoint(named(coordinates), named(inputs or {}))
+    return OperatingPoint(named(coordinates), named(inputs), named(speeds))
 
 
 @dataclass(frozen=True)
@@ -200,6 +203,18 @@ class DimensionlessProblem(LinearQuantity):
 
     amplitudes: tuple[Symbol, ...]
     parameter: Symbol
+
+
+@dataclass(frozen=True)
+class SpeedMatrix(LinearQuantity):
+    """``"M"``, ``"C1"``, ``"K0"`` or ``"K2"`` of M x'' + v C1 x' + (g K0 + v^2 K2) x = 0.
+
+    Of a steady motion with the speed v, cyclic coordinates taken out by their momenta.
+    """
+
+    matrix: str
+    speed: str
+    gravity: str = "g"
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 import pytest
-from sympy import Basic, Expr, ImmutableMatrix, sympify
+from sympy import Basic, Expr, ImmutableMatrix, Symbol, sympify
 from sympy.core.relational import Relational
 from sympy.matrices import MatrixBase
 
@@ -20,13 +20,37 @@ from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.linear.ledger import QUANTITIES, check_linear_row
 from mechanics.routes.derivation import by_route
-from mechanics.scene.linear_quantities import CharacteristicPolynomial, InertiaAbout, LinearQuantity
-from mechanics.scene.published import Published
+from mechanics.scene.linear_quantities import (
+    CharacteristicPolynomial,
+    InertiaAbout,
+    LinearQuantity,
+    SpeedMatrix,
+    operating_point,
+)
+from mechanics.scene.published import Published, published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.symbolic import canonical
-from systems import rocker, rocker_control_ledger, two_mass_chain, two_mass_chain_ledger
+from systems import (
+    rocker,
+    rocker_control_ledger,
+    rolling_disc,
+    two_mass_chain,
+    two_mass_chain_ledger,
+)
 
+v = Symbol("v", positive=True)
+LEANING = operating_point({"lean": 0}, speeds={"u2": v / rolling_disc.R})
+DISC = tuple(
+    # Its yaw momentum is kept: 3 m v yaw' goes with it into K_2.
+    published(name, SpeedMatrix(LEANING, name, "v"), ImmutableMatrix([[entry]]), label=f"{name}")
+    for name, entry in (
+        ("M", 5 * rolling_disc.m * rolling_disc.R**2 / 4),
+        ("K0", -rolling_disc.m * rolling_disc.R),
+        ("K2", 3 * rolling_disc.m),
+    )
+)
 LEDGERS = {
+    "rolling_disc": (rolling_disc.scene, DISC),
     "rocker": (rocker.scene, rocker_control_ledger.PUBLISHED),
     "two_mass_chain": (two_mass_chain.scene, two_mass_chain_ledger.MODES),
 }
@@ -37,7 +61,11 @@ ROWS = [
 ]
 ROUTES = ("lagrange", "kane", "free_body", "moving_point")
 # Their coefficients themselves are compared, not what follows from the rows.
-NEED_CONJUGATE = {"rocker": {InertiaAbout}, "two_mass_chain": {CharacteristicPolynomial}}
+NEED_CONJUGATE = {
+    "rolling_disc": {SpeedMatrix},
+    "rocker": {InertiaAbout},
+    "two_mass_chain": {CharacteristicPolynomial},
+}
 
 
 @cache
