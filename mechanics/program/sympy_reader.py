@@ -95,11 +95,7 @@ class Reader:
             sympy.Piecewise: lambda e: Parts((_Rest(e, 0),), lambda number: number),
             sympy.ITE: lambda e: Choice(*e.args),
         }
-        self.expansions = (
-            own
-            | {head: self.rule(function) for head, function in _RULES.items() if head not in own}
-            | dict(rules or {})
-        )
+        self.expansions = own | dict(rules or {})
         self.walk = Walk(builder, self.expand, symbols)
 
     def read(self, expression: Any) -> Node:
@@ -121,6 +117,8 @@ class Reader:
         for head in type(expression).__mro__:
             if head in self.expansions:
                 return self.expansions[head](expression)
+            if head in _RULES:
+                return Parts(expression.args, self.function(_RULES[head]))
         if getattr(expression, "is_Rational", False):
             value = Fraction(int(expression.p), int(expression.q))
             return self.leaf(self.builder.number_of(value))
@@ -148,14 +146,14 @@ class Reader:
             raise ExpressionError(f"constant {number}: a finite number is needed")
         return self.leaf(self.builder.number_of(Fraction(*map(int, to_rational(number._mpf_)))))
 
-    def rule(self, function: Callable[..., Node]) -> Callable[[Any], Parts]:
-        """The expansion of a head that is a function of its arguments."""
+    def function(self, function: Callable[..., Node]) -> Callable[..., int]:
+        """A function of nodes as one of their numbers."""
         b = self.builder
 
         def apply(*numbers: int) -> int:
             return function(b, *[Node(b, number) for number in numbers]).number
 
-        return lambda expression: Parts(expression.args, apply)
+        return apply
 
     def sum(self, *numbers: int) -> int:
         """The sum of nodes."""
