@@ -29,7 +29,7 @@ from mechanics.kernel import Finding
 from mechanics.kinematics import chain
 from mechanics.kinematics.energy import HALF, kinetic_energies
 from mechanics.kinematics.motion import body_motions
-from mechanics.mechanism import GROUND, Field, Mass, Mechanism, name_of
+from mechanics.mechanism import GROUND, Field, Line, Mass, Mechanism, Push, Torsion, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
@@ -64,6 +64,8 @@ class Change:
         To be added, about the mass centres in the frames of the bodies, kg m^2.
     armature, damping, friction : (speeds,)
         A, b and c of equation (1).
+    loads : (loads,)
+        What part of each load but gravity is left out, in the order of `Ours.loads`.
     step : float or (N,)
         h of an implicit step, in s: what is damped is damped at its end, by D (v + h a).
     opened : bool
@@ -78,23 +80,30 @@ class Change:
     armature: Array | None = None
     damping: Array | None = None
     friction: Array | None = None
+    loads: Array | None = None
     step: float | Array = 0.0
     opened: bool = False
     locked: Mapping[int, float] = field(default_factory=dict)
 
+    def __bool__(self) -> bool:
+        """Whether something is changed."""
+        added = (getattr(self, name) for name in AMOUNTS)
+        return bool(self.opened or self.locked or any(np.any(x) for x in added if x is not None))
+
     def repeated(self, times: int) -> Change:
         """The change for so many copies of the states, where it has a row for each of these."""
         plain = {"inertias": 3, "step": 0}
-        names = ("gravity", "masses", "inertias", "armature", "damping", "friction", "step")
         rows: dict[str, Any] = {
             name: np.concatenate([entries] * times)
-            for name in names
+            for name in AMOUNTS
             if np.ndim(entries := getattr(self, name)) > plain.get(name, 1)
         }
         return replace(self, **rows) if rows else self
 
 
 NOTHING = Change()
+AMOUNTS = ("gravity", "masses", "inertias", "armature", "damping", "friction", "loads", "step")
+"""Fields of a change that are added."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,6 +133,11 @@ class Ours:
     def speeds(self) -> tuple[str, ...]:
         """Names of the speeds."""
         return tuple(symbol.name for symbol in self.scene.u)
+
+    @property
+    def loads(self) -> tuple[str, ...]:
+        """Names of the loads but gravity."""
+        return tuple(load.name for load in _loads(self.mechanism))
 
     def coordinate(self, speed: int) -> int:
         """Index of the coordinate whose rate is a speed.
@@ -165,6 +179,10 @@ class Ours:
     def _closing(self) -> Program:
         held = [c.expression for c in self.mechanism.constraints if c.holonomic]
         return self._program({"closing": acceleration_forms(self.mechanism), "held": held})
+
+    @cached_property
+    def _rates(self) -> Program:
+        return self._program({"rates": self.mechanism.q_rates})
 
     @cached_property
     def _energy(self) -> Program:
@@ -246,6 +264,8 @@ class Ours:
             given |= {name_of(node): table[:, i] for i, node in enumerate(nodes)}
         if change.gravity is not None:
             given |= {f"added_{e}": change.gravity[..., k] for k, e in enumerate(AXES)}
+        if change.loads is not None:
+            given |= {_left(k): change.loads[..., k] for k in range(len(self.loads))}
         for place in range(len(mechanism.bodies)):
             if change.masses is not None:
                 given[f"added_mass_{place}"] = change.masses[..., place]
@@ -414,18 +434,13 @@ class Ours:
         if not self.mechanism.constraints:
             return states
         q, held = states.q.copy(), any(c.holonomic for c in self.mechanism.constraints)
-        if held and self.scene.rotations:
-            raise InputError(
-                f"{self.scene.name}: constraints and quaternions in one scene are not drawn: pass"
-                " states= on them"
-            )
         count = sum(c.holonomic for c in self.mechanism.constraints)
         places = [i for i, c in enumerate(self.mechanism.constraints) if c.holonomic]
         still = np.zeros_like(states.v)
         for _ in range(NEWTON if held else 0):
             gap = self._evaluate(self._closing, q, still)["held"]
             slope = self.constraints(q, still)[0][:, places]
-            q = q - (np.linalg.pinv(slope) @ gap[..., None])[..., 0]
+            q = self._moved(q, -(np.linalg.pinv(slope) @ gap[..., None])[..., 0])
         gap = self._evaluate(self._closing, q, still)["held"] if held else np.zeros((len(q), count))
         kept = np.all(np.abs(gap) < CLOSED, axis=1)
         if not kept.any():
@@ -439,6 +454,19 @@ class Ours:
         _, closing = self.constraints(q, v)
         a = a - (back @ (matrix @ a[..., None] + closing[..., None]))[..., 0]
         return States(q, v, a, states.f[kept], states.wrench[kept])
+
+    def _moved(self, q: Array, by: Array) -> Array:
+        """The coordinates after a small motion, given by the speeds: q + N(q) u, quaternions of
+        length one.
+        """
+        still = np.zeros_like(by)
+        moved = q + sum(sign * self._evaluate(self._rates, q, u)["rates"]
+                        for sign, u in ((1, by), (-1, still)))  # fmt: skip
+        names = [*self.scene.coordinates]
+        for rotation in self.scene.rotations:
+            places = [names.index(entry) for entry in rotation.coordinates]
+            moved[:, places] /= np.linalg.norm(moved[:, places], axis=1, keepdims=True)
+        return moved
 
     def proof(self) -> Finding:
         """Whether two principles give the same motion of the scene, whatever is changed of it."""
@@ -515,6 +543,9 @@ def _changeable(mechanism: Mechanism) -> Mechanism:
             )
         return replace(body, mass=body.mass + build.input(f"added_mass_{place}"), inertia=inertia)
 
+    kept = {
+        load.name: build.one - build.input(_left(k)) for k, load in enumerate(_loads(mechanism))
+    }
     pull = tuple(build.input(f"added_{axis}") for axis in AXES)
     bare = bare_links(mechanism)
     count, more = len(mechanism.bodies), len(bare)
@@ -525,6 +556,22 @@ def _changeable(mechanism: Mechanism) -> Mechanism:
         order=(*mechanism.order, *range(count, count + more)),
         joints=(*mechanism.joints, *[()] * more),
         fields=(*mechanism.fields, Field("added gravity", ((0, pull),))),
+        lines=tuple(
+            replace(
+                line,
+                stiffness=line.stiffness * kept[line.name],
+                coefficient=line.coefficient * kept[line.name],
+            )
+            for line in mechanism.lines
+        ),
+        pushes=tuple(
+            replace(push, vector=tuple((f, scale(kept[push.name], v)) for f, v in push.vector))
+            for push in mechanism.pushes
+        ),
+        torsions=tuple(
+            replace(spring, stiffness=spring.stiffness * kept[spring.name])
+            for spring in mechanism.torsions
+        ),
     )
 
 
@@ -539,6 +586,14 @@ def bare_links(mechanism: Mechanism) -> list[Mass]:
         and (other := name.removesuffix("_position") + "_orientation") in known
         and name.removesuffix("_position") not in {body.name for body in mechanism.bodies}
     ]  # fmt: skip
+
+
+def _loads(mechanism: Mechanism) -> tuple[Line | Push | Torsion, ...]:
+    return (*mechanism.lines, *mechanism.pushes, *mechanism.torsions)
+
+
+def _left(place: int) -> str:
+    return f"left_out_{place}"
 
 
 def _entry(place: int, i: int, k: int) -> str:
