@@ -16,8 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import AMOUNTS as ADDED
-from mechanics.compare.ours import Array, Change, Ours, carried
+from mechanics.compare.change import AMOUNTS as ADDED
+from mechanics.compare.change import Array, Change
+from mechanics.compare.ours import Ours, carried
 from mechanics.scene.joints import Joint
 
 SHARP = 1e-6

@@ -18,7 +18,8 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Change, Ours
+from mechanics.compare.change import Array, Change
+from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import (
     FORCE,
     FORWARD,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.compare.ours import Array
+from mechanics.compare.change import Array
 from mechanics.compare.tree import Link
 
 LINEAR = {"free": 3, "planar": 2}

@@ -15,7 +15,8 @@ import numpy as np
 
 from mechanics.compare.amounts import SHARP, Amount, amounts, joined, stacked, together
 from mechanics.compare.causes import CAUSES, Trial
-from mechanics.compare.ours import NOTHING, Array, Change, Ours
+from mechanics.compare.change import NOTHING, Array, Change
+from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import (
     AS_MEANT,
     FORCES,

@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Ours, of_scene
+from mechanics.compare.change import Array
+from mechanics.compare.ours import Ours, of_scene
 from mechanics.compare.quantities import Answer
 from mechanics.compare.states import draw
 from mechanics.errors import InputError

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array
+from mechanics.compare.change import Array
 from mechanics.compare.tree import Link
 
 STRAIGHT = 1e-9
