@@ -1,6 +1,7 @@
 """Causes of the table that no thread above has, together, and what has none."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -100,6 +101,12 @@ def stale() -> dict[str, Callable[..., Any]]:
     return {"mass_matrix": answer}
 
 
+def lighter() -> dict[str, Callable[..., Any]]:
+    one, two = other.arm_joints(2)
+    own = other.answers([one, replace(two, mass=2.5)])
+    return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
+
+
 def heavy_tool() -> dict[str, Callable[..., Any]]:
     own = other.answers(other.with_tool(other.arm_joints(2)))
     return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
@@ -132,6 +139,8 @@ CASES = {
                    "damping of joints is left out: 0.4 N m s/rad at q1"),
     "stale": (lambda: small_trees.arm(2), stale, ("not computed",),
               "mass_matrix is that of the state before"),
+    "mass": (lambda: small_trees.arm(2), lighter, ("mass",),
+             "2.5 in place of 3 kg of link2"),
     "no spring": (small_trees.sprung, unsprung, ("a load left out",),
                   "left out of the loads: spring"),
     "a default": (lambda: small_trees.arm(2, tool=True), heavy_tool, ("a link without inertia",),

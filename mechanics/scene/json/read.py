@@ -228,12 +228,18 @@ class _Reader:
         roots = {title: _text(self.whole.get(own), f"$.{own}") for title, own in ROOTS.items()}
         for title in ROOTS:
             _table(self.whole.get(title, {}), f"$.{title}")
+        taken = {*self.whole.get("frames", {}), *self.whole.get("points", {})}
         known = (*(NAME_OF[kind] for kind in PARTS["joints"]), *FUNCTIONS)
         for k, tree in enumerate(_list(self.whole.get("joints") or [], "$.joints")):
             kind = _table(tree, f"$.joints[{k}]").get("kind")
             if kind not in known:
                 words = ", ".join(map(repr, known))
                 raise refuse(f"$.joints[{k}].kind", f"{_shown(kind)}, one of {words} expected")
+            if kind in FUNCTIONS:
+                name = _text(tree.get("name"), f"$.joints[{k}].name")
+                if name in taken:
+                    raise refuse(f"$.joints[{k}].name", f"{name[:40]!r} is the name of another")
+                taken.add(name)
         for title, name in placing_order(self.whole, roots):
             if title == "joints":
                 self._jointed(name)
