@@ -16,6 +16,7 @@ from mechanics.scene import (
     orientation,
     parameters,
     pin,
+    planar,
     position,
     quaternion,
     reaction_couple,
@@ -98,6 +99,19 @@ def floating() -> Scene:
                 rotation=quaternion("e0 e1 e2 e3", "wx wy wz"))  # fmt: skip
     bodies = (link(1, base, base.frame),)
     return Scene("floating", N, O, bodies=bodies, joints=(base,), loads=(gravity(-g * N.z),))
+
+
+def puck() -> Scene:
+    """A body that slides and turns in a plane that is inclined, and an arm on it."""
+    (g,) = parameters("g", "m/s^2", "9.81")
+    N, O = ReferenceFrame("N"), Point("O")
+    slope = N.orientnew("slope", "Axis", (pi / 6, N.x))
+    table = planar("table", None, "puck", at=O, frame=slope, coordinates=dynamicsymbols("x y"),
+                   angle=dynamicsymbols("angle"))  # fmt: skip
+    elbow = pin("elbow", "puck", "arm", at=table.point, axis=table.frame.y,
+                angle=dynamicsymbols("q"))  # fmt: skip
+    bodies = (link(1, table, table.frame), link(2, elbow, elbow.frame))
+    return Scene("puck", N, O, bodies=bodies, joints=(table, elbow), loads=(gravity(-g * N.z),))
 
 
 def gripper() -> Scene:

@@ -50,7 +50,8 @@ def compare(
     `mechanics compare arm.urdf --against mujoco --json -`
     """
     refuse_unwritable(json_file)
-    scene = load(model).scene()
+    # The other side takes 1.5708 for what it is.
+    scene = load(model, multiples=False).scene()
     file = Path(model) if Path(model).suffix in FILES else None
     values = {name: float(number) for name, number in assignments(value or [], "--value").items()}
     names = [name.strip() for name in against.split(",") if name.strip()] or [*installed()]
@@ -63,14 +64,16 @@ def compare(
         except InputError as error:
             refused[name] = str(error)
     if not found:
-        raise InputError("; ".join(refused.values()) or "no engine is installed: pip install pin")
+        raise InputError(
+            "; ".join(dict.fromkeys(refused.values())) or "no engine is installed: pip install pin"
+        )
     if json_file is not None:
         write(json.dumps([to_record(f) for f in found], indent=2, allow_nan=False), json_file)
     if json_file != "-":
         for comparison in found:
             _print(Console(highlight=False, emoji=False, soft_wrap=True), comparison)
     if refused and against:
-        raise InputError("; ".join(refused.values()))
+        raise InputError("; ".join(dict.fromkeys(refused.values())))
     for words in refused.values():
         typer.echo(f"not compared: {words}", err=True)
     raise typer.Exit(0 if all(comparison.agree for comparison in found) else 1)

@@ -190,7 +190,7 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
             )
         for remark in result.remarks:
             console.print(escape(remark), style="dim")
-        for finding in result.open:
+        for finding in (*result.open, *(cause for cause in result.causes if cause.shown)):
             explain(console, finding)
 
 

@@ -43,7 +43,7 @@ NUMBERS = "numbers"
 JSON = re.compile(r".*\.json", re.DOTALL | re.IGNORECASE)
 
 
-def load(text: str) -> System:
+def load(text: str, multiples: bool = True) -> System:
     """The system that a person named.
 
     Parameters
@@ -57,6 +57,8 @@ def load(text: str) -> System:
         holds its first link ``dog.urdf:free``; ``arm.xml`` in MJCF, or with what is left out
         ``arm.xml:contact,friction``; ``:numbers`` with both makes no number a parameter. What its
         reader notes is printed.
+    multiples : bool
+        Whether the reader of a URDF takes angles with few digits for multiples of pi.
 
     Raises
     ------
@@ -68,7 +70,7 @@ def load(text: str) -> System:
     if JSON.fullmatch(text):
         return _from_json(Path(text))
     if robot := ROBOT.fullmatch(text):
-        return _from_model(Path(robot[1]), robot[2] or "")
+        return _from_model(Path(robot[1]), robot[2] or "", multiples)
     return built_in(text)
 
 
@@ -129,14 +131,14 @@ def _from_file(path: Path, name: str) -> System:
     return System(path.stem, partial(_taken, made, path.stem), tuple(rows), model=made)
 
 
-def _from_model(path: Path, option: str) -> System:
+def _from_model(path: Path, option: str, multiples: bool) -> System:
     """A robot; options of a URDF are its root, of an MJCF what is left out."""
     words = [word for word in option.split(",") if word]
     symbolic = () if NUMBERS in words else SYMBOLIC
     others = [word for word in words if word != NUMBERS]
     if path.suffix.lower() == ".urdf":
         notes = Notes()
-        robot = read_urdf(path, notes)
+        robot = read_urdf(path, notes, multiples)
         root = ",".join(others) or "fixed"
         told, make = notes.lines(), partial(assemble, robot, root, symbolic)
     else:

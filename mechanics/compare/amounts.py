@@ -16,7 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Change, Ours, carried
+from mechanics.compare.change import AMOUNTS as ADDED
+from mechanics.compare.change import Array, Change
+from mechanics.compare.ours import Ours, carried
 from mechanics.scene.joints import Joint
 
 SHARP = 1e-6
@@ -45,15 +47,11 @@ class Amount:
     whole: bool = False
 
 
-AMOUNTED = ("gravity", "masses", "inertias", "armature", "damping", "friction", "step")
-"""Fields of a change that are added."""
-
-
 def together(changes: Sequence[Change], factors: Sequence[float]) -> Change:
     """The sum of changes, each times its factor."""
     total: dict[str, Any] = {}
     for change, factor in zip(changes, factors, strict=True):
-        for name in AMOUNTED:
+        for name in ADDED:
             part = getattr(change, name)
             if part is not None and factor:
                 total[name] = total.get(name, 0.0) + factor * part
@@ -63,7 +61,7 @@ def together(changes: Sequence[Change], factors: Sequence[float]) -> Change:
 def stacked(changes: Sequence[Change], count: int) -> Change:
     """The changes one after the other, each for so many states."""
     rows: dict[str, Any] = {}
-    for name in AMOUNTED:
+    for name in ADDED:
         parts = [getattr(change, name) for change in changes]
         known = next((np.asarray(part) for part in parts if part is not None), None)
         if known is not None:
@@ -221,9 +219,14 @@ def _impossible(mass: float, arm: Array, inertia: Array) -> Array:
     return -inertia * beyond
 
 
-def _names(words: str) -> Callable[[Ours, Array, float], str]:
+def _names(
+    words: str, of: Callable[[Ours], Sequence[str]] | None = None
+) -> Callable[[Ours, Array, float], str]:
+    """Which of the bodies, or of others, have a factor."""
+
     def told(ours: Ours, x: Array, sharp: float) -> str:
-        names = [b.name for b, factor in zip(ours.mechanism.bodies, x, strict=True) if factor]
+        every = [body.name for body in ours.mechanism.bodies] if of is None else of(ours)
+        names = [name for name, factor in zip(every, x, strict=True) if factor]
         return f"{words}: {', '.join(names)}" if names else ""
 
     return told
@@ -313,6 +316,12 @@ AMOUNTS: tuple[Amount, ...] = (
         lambda ours: [Change(friction=unit) for unit in np.eye(len(ours.speeds))],
         _of_one_sign("joints rub", "dry friction of joints is left out", "N m", _friction),
     ),
+    Amount(
+        "a load left out",
+        lambda ours: [Change(loads=unit) for unit in np.eye(len(ours.loads))],
+        _names("left out of the loads", lambda ours: ours.loads),
+        whole=True,
+    ),
     _inertia(
         POINT,
         "the inertia is taken about the joint, not about the mass centre",
@@ -351,4 +360,5 @@ def amounts(ours: Ours) -> Iterator[Amount]:
             for words, units in turnings(ours):
                 told = _names(f"the inertia {words}")
                 yield Amount(TURNED, partial(_same, units), told, whole=True)
-        yield amount
+        if amount.units(ours):
+            yield amount

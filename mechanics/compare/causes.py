@@ -18,7 +18,8 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Change, Ours
+from mechanics.compare.change import Array, Change
+from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import (
     FORCE,
     FORWARD,
@@ -407,7 +408,26 @@ def force_frames(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
     )
 
 
+def not_computed(ours: Ours, shapes: Shapes) -> Iterator[Trial]:
+    """What an engine keeps in its data, read without being computed, or before."""
+
+    def before(values: Array) -> Array:
+        return np.concatenate([np.zeros_like(values[:1]), values[:-1]])
+
+    for quantity in shapes:
+        for words, way in (
+            ("is left at zero: nothing computes it", np.zeros_like),
+            ("is that of the state before: it is read before it is computed", before),
+        ):
+
+            def values(name: str, found: Array, states: States, way: Callable = way) -> Array:
+                return np.asarray(way(found))
+
+            yield Trial(f"{quantity} {words}", Reading(values=values, only=(quantity,)))
+
+
 CAUSES: tuple[Cause, ...] = (
+    Cause("not computed", not_computed),
     Cause("upper triangle only", upper_triangle),
     Cause("frame of a velocity", jacobian_frames),
     Cause("frame of an external force", force_frames),

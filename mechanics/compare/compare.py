@@ -10,8 +10,10 @@ import numpy as np
 from flint import arb
 from numpy.typing import ArrayLike
 
+from mechanics.compare.change import Array
 from mechanics.compare.engines import Engine, engine
-from mechanics.compare.ours import Array, Ours, of_scene
+from mechanics.compare.ours import Ours, of_scene
+from mechanics.compare.projection import admitted
 from mechanics.compare.quantities import (
     UNITS,
     Answer,
@@ -195,7 +197,7 @@ def compare(
 
 def _given(ours: Ours, states: Sequence[tuple[ArrayLike, ...]] | int) -> States:
     if isinstance(states, int):
-        return ours.admitted(draw(ours.scene, states, ours.values))
+        return admitted(ours, draw(ours.scene, states, ours.values))
     size = len(ours.speeds)
     columns: list[list[Array]] = [[], [], [], []]
     for state in states:

@@ -10,8 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.compare.ours import Array
+from mechanics.compare.change import Array
 from mechanics.compare.tree import Link
+
+LINEAR = {"free": 3, "planar": 2}
+"""How many of the speeds of a joint are those of a point, before those of the turn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,9 +31,10 @@ class Order:
     scalar_first : bool
         Of quaternions: (w, x, y, z); otherwise (x, y, z, w).
     local : bool
-        Whether the velocity of a free link has the components of its own frame.
+        Whether the velocity of a free or planar link has the components of its own frame.
     circles : frozenset of str
-        Joints whose angle is given by its cosine and sine.
+        Joints with a coordinate more than the scene has: an angle, which is the last one, is given
+        by its cosine and sine.
     """
 
     tree: tuple[Link, ...]
@@ -50,10 +54,11 @@ class Order:
         found = np.zeros(self.sizes[0])
         for link in self._moving:
             own = q[list(link.q)]
-            if link.kind in ("free", "ball") and not self.scalar_first:
-                own = np.concatenate([own[:-4], own[-3:], own[-4:-3]])
-            if link.joint in self.circles:
-                own = np.array([np.cos(own[0]), np.sin(own[0])])
+            if link.kind in ("free", "ball"):
+                if not self.scalar_first:
+                    own = np.concatenate([own[:-4], own[-3:], own[-4:-3]])
+            elif link.kind in ("pin", "planar") and link.joint in self.circles:
+                own = np.array([*own[:-1], np.cos(own[-1]), np.sin(own[-1])])
             found[self.q[link.joint] : self.q[link.joint] + len(own)] = own
         return found
 
@@ -64,19 +69,30 @@ class Order:
             place = self.v[link.joint]
             for k, speed in enumerate(link.v):
                 found[place + k, speed] = 1.0
-            if link.kind == "free" and self.local:
-                found[place : place + 3, list(link.v[:3])] = rotation(q[list(link.q[3:])]).T
+            if link.kind in LINEAR and self.local:
+                linear, turn = link.v[: LINEAR[link.kind]], _turn(link, q)
+                found[place : place + len(linear), list(linear)] = turn.T
         return found
 
     def drift(self, q: Array, v: Array) -> Array:
         """B' v: that of R^T v is -omega x R^T v."""
         found = np.zeros(self.sizes[1])
         for link in self._moving:
-            if link.kind == "free" and self.local:
-                place = self.v[link.joint]
-                seen = rotation(q[list(link.q[3:])]).T @ v[list(link.v[:3])]
-                found[place : place + 3] = -np.cross(v[list(link.v[3:])], seen)
+            if link.kind in LINEAR and self.local:
+                place, count = self.v[link.joint], LINEAR[link.kind]
+                seen, omega = np.zeros(3), np.zeros(3)
+                seen[:count] = _turn(link, q).T @ v[list(link.v[:count])]
+                omega[count - 3 :] = v[list(link.v[count:])]
+                found[place : place + count] = -np.cross(omega, seen)[:count]
         return found
+
+
+def _turn(link: Link, q: Array) -> Array:
+    """From the components of velocity in the link's frame to those in which the scene has it."""
+    if link.kind == "free":
+        return rotation(q[list(link.q[3:])])
+    cos, sin = np.cos(q[link.q[2]]), np.sin(q[link.q[2]])
+    return np.array([[cos, -sin], [sin, cos]])
 
 
 def rotation(quaternion: Array) -> Array:

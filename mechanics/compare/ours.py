@@ -13,23 +13,21 @@ numbers in it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare as same_motion
 from mechanics.checks.agreement import linear_system
-from mechanics.compare.states import States
+from mechanics.compare.change import NOTHING, Array, Change, changeable, inputs, loads
 from mechanics.errors import InputError, ValueMissingError
 from mechanics.kernel import Finding
 from mechanics.kinematics import chain
 from mechanics.kinematics.energy import HALF, kinetic_energies
 from mechanics.kinematics.motion import body_motions
-from mechanics.mechanism import GROUND, Field, Mass, Mechanism, name_of
+from mechanics.mechanism import Mass, Mechanism, name_of
 from mechanics.program import Program
 from mechanics.program.builder import Node
 from mechanics.program.forward import tangent
@@ -42,59 +40,9 @@ from mechanics.routes.rows import acceleration_forms, coefficients, remainder
 from mechanics.scene import Orientation, Output, Position, Scene
 from mechanics.scene.joints import Joint
 
-Array = NDArray[np.float64]
 AXES = "xyz"
 FRAME = "compared_frame_"
 """Begins the names of outputs that this module adds to a scene."""
-NEWTON = 20
-CLOSED = 1e-12
-
-
-@dataclass(frozen=True, eq=False)
-class Change:
-    """In what a scene is changed; None for nothing. A row for each state may stand before.
-
-    Attributes
-    ----------
-    gravity : (3,)
-        To be added to the field, in the inertial frame, m/s^2.
-    masses : (bodies,)
-        To be added, kg.
-    inertias : (bodies, 3, 3)
-        To be added, about the mass centres in the frames of the bodies, kg m^2.
-    armature, damping, friction : (speeds,)
-        A, b and c of equation (1).
-    step : float or (N,)
-        h of an implicit step, in s: what is damped is damped at its end, by D (v + h a).
-    opened : bool
-        Whether the constraints of the scene are left out.
-    locked : mapping of int to float
-        Speeds that are zero, and the values at which their coordinates stay.
-    """
-
-    gravity: Array | None = None
-    masses: Array | None = None
-    inertias: Array | None = None
-    armature: Array | None = None
-    damping: Array | None = None
-    friction: Array | None = None
-    step: float | Array = 0.0
-    opened: bool = False
-    locked: Mapping[int, float] = field(default_factory=dict)
-
-    def repeated(self, times: int) -> Change:
-        """The change for so many copies of the states, where it has a row for each of these."""
-        plain = {"inertias": 3, "step": 0}
-        names = ("gravity", "masses", "inertias", "armature", "damping", "friction", "step")
-        rows: dict[str, Any] = {
-            name: np.concatenate([entries] * times)
-            for name in names
-            if np.ndim(entries := getattr(self, name)) > plain.get(name, 1)
-        }
-        return replace(self, **rows) if rows else self
-
-
-NOTHING = Change()
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,6 +72,11 @@ class Ours:
     def speeds(self) -> tuple[str, ...]:
         """Names of the speeds."""
         return tuple(symbol.name for symbol in self.scene.u)
+
+    @property
+    def loads(self) -> tuple[str, ...]:
+        """Names of the loads but gravity."""
+        return tuple(load.name for load in loads(self.mechanism))
 
     def coordinate(self, speed: int) -> int:
         """Index of the coordinate whose rate is a speed.
@@ -165,6 +118,10 @@ class Ours:
     def _closing(self) -> Program:
         held = [c.expression for c in self.mechanism.constraints if c.holonomic]
         return self._program({"closing": acceleration_forms(self.mechanism), "held": held})
+
+    @cached_property
+    def _rates(self) -> Program:
+        return self._program({"rates": self.mechanism.q_rates})
 
     @cached_property
     def _energy(self) -> Program:
@@ -244,14 +201,7 @@ class Ours:
         for nodes, columns in groups:
             table = zero if columns is None else columns
             given |= {name_of(node): table[:, i] for i, node in enumerate(nodes)}
-        if change.gravity is not None:
-            given |= {f"added_{e}": change.gravity[..., k] for k, e in enumerate(AXES)}
-        for place in range(len(mechanism.bodies)):
-            if change.masses is not None:
-                given[f"added_mass_{place}"] = change.masses[..., place]
-            if change.inertias is not None:
-                own = change.inertias[..., place, :, :]
-                given |= {_entry(place, i, k): own[..., i, k] for i in range(3) for k in range(3)}
+        given |= inputs(mechanism, change)
         found = interpret(program, Arrays(), given, release=False)
         return {
             name: np.stack([np.broadcast_to(entry, count) for entry in entries], axis=1)
@@ -403,42 +353,22 @@ class Ours:
             found[0, names.index(rotation.coordinates[0])] = 1.0
         return found
 
-    def admitted(self, states: States) -> States:
-        """The states projected onto the constraints, without those for which this fails.
+    def gap(self, q: Array) -> Array:
+        """(N, constraints): how far the coordinates are off those that hold between them."""
+        still = np.zeros((len(q), len(self.mechanism.u)))
+        held = self._evaluate(self._closing, q, still).get("held")
+        return np.zeros((len(q), 0)) if held is None else held
 
-        Raises
-        ------
-        InputError
-            When none is left.
+    def moved(self, q: Array, by: Array) -> Array:
+        """The coordinates after a small motion that speeds give: q + N(q) u, with quaternions of
+        length one.
         """
-        if not self.mechanism.constraints:
-            return states
-        q, held = states.q.copy(), any(c.holonomic for c in self.mechanism.constraints)
-        if held and self.scene.rotations:
-            raise InputError(
-                f"{self.scene.name}: constraints and quaternions in one scene are not drawn: pass"
-                " states= on them"
-            )
-        count = sum(c.holonomic for c in self.mechanism.constraints)
-        places = [i for i, c in enumerate(self.mechanism.constraints) if c.holonomic]
-        still = np.zeros_like(states.v)
-        for _ in range(NEWTON if held else 0):
-            gap = self._evaluate(self._closing, q, still)["held"]
-            slope = self.constraints(q, still)[0][:, places]
-            q = q - (np.linalg.pinv(slope) @ gap[..., None])[..., 0]
-        gap = self._evaluate(self._closing, q, still)["held"] if held else np.zeros((len(q), count))
-        kept = np.all(np.abs(gap) < CLOSED, axis=1)
-        if not kept.any():
-            raise InputError(
-                f"{self.scene.name}: no drawn state meets the constraints: pass states= that do"
-            )
-        q, v, a = q[kept], states.v[kept], states.a[kept]
-        matrix, _ = self.constraints(q, v)
-        back = np.linalg.pinv(matrix)
-        v = v - (back @ matrix @ v[..., None])[..., 0]
-        _, closing = self.constraints(q, v)
-        a = a - (back @ (matrix @ a[..., None] + closing[..., None]))[..., 0]
-        return States(q, v, a, states.f[kept], states.wrench[kept])
+        rates = [self._evaluate(self._rates, q, u)["rates"] for u in (by, np.zeros_like(by))]
+        moved, names = q + rates[0] - rates[1], [*self.scene.coordinates]
+        for rotation in self.scene.rotations:
+            places = [names.index(entry) for entry in rotation.coordinates]
+            moved[:, places] /= np.linalg.norm(moved[:, places], axis=1, keepdims=True)
+        return moved
 
     def proof(self) -> Finding:
         """Whether two principles give the same motion of the scene, whatever is changed of it."""
@@ -499,33 +429,7 @@ def of_scene(scene: Scene, given: Mapping[str, float] | None = None) -> Ours:
     mechanism = check_scene(replace(scene, outputs=outputs))
     if mechanism.frictions:
         raise InputError(f"{scene.name}: friction is not compared: leave the load out")
-    return Ours(scene, _changeable(mechanism), values)
-
-
-def _changeable(mechanism: Mechanism) -> Mechanism:
-    """The mechanism with inputs for what a `Change` adds."""
-    build = mechanism.builder
-
-    def changed(place: int, body: Mass) -> Mass:
-        inertia = body.inertia
-        if inertia is not None:
-            inertia = tuple(
-                tuple(entry + build.input(_entry(place, i, k)) for k, entry in enumerate(row))
-                for i, row in enumerate(inertia)
-            )
-        return replace(body, mass=body.mass + build.input(f"added_mass_{place}"), inertia=inertia)
-
-    pull = tuple(build.input(f"added_{axis}") for axis in AXES)
-    bare = bare_links(mechanism)
-    count, more = len(mechanism.bodies), len(bare)
-    return replace(
-        mechanism,
-        bodies=tuple(changed(k, body) for k, body in enumerate((*mechanism.bodies, *bare))),
-        parents=(*mechanism.parents, *[GROUND] * more),
-        order=(*mechanism.order, *range(count, count + more)),
-        joints=(*mechanism.joints, *[()] * more),
-        fields=(*mechanism.fields, Field("added gravity", ((0, pull),))),
-    )
+    return Ours(scene, changeable(mechanism, bare_links(mechanism)), values)
 
 
 def bare_links(mechanism: Mechanism) -> list[Mass]:
@@ -539,8 +443,3 @@ def bare_links(mechanism: Mechanism) -> list[Mass]:
         and (other := name.removesuffix("_position") + "_orientation") in known
         and name.removesuffix("_position") not in {body.name for body in mechanism.bodies}
     ]  # fmt: skip
-
-
-def _entry(place: int, i: int, k: int) -> str:
-    low, high = sorted((i, k))
-    return f"added_inertia_{place}_{AXES[low]}{AXES[high]}"

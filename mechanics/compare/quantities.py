@@ -24,7 +24,8 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import NOTHING, Array, Change, Ours
+from mechanics.compare.change import NOTHING, Array, Change
+from mechanics.compare.ours import Ours
 from mechanics.compare.states import States
 from mechanics.errors import InputError
 

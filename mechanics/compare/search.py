@@ -15,7 +15,8 @@ import numpy as np
 
 from mechanics.compare.amounts import SHARP, Amount, amounts, joined, stacked, together
 from mechanics.compare.causes import CAUSES, Trial
-from mechanics.compare.ours import NOTHING, Array, Change, Ours
+from mechanics.compare.change import NOTHING, Array, Change
+from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import (
     AS_MEANT,
     FORCES,
@@ -31,7 +32,7 @@ ROUNDING = 2.0**-32
 """Differences up to this part of the largest number are taken for rounding."""
 COARSE = 0.02
 """What is nothing beside the largest factor, where answers were printed with few digits."""
-FIELDS = 7
+FIELDS = 8
 """Of the table of amounts the first rows go with each other and with any reading."""
 FEW = 12
 """How many trials of a cause without an amount go together with an amount."""
@@ -240,9 +241,10 @@ def _factors(
     reading: Reading,
 ) -> Iterator[Array]:
     """Factors that are fitted; of a cause for whole bodies those of one body, or of all, too."""
+    shown = np.array([bool(unit) for unit in units])
     fitted = _least_squares(seen, units, quantities, reading)
     if fitted is not None:
-        x, only = fitted
+        x, shown, only = fitted
         whole = np.repeat([a.whole for a in table], [len(a.units(seen.ours)) for a in table])
         near = np.where(whole, np.round(x), x)
         if np.isin(near[whole], (0, 1)).all() and near.any():
@@ -250,14 +252,16 @@ def _factors(
         if only:
             return
     if len(table) == 1 and table[0].whole:
-        yield np.ones(len(units))
-        yield from np.eye(len(units))
+        yield shown.astype(float)
+        yield from np.eye(len(units))[shown]
 
 
 def _least_squares(
     seen: Seen, units: Sequence[Change], quantities: Sequence[str], reading: Reading
-) -> tuple[Array, bool] | None:
-    """The factors, and whether there are no others; None without more numbers than factors."""
+) -> tuple[Array, Array, bool] | None:
+    """The factors, which of them the numbers show, and whether there are no others; None without
+    more numbers than factors.
+    """
     ours, right = seen.ours, []
     columns: list[Array] = []
     if INVERSE in quantities:
@@ -295,5 +299,5 @@ def _least_squares(
         scaled = matrix[:, used_columns] / sizes[used_columns]
         found, _, rank, _ = np.linalg.lstsq(scaled, np.concatenate(right), rcond=SHARP)
         x[used_columns] = found / sizes[used_columns]
-        return x, rank == used_columns.sum()
-    return x, False
+        return x, used_columns, rank == used_columns.sum()
+    return x, used_columns, False

@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array, Ours, of_scene
+from mechanics.compare.change import Array
+from mechanics.compare.ours import Ours, of_scene
 from mechanics.compare.quantities import Answer
 from mechanics.compare.states import draw
 from mechanics.errors import InputError
@@ -25,7 +26,7 @@ from mechanics.scene.symbols import name_of
 SAMPLES = 16
 EXACT = 1e-11
 """Part of the largest force that is left by rounding."""
-TAKEN = ("pin", "slide", "weld", "free", "ball")
+TAKEN = ("pin", "slide", "weld", "planar", "free", "ball")
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +40,8 @@ class Link:
     before : int
         Index of the link that carries it, -1 for the ground.
     kind : str
-        ``"pin"``, ``"slide"``, ``"weld"``, ``"free"`` or ``"ball"``.
+        ``"pin"``, ``"slide"``, ``"weld"``, ``"planar"``, ``"free"`` or ``"ball"``. The plane is
+        that of x and y of the frame in which the joint is.
     axis : (3,)
     turn, offset : (3, 3), (3,)
         v_before = turn v, and where the joint is, in the frame of the link before.
@@ -226,15 +228,15 @@ def with_passive(answers: Mapping[str, Answer], tree: tuple[Link, ...]) -> dict[
 
 
 def fixed_base(engine: str, tree: tuple[Link, ...]) -> tuple[Link, ...]:
-    """A tree without free links, for an adapter that takes no others.
+    """A tree of pins, slides and welds, for an adapter that takes no others.
 
     Raises
     ------
     InputError
-        Names the free joint.
+        Names another joint.
     """
     for link in tree:
-        if link.kind in ("free", "ball"):
+        if link.kind in ("planar", "free", "ball"):
             raise InputError(
                 f"joint {link.joint} is {link.kind}: the adapter of {engine} takes pin, slide and"
                 " weld: compare with pinocchio or mujoco"

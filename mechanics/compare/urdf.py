@@ -6,11 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.compare.ours import Array
+from mechanics.compare.change import Array
 from mechanics.compare.tree import Link
 
 STRAIGHT = 1e-9
 """Cosine of the pitch below which roll and yaw are one."""
+PLANAR = (
+    ("_TX", "slide", "1 0 0"), ("_TY", "slide", "0 1 0"), ("_RZ", "hinge", "0 0 1")
+)  # fmt: skip
+"""What MuJoCo makes of a planar joint of a URDF: ends of names, kinds and axes."""
 UNIT = '<inertial pos="1 2 3" quat="1 2 3 4" mass="1" diaginertia="1 1 1"/>'
 """In nothing special, so that MuJoCo takes no short cut."""
 
@@ -64,6 +68,11 @@ def mjcf(tree: tuple[Link, ...]) -> str:
         kinds = {"pin": f'type="hinge" axis="{numbers}"', "slide": f'type="slide" axis="{numbers}"'}
         kinds |= {kind: f'type="{kind}"' for kind in ("free", "ball")}
         joint = f'<joint name="{link.joint}" {kinds[link.kind]}/>' if link.kind in kinds else ""
+        if link.kind == "planar":
+            joint = "".join(
+                f'<joint name="{link.joint}{end}" type="{kind}" axis="{axis}"/>'
+                for end, kind, axis in PLANAR
+            )
         inner = "".join(body(k) for k, other in enumerate(tree) if other.before == place)
         return f'<body name="{link.name}">{joint}{UNIT}{inner}</body>'
 

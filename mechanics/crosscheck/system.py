@@ -196,6 +196,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
         pairs=pairs,
         witnesses=witnesses,
         sympy=sympy.columns,
+        causes=tuple(own[1:]),
     )
 
 
@@ -289,6 +290,7 @@ def _without_textbook(
         pairs=pairs,
         witnesses=tuple(witnesses),
         sympy=sympy.columns,
+        causes=tuple(own[1:]),
     )
 
 

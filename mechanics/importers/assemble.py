@@ -68,7 +68,7 @@ def assemble(
         join(parts, connection, parts.spots[connection.parent])
     for coupling in robot.couplings:
         couple(parts, coupling)
-    if not any(joint.carries and joint.coordinates for joint in parts.joints):
+    if not any(j.carries and (j.coordinates or j.rotations) for j in parts.joints):
         raise InputError(f"robot {robot.name}: no joint moves anything")
     if any(not joint.carries for joint in parts.joints) or parts.constraints:
         _begin(parts)

@@ -61,8 +61,12 @@ def _section(number: int, result: SystemResult) -> Section:
         reactions=reactions(result),
         published=published_rows(result, number),
         open=open_rows(result, number),
-        doubtful=[f for f in (*others, *result.witnesses) if f in result.open],
-        others=[finding for finding in others if finding.shown],
+        doubtful=[
+            finding
+            for finding in (*others, *result.witnesses)
+            if finding in result.open or finding in result.causes
+        ],
+        others=[f for f in others if f.shown and f not in result.causes],
         witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
         moving=_moving(result),

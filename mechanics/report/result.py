@@ -105,6 +105,8 @@ class SystemResult:
     sympy : mapping of str to RouteResult
         What SymPy's own methods derive, ``"kane_sympy"`` and ``"lagrange_sympy"``, beside the
         routes of these names. The pairs hold them, too.
+    causes : tuple of Finding
+        Of the findings those that say why another one is REFUTED.
     """
 
     name: str
@@ -119,6 +121,7 @@ class SystemResult:
     pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
     witnesses: tuple[Finding, ...] = ()
     sympy: Mapping[str, RouteResult] = field(default_factory=dict)
+    causes: tuple[Finding, ...] = ()
 
     def __repr__(self) -> str:
         counts = Counter(finding.verdict.name for finding in self.claims)

@@ -2,6 +2,7 @@
 
 import json
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -105,3 +106,26 @@ def test_residuals_of_a_scene_with_constraints_are_measured_on_them(run: Any) ->
     assert {row["subject"].split(":")[0] for row in rows} == {"kane", "free_body"}
     assert len(rows) == 4 and all(row["states"] == 200 for row in rows)
     assert all(0 < row["max_eps"] < 1e6 for row in rows)
+
+
+@pytest.mark.campaign
+def test_a_cross_check_prints_the_cause_below_what_is_refuted(tmp_path: Path, run: Any) -> None:
+    path = tmp_path / "slider.py"
+    path.write_text(
+        "import sympy.physics.mechanics as me\n"
+        "from sympy import symbols\n"
+        "def make_model():\n"
+        "    (q, u), m, N = me.dynamicsymbols('q u'), symbols('m'), me.ReferenceFrame('N')\n"
+        "    O, P, H = me.Point('O'), me.Point('P'), me.Point('H')\n"
+        "    P.set_pos(O, q * N.x), H.set_pos(P, 0)\n"
+        "    O.set_vel(N, 0), P.set_vel(N, q.diff() * N.x), H.set_vel(N, u * N.x)\n"
+        "    mass = me.Particle('mass', P, m)\n"
+        "    loads = [(P, -q * N.x), (H, m * N.x)]\n"
+        "    return me.LagrangesMethod(me.Lagrangian(N, mass), [q], loads, [mass], N)\n"
+    )
+    ran = run("crosscheck", f"{path}:make_model")
+    said = " ".join(ran.out.split())
+    assert ran.code == 1
+    assert said.index("REFUTED SymPy's LagrangesMethod") < said.index(
+        "PROVED the cause: LagrangesMethod drops the load load2_mass"
+    )

@@ -1,6 +1,7 @@
 """Causes of the table that no thread above has, together, and what has none."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -84,6 +85,28 @@ def undamped() -> dict[str, Callable[..., Any]]:
     return {"bias": ARM["bias"]}
 
 
+def unsprung() -> dict[str, Callable[..., Any]]:
+    own = other.answers(other.arm_joints(2), added=lambda q, v, a: 0.4 * v)
+    return {name: own[name] for name in ("bias", "inverse_dynamics", "forward_dynamics")}
+
+
+def stale() -> dict[str, Callable[..., Any]]:
+    """The buffer is read before it is filled."""
+    kept: list[Any] = [np.zeros((2, 2))]
+
+    def answer(q: Any, v: Any) -> Any:
+        kept.append(ARM["mass_matrix"](q, v))
+        return kept[-2]
+
+    return {"mass_matrix": answer}
+
+
+def lighter() -> dict[str, Callable[..., Any]]:
+    one, two = other.arm_joints(2)
+    own = other.answers([one, replace(two, mass=2.5)])
+    return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
+
+
 def heavy_tool() -> dict[str, Callable[..., Any]]:
     own = other.answers(other.with_tool(other.arm_joints(2)))
     return {name: own[name] for name in ("mass_matrix", "inverse_dynamics")}
@@ -114,6 +137,12 @@ CASES = {
                      "joints rub: 0.2 N m at q1, 0.2 N m at q2"),
     "no damping": (lambda: small_trees.arm(2, "0.4"), undamped, ("joint damping",),
                    "damping of joints is left out: 0.4 N m s/rad at q1"),
+    "stale": (lambda: small_trees.arm(2), stale, ("not computed",),
+              "mass_matrix is that of the state before"),
+    "mass": (lambda: small_trees.arm(2), lighter, ("mass",),
+             "2.5 in place of 3 kg of link2"),
+    "no spring": (small_trees.sprung, unsprung, ("a load left out",),
+                  "left out of the loads: spring"),
     "a default": (lambda: small_trees.arm(2, tool=True), heavy_tool, ("a link without inertia",),
                   "are given 1 kg and 1 kg m^2: tool"),
 }  # fmt: skip

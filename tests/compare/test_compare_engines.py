@@ -7,15 +7,18 @@ import pytest
 import small_trees
 
 from mechanics.compare import ENGINES, compare, engine, installed, of_scene
+from mechanics.compare.projection import admitted
+from mechanics.compare.states import draw
 from mechanics.errors import InputError, MechanicsError
-from mechanics.importers import from_urdf
+from mechanics.importers import from_mjcf, from_urdf
 from mechanics.scene import Scene
 from systems import double_pendulum, pendulum_chain
 
 UR5 = Path(__file__).parents[1] / "models" / "ur5.urdf"
+TWO_LINK = Path(__file__).parents[1] / "models" / "two_link.urdf"
 SCARA = Path(__file__).parents[1] / "models" / "scara.urdf"
 TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_trees.floating,
-         "sprung": small_trees.sprung}  # fmt: skip
+         "puck": small_trees.puck, "sprung": small_trees.sprung}  # fmt: skip
 SLOW = ("sympy", "drake", "pybullet", "roboticstoolbox")
 
 
@@ -47,6 +50,21 @@ def test_damping_that_a_file_states_and_pinocchio_leaves_out_is_named() -> None:
     (cause,) = found.causes
     assert cause.names == ("joint damping",) and "25 N m s/rad at q3" in cause.words
     assert found.unexplained == ()
+
+
+def test_accelerations_that_pinocchio_does_not_compute_are_named() -> None:
+    """Thread 449: `computeAllTerms` leaves `ddq` as it stands."""
+    pin = pytest.importorskip("pinocchio")
+    model = pin.buildModelFromUrdf(str(TWO_LINK))
+    data = model.createData()
+
+    def accelerations(q, v, f):
+        pin.computeAllTerms(model, data, pin.neutral(model), v)
+        return data.ddq
+
+    found = compare(from_urdf(TWO_LINK), {"forward_dynamics": accelerations}, states=3)
+    (cause,) = found.causes
+    assert cause.names == ("not computed",) and "left at zero" in cause.words
 
 
 @pytest.mark.campaign
@@ -98,6 +116,30 @@ def test_what_engines_do_not_take_is_refused_in_one_line() -> None:
     assert "up to 4 bodies" in refused(pendulum_chain.scene(8), "sympy")
     with pytest.raises(InputError, match="engine 'bullet': they are pinocchio, mujoco"):
         compare(double_pendulum.scene(), "bullet")
+
+
+@pytest.mark.campaign
+def test_states_are_drawn_on_constraints_of_quaternions(tmp_path: Path) -> None:
+    """Two bodies on ball joints, their tips tied together."""
+    pytest.importorskip("mujoco")
+    one = '<body name="{}" pos="{} 0 0"><joint type="ball"/><inertial pos="0 0 0.2" mass="1"'
+    one += ' diaginertia="1 2 2"/></body>'
+    loop = '<equality><connect body1="a" body2="b" anchor="0.4 0 0.3"/></equality>'
+    text = f"<mujoco><worldbody>{one.format('a', 0)}{one.format('b', 0.8)}</worldbody>{loop}"
+    (tmp_path / "loop.xml").write_text(text + "</mujoco>")
+    scene = from_mjcf(tmp_path / "loop.xml")
+    ours = of_scene(scene)
+    drawn = draw(scene, 5, ours.values)
+    states = admitted(ours, drawn)
+    assert len(states) == 5 and len(scene.rotations) == 2 and len(ours.mechanism.constraints) == 3
+    assert np.abs(states.q - drawn.q).max() > 0.1
+    still = np.zeros_like(states.v)
+    rates = ours.constraints(states.q, still)[0]
+    assert np.abs(ours.gap(states.q)).max() < 1e-12
+    assert np.abs(np.einsum("nij,nj->ni", rates, states.v)).max() < 1e-11
+    for rotation in scene.rotations:
+        places = [[*scene.coordinates].index(entry) for entry in rotation.coordinates]
+        assert np.linalg.norm(states.q[:, places], axis=1) == pytest.approx(1, abs=1e-14)
 
 
 def test_answers_that_are_none_are_refused() -> None:

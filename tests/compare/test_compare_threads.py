@@ -127,6 +127,11 @@ THREADS = {
         lambda: small_trees.arm(3), momentum_about_a_point_at_rest,
         "point of a momentum", "about a point at rest, where the mass centre is",
     ),
+    "stack-of-tasks/pinocchio 449": Thread(
+        "M ddq against tau - nle, ddq read after computeAllTerms, which does not compute it",
+        two, lambda: {"forward_dynamics": lambda q, v, f: np.zeros(2)},
+        "not computed", "forward_dynamics is left at zero",
+    ),
     "google-deepmind/mujoco 1284": Thread(
         "M of a Panda in MuJoCo against libfranka: 0.1 kg m^2 of armature at each joint",
         two,

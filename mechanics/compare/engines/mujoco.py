@@ -15,7 +15,7 @@ from mechanics.compare.order import Order
 from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
 from mechanics.compare.tree import Link, links
-from mechanics.compare.urdf import fill, mjcf
+from mechanics.compare.urdf import PLANAR, fill, mjcf
 
 NOTES = ("contacts, limits, equalities and dry friction are left out",)
 
@@ -32,7 +32,8 @@ def make(mujoco: Any, ours: Ours, file: Path | None = None) -> Engine:
     for word in ("CONTACT", "LIMIT", "FRICTIONLOSS", "EQUALITY"):
         model.opt.disableflags |= getattr(mujoco.mjtDisableBit, f"mjDSBL_{word}")
     model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
-    data, own = mujoco.MjData(model), {k.joint: model.joint(k.joint) for k in tree if k.v}
+    data, ends = mujoco.MjData(model), {"planar": PLANAR[0][0]}
+    own = {k.joint: model.joint(k.joint + ends.get(k.kind, "")) for k in tree if k.v}
     at_q, at_v = ({n: int(getattr(j, e)[0]) for n, j in own.items()} for e in ("qposadr", "dofadr"))
     order = Order(tree, at_q, at_v, (model.nq, model.nv))
 

@@ -13,6 +13,9 @@ from mechanics.compare.ours import Ours
 from mechanics.compare.quantities import Answer
 from mechanics.compare.tree import Link, links, with_passive
 
+WORDS = {"pin": "RevoluteUnaligned", "slide": "PrismaticUnaligned", "ball": "Spherical",
+         "planar": "Planar", "free": "FreeFlyer"}  # fmt: skip
+
 
 def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
     """Its algorithms: crba, rnea, aba."""
@@ -27,7 +30,7 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         raise ValueError(f"its model has no joint {', '.join(missing)}")
     own = {name: model.joints[model.getJointId(name)] for name in names}
     at_q, at_v = ({n: getattr(j, key) for n, j in own.items()} for key in ("idx_q", "idx_v"))
-    circles = frozenset(name for name, joint in own.items() if (joint.nq, joint.nv) == (2, 1))
+    circles = frozenset(name for name, joint in own.items() if joint.nq > joint.nv)
     order = Order(tree, at_q, at_v, (model.nq, model.nv), False, True, circles)
     data, place, basis = model.createData(), order.position, order.matrix
 
@@ -44,9 +47,6 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         rates = pin.aba(model, data, place(q), B @ v, np.linalg.pinv(B.T) @ forces)
         return np.linalg.pinv(B) @ (rates - order.drift(q, v))
 
-    def moving(of: Any) -> Answer:
-        return lambda q, v: of(model, data, place(q), basis(q) @ v)
-
     def jacobian(link: Link) -> Answer:
         more = model.getFrameId(link.name), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         return lambda q, v: pin.computeFrameJacobian(model, data, place(q), *more) @ basis(q)
@@ -56,9 +56,11 @@ def make(pin: Any, ours: Ours, file: Path | None = None) -> Engine:
         "bias": lambda q, v: inverse(q, v, np.zeros_like(v)),
         "inverse_dynamics": inverse,
         "forward_dynamics": forward,
-        "kinetic_energy": moving(pin.computeKineticEnergy),
+        "kinetic_energy": lambda q, v: pin.computeKineticEnergy(
+            model, data, place(q), basis(q) @ v
+        ),
         "potential_energy": lambda q, v: pin.computePotentialEnergy(model, data, place(q)),
-        "momentum_matrix": lambda q, v: moving(pin.ccrba)(q, v) @ basis(q),
+        "momentum_matrix": lambda q, v: pin.ccrba(model, data, place(q), basis(q) @ v) @ basis(q),
     }
     answers |= {f"jacobian {x.name}": jacobian(x) for x in tree if model.existFrame(x.name)}
     return Engine(f"pinocchio {pin.__version__}", with_passive(answers, tree))
@@ -70,9 +72,8 @@ def _from_tree(pin: Any, tree: tuple[Link, ...]) -> Any:
         joint, pose = placed[link.before + 1]
         pose = pose * pin.SE3(link.turn, link.offset)
         if link.kind != "weld":
-            words = {"pin": "RevoluteUnaligned", "slide": "PrismaticUnaligned", "ball": "Spherical"}
-            kind = getattr(pin, f"JointModel{words.get(link.kind, 'FreeFlyer')}")
-            moved = kind(link.axis) if link.kind in ("pin", "slide") else kind()
+            moved = getattr(pin, f"JointModel{WORDS[link.kind]}")
+            moved = moved(link.axis) if link.kind in ("pin", "slide") else moved()
             joint, pose = model.addJoint(joint, moved, pose, link.joint), still
         model.appendBodyToJoint(joint, pin.Inertia(link.mass, link.centre, link.inertia), pose)
         model.addFrame(pin.Frame(link.name, joint, 0, pose, pin.FrameType.BODY))

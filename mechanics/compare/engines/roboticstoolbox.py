@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib.util
 import tempfile
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,8 @@ from mechanics.compare.ours import Ours
 from mechanics.compare.tree import Link, fixed_base, links, with_passive
 from mechanics.compare.urdf import urdf
 
+READER = "roboticstoolbox.models.URDF.URDFRobot"
+
 
 def make(roboticstoolbox: Any, ours: Ours, file: Path | None = None) -> Engine:
     """Robot.inertia, rne, accel, jacob0."""
@@ -21,7 +25,7 @@ def make(roboticstoolbox: Any, ours: Ours, file: Path | None = None) -> Engine:
     with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
         path = Path(folder) / "scene.urdf"
         path.write_text(urdf(tree), encoding="utf-8")
-        robot = roboticstoolbox.Robot.URDF(str((file or path).resolve()))
+        robot = _read(roboticstoolbox, str((file or path).resolve()))
     robot.gravity = ours.gravity
     owner = {link.name: link.v[0] for link in tree if link.v}
     place = {link.name: link.jindex for link in robot.links if link.isjoint}
@@ -58,3 +62,11 @@ def make(roboticstoolbox: Any, ours: Ours, file: Path | None = None) -> Engine:
     return Engine(
         f"roboticstoolbox {version('roboticstoolbox-python')}", with_passive(answers, tree)
     )
+
+
+def _read(roboticstoolbox: Any, path: str) -> Any:
+    """`Robot.URDF` is deprecated since there is this module."""
+    if importlib.util.find_spec(READER) is None:
+        return roboticstoolbox.Robot.URDF(path)
+    parts, name, _ = import_module(READER).URDF_file(path)
+    return roboticstoolbox.Robot(parts, name=name)

@@ -5,7 +5,7 @@ No text in it is ever evaluated, and no name in it names a file or a function.
 
 import json
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from types import UnionType
@@ -19,7 +19,9 @@ from mechanics.errors import InputError, MechanicsError
 from mechanics.scene.conditions import Condition, condition
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.json.expressions import Names, number, read, refuse, relation
+from mechanics.scene.json.joints import FUNCTIONS, HINTS, arguments_of, required_of
 from mechanics.scene.json.kinds import FORMAT, KINDS, NAME_OF, PARTS, entries, required
+from mechanics.scene.json.order import kinds_of_joints, placing_order
 from mechanics.scene.json.published import read_rows
 from mechanics.scene.parameters import Parameter, typical_value
 from mechanics.scene.rotations import Rotation
@@ -41,6 +43,11 @@ KEYS = (
     "frames", "points", *PARTS, "plane", "definitions", "example", "equilibria", "notes",
     "system", "variables", "published",
 )  # fmt: skip
+ROOTS = {"frames": "inertial", "points": "origin"}
+ENTRIES = {
+    "frames": ("name", "in", "axis", "angle", "matrix", "quaternion"),
+    "points": ("name", "from", "by"),
+}
 
 
 def from_json(source: str | Mapping[str, Any]) -> Any:
@@ -128,8 +135,10 @@ def _scene(whole: dict[str, Any]) -> tuple[Scene, "_Reader"]:
             made[title] = {n: reader.part(v, f"$.outputs.{n}", classes) for n, v in table.items()}
         else:
             rows = _list(own or [], f"$.{title}")
+            ready: Mapping[int, Any] = reader.joints if title == "joints" else {}
             made[title] = tuple(
-                reader.part(v, f"$.{title}[{k}]", classes) for k, v in enumerate(rows)
+                ready[k] if k in ready else reader.part(v, f"$.{title}[{k}]", classes)
+                for k, v in enumerate(rows)
             )
     speeds = []
     for k, pair in enumerate(_list(whole.get("speeds", []), "$.speeds")):
@@ -181,10 +190,17 @@ def _moving(whole: dict[str, Any]) -> dict[str, Expr]:
         if not isinstance(pair, list) or len(pair) != 2:
             raise refuse(f"$.speeds[{k}]", "a pair of name and definition expected")
         titled.append((f"speeds[{k}]", pair[:1]))
-    for k, turn in enumerate(_list(whole.get("rotations", []), "$.rotations")):
+    turns = [
+        (f"rotations[{k}]", turn)
+        for k, turn in enumerate(_list(whole.get("rotations", []), "$.rotations"))
+    ]
+    for k, tree in kinds_of_joints(whole).values():
+        if isinstance(turn := tree.get("rotation"), dict) and turn.get("kind") == "quaternion":
+            turns.append((f"joints[{k}].rotation", turn))
+    for path, turn in turns:
         for title in ("coordinates", "speeds"):
             own = turn.get(title) if isinstance(turn, dict) else None
-            titled.append((f"rotations[{k}].{title}", _list(own, f"$.rotations[{k}].{title}")))
+            titled.append((f"{path}.{title}", _list(own, f"$.{path}.{title}")))
     found: dict[str, Expr] = {}
     for title, names in titled:
         for k, name in enumerate(names):
@@ -200,6 +216,7 @@ class _Reader:
     whole: dict[str, Any]
     frames: dict[str, ReferenceFrame] = field(default_factory=dict)
     points: dict[str, Point] = field(default_factory=dict)
+    joints: dict[int, Joint] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         table = _table(self.whole.get("parameters", {}), "$.parameters")
@@ -207,27 +224,51 @@ class _Reader:
         self.names = Names(self.moving, constants, frozenset(_reactions(self.whole)))
 
     def place(self) -> None:
-        """Frames and points."""
-        inertial, origin = (
-            _text(self.whole.get(title), f"$.{title}") for title in ("inertial", "origin")
-        )
-        for name, own in _from_root(self.whole, "frames", inertial, "in"):
-            path = f"$.frames.{name}"
-            _known(own, ("name", "in", "axis", "angle", "matrix", "quaternion"), path)
+        """Frames, points and joints of a kind."""
+        roots = {title: _text(self.whole.get(own), f"$.{own}") for title, own in ROOTS.items()}
+        for title in ROOTS:
+            _table(self.whole.get(title, {}), f"$.{title}")
+        taken = {*self.whole.get("frames", {}), *self.whole.get("points", {})}
+        known = (*(NAME_OF[kind] for kind in PARTS["joints"]), *FUNCTIONS)
+        for k, tree in enumerate(_list(self.whole.get("joints") or [], "$.joints")):
+            kind = _table(tree, f"$.joints[{k}]").get("kind")
+            if kind not in known:
+                words = ", ".join(map(repr, known))
+                raise refuse(f"$.joints[{k}].kind", f"{_shown(kind)}, one of {words} expected")
+            if kind in FUNCTIONS:
+                name = _text(tree.get("name"), f"$.joints[{k}].name")
+                if name in taken:
+                    raise refuse(f"$.joints[{k}].name", f"{name[:40]!r} is the name of another")
+                taken.add(name)
+        for title, name in placing_order(self.whole, roots):
+            if title == "joints":
+                self._jointed(name)
+                continue
+            path, own = f"$.{title}.{name}", self.whole[title][name]
+            _known(own, ENTRIES[title], path)
             called = _text(own.get("name", name), f"{path}.name")
-            if name == inertial:
-                self.frames[name] = ReferenceFrame(called)
-            else:
-                self.frames[name] = self._turned(called, own, path)
-        for name, own in _from_root(self.whole, "points", origin, "from"):
-            path = f"$.points.{name}"
-            _known(own, ("name", "from", "by"), path)
-            called = _text(own.get("name", name), f"{path}.name")
-            if name == origin:
+            if title == "frames":
+                root = name == roots[title]
+                made = ReferenceFrame(called) if root else self._turned(called, own, path)
+                self.frames[name] = made
+            elif name == roots[title]:
                 self.points[name] = Point(called)
             else:
                 by = self.vector(own.get("by"), f"{path}.by")
                 self.points[name] = self.points[own["from"]].locatenew(called, by)
+
+    def _jointed(self, name: str) -> None:
+        place, tree = kinds_of_joints(self.whole)[name]
+        path, kind = f"$.joints[{place}]", tree["kind"]
+        _known(tree, ("kind", *arguments_of(kind)), path)
+        made: dict[str, Any] = {}
+        for entry in arguments_of(kind):
+            if entry in tree:
+                made[entry] = self.value(tree[entry], HINTS[entry], f"{path}.{entry}", made)
+            elif entry in required_of(kind):
+                raise refuse(path, f"{entry} is missing")
+        joint = self.joints[place] = FUNCTIONS[kind](**made)
+        self.frames[name], self.points[name] = joint.frame, joint.point
 
     def _turned(self, name: str, own: dict[str, Any], path: str) -> ReferenceFrame:
         parent = self.frames[own["in"]]
@@ -312,6 +353,8 @@ class _Reader:
                 return None
             if Dyadic in get_args(hint) and isinstance(tree, dict):
                 return self._inertia(tree, path, made["frame"])
+            if {*get_args(hint)} <= {*NAME_OF}:
+                return self.part(tree, path, get_args(hint))
             hint = get_args(hint)[0]
         if get_origin(hint) is tuple:
             rows, inner = _list(tree, path), get_args(hint)
@@ -379,29 +422,6 @@ class _Reader:
         if tree is None or isinstance(tree, bool):
             return tree
         return _text(tree, path)
-
-
-def _from_root(
-    whole: dict[str, Any], title: str, root: str, link: str
-) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Frames or points, each after the one that carries it: JSON does not keep an order."""
-    table = _table(whole.get(title, {}), f"$.{title}")
-    carried: dict[str, list[str]] = {}
-    for name, own in table.items():
-        path = f"$.{title}.{name}"
-        parent = _table(own, path).get(link)
-        if name != root:
-            if not isinstance(parent, str) or parent not in table:
-                raise refuse(f"{path}.{link}", f"{_shown(parent)} is none of $.{title}")
-            carried.setdefault(parent, []).append(name)
-    if root not in table:
-        raise refuse(f"$.{title}", f"{root[:40]!r} is missing")
-    reached = [root]
-    for name in reached:
-        yield name, table[name]
-        reached += carried.get(name, [])
-    if left := sorted(set(table) - set(reached)):
-        raise refuse(f"$.{title}.{left[0]}", f"nothing leads to it from {root!r}: a circle")
 
 
 def _reactions(whole: dict[str, Any]) -> list[str]:

@@ -9,6 +9,8 @@ from sympy.core.relational import Relational
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
 from mechanics.scene.json.expressions import FUNCTIONS, MANY, RELATIONS
+from mechanics.scene.json.joints import FUNCTIONS as FUNCTIONS_OF_JOINTS
+from mechanics.scene.json.joints import HINTS, arguments_of, required_of
 from mechanics.scene.json.kinds import FORMAT, KINDS, NAME_OF, PARTS, entries, required
 from mechanics.scene.json.published import VOCABULARY
 from mechanics.scene.json.read import KEYS, LONGEST_NAME, MOST_PARTS, WORDS
@@ -26,7 +28,7 @@ _PLAIN = {
 def schema() -> dict[str, Any]:
     """A JSON Schema, draft 2020-12."""
     lists = {
-        title: _list(_any(classes)) if title != "outputs" else _table(_any(classes))
+        title: _list(_any(title, classes)) if title != "outputs" else _table(_any(title, classes))
         for title, classes in PARTS.items()
     }
     name = _to("symbol")
@@ -58,7 +60,9 @@ def schema() -> dict[str, Any]:
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A scene of mechanics",
         **whole,
-        "$defs": _borders() | {name: _part(name, kind) for name, kind in KINDS.items()},
+        "$defs": _borders()
+        | {name: _part(name, kind) for name, kind in KINDS.items()}
+        | {kind: _joint(kind) for kind in FUNCTIONS_OF_JOINTS},
     }
 
 
@@ -162,8 +166,14 @@ def _of(hint: Any) -> dict[str, Any]:
     return _to(_PLAIN[hint]) if hint in _PLAIN else {"type": "object"}
 
 
-def _any(classes: tuple[type, ...]) -> dict[str, Any]:
-    return {"anyOf": [_to(NAME_OF[kind]) for kind in classes]}
+def _joint(kind: str) -> dict[str, Any]:
+    own = {entry: _of(HINTS[entry]) for entry in arguments_of(kind)}
+    return _object({"kind": {"const": kind}} | own, ["kind", *required_of(kind)])
+
+
+def _any(title: str, classes: tuple[type, ...]) -> dict[str, Any]:
+    more = [*FUNCTIONS_OF_JOINTS] if title == "joints" else []
+    return {"anyOf": [_to(name) for name in (*(NAME_OF[kind] for kind in classes), *more)]}
 
 
 def _to(name: str) -> dict[str, Any]:
