@@ -94,7 +94,7 @@ def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None
     small: list[str] = []
     for body in scene.bodies:
         corners = outline(view, body)
-        (small if len(corners) == 1 else extended).append(_body(view, paper, body, corners))
+        (small if len(corners) == 1 else extended).append(body_shape(view, paper, body, corners))
     moves = asides is not None
     return [
         ground(view, paper, moves),
@@ -214,7 +214,8 @@ def _paper(view: View, points: list[np.ndarray], margin: float) -> Paper:
     return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
 
 
-def _body(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
+def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
+    """A body alone: a dot, a block, rods, or an ellipse."""
     pixels = [paper.place(corner) for corner in corners]
     centre = paper.place(view.point(body.centre))
     if len(corners) == 1:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechanics.equations import Equations, Step
+from mechanics.equations import Equations, Line, Step
 from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -105,6 +105,9 @@ class SystemResult:
     sympy : mapping of str to RouteResult
         What SymPy's own methods derive, ``"kane_sympy"`` and ``"lagrange_sympy"``, beside the
         routes of these names. The pairs hold them, too.
+    form : tuple of Line
+        The equations of motion in the form in which every route ends; empty where they are not
+        written out.
     """
 
     name: str
@@ -119,6 +122,7 @@ class SystemResult:
     pairs: Mapping[tuple[str, str], Finding] = field(default_factory=dict)
     witnesses: tuple[Finding, ...] = ()
     sympy: Mapping[str, RouteResult] = field(default_factory=dict)
+    form: tuple[Line, ...] = ()
 
     def __repr__(self) -> str:
         counts = Counter(finding.verdict.name for finding in self.claims)

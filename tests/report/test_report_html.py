@@ -86,8 +86,8 @@ def test_names_are_escaped(small: SystemResult) -> None:
 def test_the_overall_verdict(small: SystemResult) -> None:
     proved = Finding("a = b", Verdict.PROVED, "")
     good = dataclasses.replace(small, findings=(proved,), pairs={})
-    assert "Everything is shown" in to_html([good])
-    assert "Not everything is shown" in to_html([good, small])
+    assert "All 2 checks passed." in to_html([good])
+    assert "Not all 7 checks passed." in to_html([good, small])
     assert "Nothing was checked" in to_html([])
 
 
