@@ -28,8 +28,10 @@ def equation(line: Line, section: int = 0) -> Markup:
     """One line of a derivation; its number, which opens its LaTeX, is the place others refer to."""
     size = _size(line.left) + _size(line.right)
     if size >= TOO_LONG:
-        return Markup('<p class="eq skipped">{} = … <span class="note">{}</span></p>').format(
-            maths(_plain(line.left)), "too long to be read; mechanics derive prints it"
+        place = Markup(' id="{}"').format(anchor(line.number, section)) if section else ""
+        number = f" ({line.number})" if line.number else ""
+        return Markup('<p class="eq skipped"{}>{} = … <span class="note">{}</span></p>').format(
+            place, maths(_plain(line.left)), f"too long to be read here{number}"
         )
     parts = [*_side(line.left), *([_equal(line.between)] if line.between else [])]
     parts += _after("=", _side(line.right))
@@ -110,6 +112,8 @@ def _number(line: Line, parts: Sequence[Piece], section: int) -> Markup:
 
 def chain(sides: Sequence[Any], name: str = "") -> Markup:
     """The sides of a published row, joined by equality signs."""
+    if len(sides) == 1 and isinstance(sides[0], str):
+        return Markup('<p class="eq">{}</p>').format(sides[0])
     found = [name] if name else []
     for side in sides:
         found += _joined("=", side) if found else pieces(side)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechanics.equations import Equations, Line, Rows, Step
 from mechanics.kernel.ring import TooLarge
@@ -104,7 +104,8 @@ def steps_of(equations: Equations, goal: tuple[Line, ...] = ()) -> tuple[Step, .
         return (equations.result,)
     printer = Printer(equations.scene, equations.mechanism)
     common = has_common_form(equations.scene)
-    goal = (goal or goal_of((equations,))) if common else equations.result.lines
+    own = () if common else tuple(replace(x, number="") for x in common_form(equations))
+    goal = own or goal or goal_of((equations,))
     writer = Writer(printer, equations.mechanism, goal, common)
     return _named(equations.rows.route).steps(writer)
 

@@ -60,8 +60,9 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         if not names:
             ends.append((equations[row.place].number, Add(*(t.value for t in terms))))
             continue
-        shown = worked_out(numbers, terms, label)
-        results += shown if len(ends) == 0 or len(mechanism.u) <= FULL else shown[:1]
+        full = not results or len(mechanism.u) <= FULL
+        shown = worked_out(numbers, terms, label, full)
+        results += shown
         ends.append((shown[-1].number, Add(*(term.value for term in terms))))
     loads = "Every load and every reaction is an arrow in the direction in which it is declared"
     diagrams = tuple(Diagram((index,), body.name) for index, body in enumerate(mechanism.bodies))

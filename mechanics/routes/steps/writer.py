@@ -12,7 +12,19 @@ from itertools import count
 from typing import Any
 
 import numpy as np
-from sympy import Add, Expr, Matrix, Rational, Symbol, collect, cos, expand, nsimplify, sin
+from sympy import (
+    Add,
+    Expr,
+    Matrix,
+    Rational,
+    Symbol,
+    collect,
+    cos,
+    expand,
+    expand_trig,
+    nsimplify,
+    sin,
+)
 
 from mechanics.equations import Line, Side, Step, Term
 from mechanics.kinematics.motion import Motions
@@ -168,9 +180,11 @@ def squares_meet(terms: Sequence[Term]) -> tuple[Expr, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def worked_out(numbers: Numbers, terms: Sequence[Term], label: str) -> tuple[Line, ...]:
-    """A row with everything put in, and multiplied out: 0 on the right."""
-    products = multiplied_out(terms)
+def worked_out(
+    numbers: Numbers, terms: Sequence[Term], label: str, full: bool = True
+) -> tuple[Line, ...]:
+    """A row with everything put in, and, in full, multiplied out: 0 on the right."""
+    products = multiplied_out(terms) if full else ()
     before = {part for term in terms for part in Add.make_args(term.value)}
     words = ["what cancels is grey"] if any(product.cancels for product in products) else []
     words += [
@@ -257,6 +271,7 @@ def combination(
         return None
     weights = [[nsimplify(round(c, 9), rational=True) for c in row] for row in found[0]]
     for goal, factors in zip(goals, weights, strict=True):
-        if tidy(goal - Add(*(c * row for c, row in zip(factors, rows, strict=True)))) != 0:
+        rest = goal - Add(*(c * row for c, row in zip(factors, rows, strict=True)))
+        if tidy(expand_trig(rest)) != 0:
             return None
     return weights
