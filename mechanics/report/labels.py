@@ -54,7 +54,7 @@ def point_labels(view: View, paper: Paper, parts: Sequence[str]) -> str:
         label = "".join(svg_name(point.name) for point in shared[:1])
         around = [at + AWAY * np.array([np.cos(a), np.sin(a)]) for a in np.arange(8) * np.pi / 4]
         spot = max(around, key=lambda place: _room(place, obstacles, at))
-        if _room(spot, obstacles, at) < CROWDED / 2:
+        if _room(spot, obstacles, at) < CROWDED:
             continue
         obstacles = np.vstack([obstacles, spot])
         drawn.append(ink.dot(at, 2.2, "ink") + ink.text(spot, label, "name"))

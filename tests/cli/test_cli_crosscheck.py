@@ -85,6 +85,7 @@ def test_chosen_routes_only(run: Any, pendulum: Any) -> None:
     assert list(json.loads(ran.out)["systems"][0]["routes"]) == columns
 
 
+@pytest.mark.campaign
 def test_equations_stand_above_the_verdict_and_timings_behind_an_option(
     run: Any, pendulum: Any
 ) -> None:
