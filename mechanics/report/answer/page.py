@@ -19,6 +19,7 @@ from mechanics.report.environment import environment
 from mechanics.report.projection import View
 from mechanics.report.sections import ShownStep, SymbolRow, shown_steps, symbol_rows
 from mechanics.routes.derivation import goal_of, steps_of
+from mechanics.scene.quantities import EquationOfMotion
 
 
 def check_html(found: Check) -> str:
@@ -53,8 +54,17 @@ def check_html(found: Check) -> str:
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),
         form=form,
+        missing=_missing(found),
         derived_steps=_derivation(found, form, state),
     )
+
+
+def _missing(found: Check) -> str:
+    """How many equations of motion there are to give, where there are fewer."""
+    kinds = (e.statement.row.quantity for e in found.judged if e.statement.row is not None)
+    given, needed = sum(isinstance(k, EquationOfMotion) for k in kinds), len(found.scene.u)
+    needed -= len(found.scene.constraints)
+    return f"{given} of {needed} equations of motion given." if 0 < given < needed else ""
 
 
 def _derivation(
