@@ -12,6 +12,7 @@ are written in SymPy, too.
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import TypeAlias
 
 from sympy import Expr, Matrix, Symbol
 
@@ -19,6 +20,7 @@ from mechanics.errors import InputError
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
+from mechanics.program.vectors import Vector
 from mechanics.scene import Scene
 
 FEW = 6
@@ -26,21 +28,69 @@ FEW = 6
 
 
 @dataclass(frozen=True)
-class Line:
-    """One line of a derivation: ``left = right``; a `left` that is text is LaTeX."""
+class Term:
+    """A term of a side.
 
-    left: str | Expr
-    right: Expr
+    Attributes
+    ----------
+    value : Expr
+    source : str
+        The load or reaction that it comes from.
+    cancels : bool
+        Whether the side has its opposite, too.
+    """
+
+    value: Expr
+    source: str = ""
+    cancels: bool = False
+
+
+Side: TypeAlias = str | Expr | tuple[Term, ...]
+"""LaTeX, in which <<theta_dot>> stands for a symbol of the scene; an expression; terms in order."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of a derivation: ``left = right``, or ``left = between = right``.
+
+    `number` is what other lines refer to it by: F3 is the third equation by free bodies.
+    """
+
+    left: Side
+    right: Side
     label: str = ""
+    number: str = ""
+    between: str = ""
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """Bodies that are cut free together, with the loads and reactions that act on them.
+
+    Attributes
+    ----------
+    bodies : tuple of int
+    title : str
+    centre : str
+        Name of the moment centre, if there is one.
+    place : Vector
+        Where it is, inertial components, in m.
+    """
+
+    bodies: tuple[int, ...]
+    title: str
+    centre: str = ""
+    place: Vector = ()
 
 
 @dataclass(frozen=True)
 class Step:
-    """One step of a derivation, for people: a heading, a sentence, and lines."""
+    """One step of a derivation, for people: a heading, a sentence, drawings, and lines."""
 
     title: str
     text: str
     lines: tuple[Line, ...]
+    diagrams: tuple[Diagram, ...] = ()
 
 
 @dataclass(frozen=True)

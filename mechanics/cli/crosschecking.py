@@ -18,11 +18,15 @@ from mechanics.crosscheck import crosscheck as check
 from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.system import DEFAULT_STATES
+from mechanics.equations import Side
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.report.result import SystemResult
 from mechanics.scene.system import System
+
+LONGEST_EQUATION = 240
+"""Characters up to which an equation is printed: three lines of a terminal."""
 
 
 def systems() -> None:
@@ -71,6 +75,9 @@ def crosscheck(
             metavar="DIR", help="Write theorems for Coq, and have coqc check them, where it is."
         ),
     ] = None,
+    verbose: Annotated[
+        bool, typer.Option("--verbose", "-v", help="Print what each route took, too.")
+    ] = False,
 ) -> None:
     """Derive systems by four routes and prove that they agree with each other and their source.
 
@@ -104,7 +111,7 @@ def crosscheck(
     if json_file is not None:
         write(json.dumps(to_json(results), indent=2, ensure_ascii=False), json_file)
     if json_file != "-":
-        _summary(Console(), results)
+        _summary(Console(), results, verbose)
     accepted = coq is None or all([_theorems(system, coq) for system in loaded])
     if json_file != "-":
         closing = closing_line(results, report)
@@ -166,14 +173,13 @@ def _seed() -> list:
     return list(SEED)
 
 
-def _summary(console: Console, results: Sequence[SystemResult]) -> None:
+def _summary(console: Console, results: Sequence[SystemResult], verbose: bool) -> None:
     for result in results:
         console.print(f"\n[bold]{escape(result.name)}[/]  {escape(result.scene.name)}")
-        table = Table("route", "seconds", "operations", box=None, pad_edge=False)
-        for name, column in result.columns.items():
-            words = (f"{column.seconds:.3f}", str(column.operations))
-            table.add_row(column_name(name), *(("-", column.absent) if column.absent else words))
-        console.print(table)
+        for equation in equations_of(result):
+            console.print(escape(equation), soft_wrap=True)
+        if verbose:
+            _timings(console, result)
         for title, findings in (
             ("pairs of routes", list(result.pairs.values())),
             ("laws, reactions and graphs", _others(result)),
@@ -192,6 +198,28 @@ def _summary(console: Console, results: Sequence[SystemResult]) -> None:
             console.print(escape(remark), style="dim")
         for finding in (*result.open, *(cause for cause in result.causes if cause.shown)):
             explain(console, finding)
+
+
+def equations_of(result: SystemResult) -> list[str]:
+    """What every route arrives at, where that is short enough for a terminal."""
+    lines = [f"  {_sum(line.left)} = {_sum(line.right)}" for line in result.form]
+    if max(map(len, lines), default=0) > LONGEST_EQUATION:
+        return [f"  mechanics derive {result.name} --route kane prints its equations"]
+    return lines
+
+
+def _sum(side: Side) -> str:
+    if not isinstance(side, tuple):
+        return str(side)
+    return " + ".join(str(term.value) for term in side).replace("+ -", "- ")
+
+
+def _timings(console: Console, result: SystemResult) -> None:
+    table = Table("route", "seconds", "operations", box=None, pad_edge=False)
+    for name, column in result.columns.items():
+        words = (f"{column.seconds:.3f}", str(column.operations))
+        table.add_row(column_name(name), *(("-", column.absent) if column.absent else words))
+    console.print(table)
 
 
 def column_name(name: str) -> str:

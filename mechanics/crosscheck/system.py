@@ -49,7 +49,7 @@ from mechanics.importers.sympy_model import is_formed
 from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import OF_PROGRAMS, check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
-from mechanics.routes.derivation import as_program, by_route, steps_of
+from mechanics.routes.derivation import as_program, by_route, goal_of, steps_of
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.joints.fixed import absolute_coordinates
@@ -173,9 +173,11 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
         stage("simulating")
         motion, remark = example_motion(_preferred(models))
         remarks += remark
+    form = goal_of(list(derived.values()))
     return SystemResult(
         name=system.name,
         scene=scene,
+        form=form,
         routes={
             name: RouteResult(
                 equations,
@@ -183,7 +185,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
                 matrix_operations(models[name]),
                 models[name].form,
                 models[name].program("forward_dynamics").operations,
-                steps=steps_of(equations),
+                steps=steps_of(equations, form),
             )
             for name, equations in derived.items()
         },

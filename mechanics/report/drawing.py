@@ -14,6 +14,7 @@ from sympy.physics.vector import Dyadic, Point
 
 from mechanics.report import ink
 from mechanics.report.coordinates import coordinate_picture, trace, zero_end
+from mechanics.report.labels import length_labels, point_labels
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import (
@@ -49,11 +50,22 @@ def drawing(scene: Scene, state: Mapping[str, float]) -> str:
     view = View(scene, state)
     paper = paper_for([view])
     parts = picture(view, paper)
-    title = escape(f"Schematic drawing of the system {scene.name}")
+    if len(scene.bodies) <= FEW:
+        parts.append(point_labels(view, paper, parts))
+        parts.append(length_labels(view, paper, parts))
+    title = escape(_title(scene))
     return (
         f'<svg class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
         f' aria-label="{title}">{"".join((*parts, directions(view, paper, parts)))}</svg>'
     )
+
+
+def _title(scene: Scene) -> str:
+    """What is drawn, in words."""
+    bodies = ", ".join(body.name for body in scene.bodies[:FEW])
+    more = f" and {len(scene.bodies) - FEW} more" if len(scene.bodies) > FEW else ""
+    marked = ", ".join(q.name for q in few_of(scene))
+    return f"Drawing of {scene.name}: {bodies}{more}" + (f"; marked are {marked}" if marked else "")
 
 
 def few_of(scene: Scene) -> tuple[Symbol, ...]:
@@ -94,7 +106,7 @@ def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None
     small: list[str] = []
     for body in scene.bodies:
         corners = outline(view, body)
-        (small if len(corners) == 1 else extended).append(_body(view, paper, body, corners))
+        (small if len(corners) == 1 else extended).append(body_shape(view, paper, body, corners))
     moves = asides is not None
     return [
         ground(view, paper, moves),
@@ -165,6 +177,8 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
             found.append(place)
     if not isinstance(body, RigidBody) or len(found) > 2:
         return found
+    if view.number(body.mass) == 0:
+        return found  # a moment of inertia alone says nothing about a shape
     first, second = _semi_axes(view, body)
     long, short = (float(np.hypot(*axis)) for axis in (first, second))
     centre = found[0]
@@ -178,6 +192,8 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
             # Of the ellipses with this inertia the one that ends at the joint or contact.
             across = np.sqrt(2 * long**2 - reach**2)
             first, second, short = arm, across * unit(normal(arm)), across
+        elif view.planar:
+            return found  # no uniform shape with this inertia ends here
     if long < 1e-9:
         return found
     if short < 0.02 * long:
@@ -214,7 +230,8 @@ def _paper(view: View, points: list[np.ndarray], margin: float) -> Paper:
     return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
 
 
-def _body(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
+def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
+    """A body alone: a dot, a block, rods, or an ellipse."""
     pixels = [paper.place(corner) for corner in corners]
     centre = paper.place(view.point(body.centre))
     if len(corners) == 1:

@@ -15,8 +15,10 @@ from mechanics.report.environment import environment
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
     Section,
+    derivations,
     matrix,
     motion_charts,
+    motion_rows,
     open_rows,
     other_findings,
     published_rows,
@@ -45,16 +47,21 @@ def to_html(results: Sequence[SystemResult]) -> str:
         sections=[_section(n, result) for n, result in enumerate(results, start=1)],
         tally=words.tally(f for result in results for f in words.all_findings(result)),
         ok=bool(results) and all(result.ok for result in results),
+        checks=sum(len(result.claims) for result in results),
     )
 
 
 def _section(number: int, result: SystemResult) -> Section:
     state, others = shown_state(result), other_findings(result)
+    steps, classes = derivations(result, state)
     return Section(
         number=number,
         result=result,
         tally=words.tally(words.all_findings(result)),
         drawing=Markup(drawing(result.scene, state)),
+        derivations=steps,
+        marks=classes,
+        motions=motion_rows(result),
         symbols=symbol_rows(result.scene, state),
         matrix=matrix(result),
         speeds=speeds(result),

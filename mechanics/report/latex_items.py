@@ -11,6 +11,7 @@ SIGNS = re.compile(r"[-+=]")
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
 OPENS = re.compile(r"\{|\(|\[|\\(left|begin)\b")
 CLOSES = re.compile(r"\}|\)|\]|\\(right|end)\b")
+PAIRS = {"(": ")", "[": "]"}
 WORDS = re.compile(r"\\(sin|cos|tan|cot|sec|csc|sinh|cosh|tanh|exp|log|sqrt)")
 TABLE = re.compile(r"\\begin\b|\\\\")
 MARKED = re.compile(r"\\class\{wrong\}\{[-+]\}")
@@ -61,11 +62,16 @@ def _item(tokens: list[str], at: int) -> tuple[Item, int]:
     elif OPENS.fullmatch(token) and token != r"\begin":
         closed = _closed(tokens, at)
         skip = 2 if token == r"\left" else 1
-        if closed is not None and closed - at >= 2 * skip:
+        if closed is not None and closed - at >= 2 * skip and _match(token, tokens[closed - 1]):
             inner = "".join(tokens[at + skip : closed - skip])
             ends = tokens[at + skip - 1], tokens[closed - 1]
             return Item("".join(tokens[at:closed]), "bracket", (inner,), *ends), closed
     return Item(token), at + 1
+
+
+def _match(opening: str, closing: str) -> bool:
+    """Whether a bracket is closed by its own kind; a piece of a sum may hold half of a pair."""
+    return opening not in PAIRS or PAIRS[opening] == closing
 
 
 def _group(tokens: list[str], at: int) -> tuple[str | None, int]:

@@ -193,6 +193,11 @@ def _join_roots(factors: Sequence[Expr]) -> list[Expr]:
     return [factor for factor in factors if factor not in roots] + [joined]
 
 
+def in_order(factors: Sequence[Expr]) -> list[Expr]:
+    """Factors as a textbook writes them: masses before lengths, coordinates after both."""
+    return sorted(factors, key=_place)
+
+
 def _place(factor: Expr) -> tuple[int, int, str]:
     """Where a factor stands in a product."""
     base = factor.base if factor.is_Pow else factor
@@ -240,7 +245,7 @@ def _vector(column: MatrixBase) -> list[str]:
             terms[-1] += rf" \bigr] {unit}"
             terms[0] = f"+ {terms[0]}" if found else terms[0]
         else:
-            text = f"{latex(entry)} {unit}"
+            text = f"{latex(entry)} {unit}" if abs(entry) != 1 else f"{latex(entry)[:-1]}{unit}"
             terms = [text if not found else f"- {text[1:]}" if text[0] == "-" else f"+ {text}"]
         found += terms
     return found or [r"\vec{0}"]
@@ -252,6 +257,7 @@ def mathml(source: str) -> str:
     spaced = FUNCTION.sub(_space, source)
     text: str = convert(spaced, display="inline")
     text = text.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
+    text = text.replace(r">\{<", ">{<").replace(r">\}<", ">}<")
     text = text.replace('display="inline"', 'displaystyle="true"', 1)
     text = re.sub(r'(?:<mi mathvariant="normal">(\w)</mi>){2,}', _upright, text)
     # As in TeX, an exponent stands beside the letter and not above its dots.

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechanics.equations import Equations, Step
+from mechanics.equations import Equations, Line, Step
 from mechanics.kernel import Finding, Verdict
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -107,6 +107,9 @@ class SystemResult:
         routes of these names. The pairs hold them, too.
     causes : tuple of Finding
         Of the findings those that say why another one is REFUTED.
+    form : tuple of Line
+        The equations of motion in the form in which every route ends; empty where they are not
+        written out.
     """
 
     name: str
@@ -122,6 +125,7 @@ class SystemResult:
     witnesses: tuple[Finding, ...] = ()
     sympy: Mapping[str, RouteResult] = field(default_factory=dict)
     causes: tuple[Finding, ...] = ()
+    form: tuple[Line, ...] = ()
 
     def __repr__(self) -> str:
         counts = Counter(finding.verdict.name for finding in self.claims)

@@ -7,17 +7,20 @@ from markupsafe import Markup
 from sympy import Symbol
 
 from mechanics.compiled.quantities import angles as angle_names
-from mechanics.equations import Line
+from mechanics.equations import Equations, Line, Step
 from mechanics.kernel import Finding, Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.report import charts, typeset
 from mechanics.report.coordinates import coordinate_words
+from mechanics.report.free_body import arrows, free_body_diagram, marks
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
 from mechanics.routes.multipliers import multipliers_of
+from mechanics.routes.steps.form import has_common_form
+from mechanics.routes.steps.writer import FULL
 from mechanics.scene import Scene
-from mechanics.scene.quantities import ReactionValue
+from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 ROUTES = {
     "free_body": "Free bodies",
@@ -87,6 +90,22 @@ class Chart:
 
 
 @dataclass(frozen=True)
+class ShownStep:
+    """A step of a derivation with its free-body diagrams: titles and drawings."""
+
+    step: Step
+    figures: tuple[tuple[str, Markup], ...]
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """How one route derives."""
+
+    route: str
+    steps: tuple[ShownStep, ...]
+
+
+@dataclass(frozen=True)
 class Section:
     """Everything that the page shows of one system."""
 
@@ -94,6 +113,9 @@ class Section:
     result: SystemResult
     tally: list[tuple[Verdict, int]]
     drawing: Markup
+    derivations: list[Derivation]
+    marks: list[str]
+    motions: list[LedgerResult]
     symbols: list[SymbolRow]
     matrix: list[tuple[str, list[Finding | None]]]
     speeds: list[Speed]
@@ -107,6 +129,43 @@ class Section:
     moving: Markup
     charts: list[Chart]
 
+    @property
+    def common(self) -> bool:
+        """Whether every route ends in the equations on top."""
+        return has_common_form(self.result.scene)
+
+    @property
+    def alike(self) -> Verdict | None:
+        """The verdict on all pairs, where they have one and need no look."""
+        verdicts = {finding.verdict for finding in self.result.pairs.values()}
+        shown = all(finding.shown for finding in self.result.pairs.values())
+        return verdicts.pop() if len(verdicts) == 1 and shown else None
+
+    @property
+    def long(self) -> bool:
+        """Whether routes are folded until they are asked for."""
+        return len(self.result.scene.u) > FULL
+
+    @property
+    def chapters(self) -> dict[str, str]:
+        """Headings by their ids, of what there is."""
+        result = self.result
+        modes = result.modes[0].title if result.modes else ""
+        found = {
+            "form": ("Equations of motion", result.form),
+            "motion": ("A motion", self.charts),
+            "derivations": ("Derivations", self.derivations),
+            "agreement": ("Do the routes agree?", result.pairs),
+            "published": ("Published equations", self.published),
+            "reactions": ("Reactions as functions of the state", self.reactions),
+            "others": ("Other checks", self.others or self.doubtful or self.witnesses),
+            "compiled": ("Compiled functions", result.compiled),
+            "modes": (modes, result.modes),
+            "timings": ("Timings", self.speeds),
+            "remarks": ("Remarks", result.remarks),
+        }
+        return {key: title for key, (title, there) in found.items() if there}
+
 
 def shown_state(result: SystemResult) -> dict[str, float]:
     """The first sample of the motion, else the example of the scene."""
@@ -115,6 +174,47 @@ def shown_state(result: SystemResult) -> dict[str, float]:
         columns = result.motion.columns
         state |= {q.name: float(columns[q.name][0]) for q in result.scene.q if q.name in columns}
     return state
+
+
+def derivations(
+    result: SystemResult, state: Mapping[str, float]
+) -> tuple[list[Derivation], list[str]]:
+    """The routes step by step, and the classes of the loads and reactions that are drawn."""
+    found: list[Derivation] = []
+    classes: dict[str, None] = {}
+    view = View(result.scene, state)
+    for name, route in result.routes.items():
+        if route.steps:
+            steps, own = shown_steps(route.equations, route.steps, view)
+            found.append(Derivation(name, steps))
+            classes |= own
+    return found, list(classes)
+
+
+def shown_steps(
+    equations: Equations | None, steps: Sequence[Step], view: View
+) -> tuple[tuple[ShownStep, ...], Mapping[str, None]]:
+    """Steps with their drawings, and the classes of what is drawn."""
+    if equations is None or not any(step.diagrams for step in steps):
+        return tuple(ShownStep(step, ()) for step in steps), {}
+    acting = arrows(equations, view)
+    shown = tuple(
+        ShownStep(
+            step,
+            tuple(
+                (d.title, Markup(free_body_diagram(equations, view, acting, d)))
+                for d in step.diagrams
+            ),
+        )
+        for step in steps
+    )
+    return shown, marks(acting)
+
+
+def motion_rows(result: SystemResult) -> list[LedgerResult]:
+    """Published equations of motion, each once."""
+    rows = [e for e in result.published if isinstance(e.row.quantity, EquationOfMotion)]
+    return list({typeset.chain(entry.row.sides): entry for entry in reversed(rows)}.values())[::-1]
 
 
 def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
@@ -191,7 +291,8 @@ def reactions(result: SystemResult) -> list[tuple[str, list[Line]]]:
         equations = route.equations
         if equations is None:
             continue
-        values = list(equations.reactions)
+        # The steps by free bodies solve for them in front of the reader.
+        values = [] if route.steps and name == "free_body" else list(equations.reactions)
         if equations.multipliers and declared.issuperset(equations.multipliers):
             values = [*multipliers_of(equations), *values]
         if values:

@@ -7,7 +7,7 @@ from sympy import Expr, Mul, Symbol
 from sympy.physics.vector import Point
 
 from mechanics.report import ink
-from mechanics.report.notation import svg_name
+from mechanics.report.notation import in_order, svg_name
 from mechanics.report.projection import View, normal, unit
 from mechanics.scene import (
     Coulomb,
@@ -207,7 +207,7 @@ def _lane(view: View, load: Spring | Damper) -> tuple[int, int]:
 
 def label(constant: Expr, name: str) -> str:
     """A short label: the constant where it is a number times letters, else the name."""
-    factors = Mul.make_args(constant)
+    factors = in_order(Mul.make_args(constant))
     if all(factor.is_Integer or isinstance(factor, Symbol) for factor in factors):
         return "".join(
             str(factor) if factor.is_Integer else svg_name(str(factor)) for factor in factors

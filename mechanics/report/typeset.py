@@ -7,12 +7,12 @@ box.
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup, escape
-from sympy import Add
 
-from mechanics.equations import Line
+from mechanics.equations import Line, Side
 from mechanics.report.breaking import broken
 from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
 
@@ -20,27 +20,104 @@ from mechanics.report.notation import GREEK, latex, latex_name, mathml, operatio
 FOLDED = 260
 TOO_LONG = 2500
 # A letter, Latin or Greek, with a short subscript or dots.
+REFERENCE = re.compile(r"\(([EFPKL]\d+)\)")
 NAME = re.compile(rf"\b((?:[A-Za-z]|{'|'.join(sorted(GREEK))})_(?:\w{{1,2}}|d{{1,3}}ot))\b")
 
 
-def equation(line: Line) -> Markup:
-    """One line of a derivation."""
-    left = [line.left] if isinstance(line.left, str) else pieces(line.left)
-    size = operations(line.left, TOO_LONG) + operations(line.right, TOO_LONG)
+def equation(line: Line, section: int = 0) -> Markup:
+    """One line of a derivation; its number, which opens its LaTeX, is the place others refer to."""
+    size = _size(line.left) + _size(line.right)
     if size >= TOO_LONG:
-        return Markup('<p class="eq skipped">{} = … <span class="note">{}</span></p>').format(
-            maths(left[0]), "too long to be read; mechanics derive prints it"
+        place = Markup(' id="{}"').format(anchor(line.number, section)) if section else ""
+        number = f" ({line.number})" if line.number else ""
+        return Markup('<p class="eq skipped"{}>{} = … <span class="note">{}</span></p>').format(
+            place, maths(_plain(line.left)), f"too long to be read here{number}"
         )
-    typeset = _row([*left, *_joined("=", line.right)], line.label)
+    parts = [*_side(line.left), *([_equal(line.between)] if line.between else [])]
+    parts += _after("=", _side(line.right))
+    typeset = _row(parts, line.label, _number(line, parts, section), section)
     return typeset if size <= FOLDED else _folded(line, typeset)
+
+
+def anchor(number: str, section: int) -> str:
+    """The id of a numbered equation on the page."""
+    return f"eq-{section}-{number}"
+
+
+def slug(source: str) -> str:
+    """What joins the terms of a load or reaction to its arrows: a class."""
+    return "of-" + re.sub(r"\W+", "-", source)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """LaTeX that stays together, and the classes of the term that it is of."""
+
+    latex: str
+    classes: tuple[str, ...] = ()
+
+
+def _side(side: Side) -> list[Piece]:
+    if isinstance(side, str):
+        return [Piece(named(side))]
+    if not isinstance(side, tuple):
+        return [Piece(part) for part in pieces(side)]
+    found: list[Piece] = []
+    for term in side:
+        classes = ((slug(term.source),) if term.source else ()) + ("gone",) * term.cancels
+        for part in pieces(term.value):
+            signed = part[:2] in ("+ ", "- ")
+            if found and not signed:
+                part = f"- {part[1:].lstrip()}" if part[0] == "-" else f"+ {part}"
+            found.append(Piece(part, classes))
+    return found
+
+
+def _equal(latex: str) -> Piece:
+    return Piece(f"= {{{named(latex)}}}")
+
+
+def _after(sign: str, side: list[Piece]) -> list[Piece]:
+    first, *others = side
+    return [replace(first, latex=f"{sign} {{{first.latex}}}"), *others]
+
+
+def _plain(side: Side) -> str:
+    return _side(side)[0].latex
+
+
+def _size(side: Side) -> int:
+    if isinstance(side, tuple):
+        return sum(operations(term.value, TOO_LONG) for term in side)
+    return operations(side, TOO_LONG)
+
+
+def named(source: str) -> str:
+    """LaTeX with the scene's symbols, which stand as <<theta_dot>>, in it."""
+    return re.sub(r"<<(\w+)>>", lambda found: latex_name(found[1]), source)
+
+
+def _number(line: Line, parts: Sequence[Piece], section: int) -> Markup:
+    if not line.number:
+        return Markup("")
+    source = " ".join(part.latex for part in parts)
+    # Every route ends in the equations on top, which have their ids there.
+    own = section and not line.number.startswith("E")
+    place = Markup(' id="{}"').format(anchor(line.number, section)) if own else Markup("")
+    return Markup(
+        '<details class="tex"{}><summary title="LaTeX of this equation">({})</summary>'
+        "<code>{}</code></details>"
+    ).format(place, line.number, source)
 
 
 def chain(sides: Sequence[Any], name: str = "") -> Markup:
     """The sides of a published row, joined by equality signs."""
+    if len(sides) == 1 and isinstance(sides[0], str):
+        return Markup('<p class="eq">{}</p>').format(sides[0])
     found = [name] if name else []
     for side in sides:
         found += _joined("=", side) if found else pieces(side)
-    return _row(found, "")
+    return _row([Piece(part) for part in found], "")
 
 
 def ledger_row(tag: str, sides: Sequence[Any]) -> Markup:
@@ -62,10 +139,27 @@ def tag(text: str) -> Markup:
     return prose(text.replace("^2", "²"))
 
 
-def prose(text: str) -> Markup:
-    """A sentence; LaTeX between dollar signs and names such as x_C or theta_dot are typeset."""
+def prose(text: str, section: int = 0) -> Markup:
+    """A sentence; LaTeX between dollar signs and names such as x_C or theta_dot are typeset.
+
+    On a page with numbered equations (F3) leads to the third one by free bodies.
+    """
     parts = re.split(r"\$([^$]+)\$", text)
-    return Markup("").join(maths(part) if i % 2 else _names(part) for i, part in enumerate(parts))
+    return Markup("").join(
+        maths(named(part)) if i % 2 else _references(part, section) for i, part in enumerate(parts)
+    )
+
+
+def _references(text: str, section: int) -> Markup:
+    if not section:
+        return _names(text)
+    parts = REFERENCE.split(text)
+    return Markup("").join(
+        Markup('<a href="#{}">({})</a>').format(anchor(part, section), part)
+        if i % 2
+        else _names(part)
+        for i, part in enumerate(parts)
+    )
 
 
 def _names(text: str) -> Markup:
@@ -85,20 +179,30 @@ def _joined(sign: str, expr: Any) -> list[str]:
     return [f"{sign} {{{first}}}", *others]  # in braces a minus is a sign, no difference
 
 
-def _row(parts: Sequence[str], label: str) -> Markup:
-    body = Markup("<wbr>").join(broken(part, maths) or maths(part) for part in parts)
-    note = Markup('<span class="label">{}</span>').format(label) if label else Markup("")
-    return Markup('<div class="eq"><div class="terms">{}</div>{}</div>').format(body, note)
+def _row(parts: Sequence[Piece], label: str, number: Markup | str = "", section: int = 0) -> Markup:
+    body = Markup("<wbr>").join(map(_piece, parts))
+    note = Markup('<span class="label">{}</span>').format(prose(label, section)) if label else ""
+    return Markup('<div class="eq"><div class="terms">{}</div>{}{}</div>').format(
+        body, note, number
+    )
+
+
+def _piece(part: Piece) -> Markup:
+    typeset = broken(part.latex, maths) or maths(part.latex)
+    if not part.classes:
+        return typeset
+    focus = Markup(' tabindex="0"') if part.classes[0] != "gone" else ""
+    return Markup('<span class="{}"{}>{}</span>').format(" ".join(part.classes), focus, typeset)
 
 
 def _folded(line: Line, typeset: Markup) -> Markup:
-    terms = len(Add.make_args(line.right)) if hasattr(line.right, "args") else 1
-    head = maths(line.left) if isinstance(line.left, str) else Markup("")
+    terms = len(_side(line.right))
+    head = maths(named(line.left)) if isinstance(line.left, str) else Markup("")
     words = f"{terms} terms" if terms > 1 else "a long expression"
     title = Markup("{} = … ").format(head) if head else Markup("")
     return Markup(
         '<details class="fold"><summary>{}<span class="note">{}{}</span></summary>{}</details>'
-    ).format(title, words, f", {line.label}" if line.label else "", typeset)
+    ).format(title, words, f" ({line.number})" if line.number else "", typeset)
 
 
 def maths(source: str) -> Markup:

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
-from mechanics.equations import Equations, Rows, Step
+from mechanics.equations import Equations, Line, Rows, Step
 from mechanics.kernel.ring import TooLarge
 from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder
-from mechanics.routes import free_body, kane, lagrange, moving_point, steps
+from mechanics.routes import free_body, kane, lagrange, moving_point
+from mechanics.routes.steps import free_body as free_body_steps
+from mechanics.routes.steps import kane as kane_steps
+from mechanics.routes.steps import lagrange as lagrange_steps
+from mechanics.routes.steps import moving_point as moving_point_steps
+from mechanics.routes.steps.form import common_form, has_common_form
+from mechanics.routes.steps.writer import Writer
 from mechanics.routes.textbook import textbook
 from mechanics.scene import Scene
 
@@ -30,12 +36,12 @@ class Route:
     rows : callable
         Rows of a mechanism as a program.
     steps : callable
-        How they are derived, for people, up to the result.
+        How they are derived, for people, the result last.
     """
 
     name: str
     rows: Callable[[Mechanism], Rows]
-    steps: Callable[[Printer, Mechanism], tuple[Step, ...]]
+    steps: Callable[[Writer], tuple[Step, ...]]
 
     def derive(self, scene: Scene) -> Equations:
         """Equations of a scene, which is not asked whether it is admissible."""
@@ -58,10 +64,10 @@ class Route:
 
 
 ROUTES: tuple[Route, ...] = (
-    Route("free_body", free_body.derive, steps.free_body),
-    Route("moving_point", moving_point.derive, steps.moving_point),
-    Route("kane", kane.derive, steps.kane),
-    Route("lagrange", lagrange.derive, steps.lagrange),
+    Route("free_body", free_body.derive, free_body_steps.steps),
+    Route("moving_point", moving_point.derive, moving_point_steps.steps),
+    Route("kane", kane.derive, kane_steps.steps),
+    Route("lagrange", lagrange.derive, lagrange_steps.steps),
 )
 
 
@@ -84,13 +90,37 @@ def is_written_out(mechanism: Mechanism) -> bool:
     return mechanism.builder.program({"rows": rows}).count <= LARGEST_TEXTBOOK
 
 
-def steps_of(equations: Equations) -> tuple[Step, ...]:
-    """The derivation in steps, in the order in which it is carried out; the result is last."""
+def steps_of(equations: Equations, goal: tuple[Line, ...] = ()) -> tuple[Step, ...]:
+    """The derivation in steps, in the order in which it is carried out; the result is last.
+
+    Parameters
+    ----------
+    equations : Equations
+        Written out.
+    goal : tuple of Line
+        The common form of the scene, see `goal_of`; found out where it is not given.
+    """
     if equations.mechanism is None or equations.rows is None:
         return (equations.result,)
     printer = Printer(equations.scene, equations.mechanism)
-    before = _named(equations.rows.route).steps(printer, equations.mechanism)
-    return (*before, equations.result)
+    common = has_common_form(equations.scene)
+    own = () if common else tuple(replace(x, number="") for x in common_form(equations))
+    goal = own or goal or goal_of((equations,))
+    writer = Writer(printer, equations.mechanism, goal, common)
+    return _named(equations.rows.route).steps(writer)
+
+
+def goal_of(derived: Sequence[Equations]) -> tuple[Line, ...]:
+    """What all routes give, once: by the first of them whose rows are power-conjugate to u.
+
+    Where none is, Kane's are derived. Empty where the scene is too large to be written out.
+    """
+    written = [one for one in derived if one.textbook is not None]
+    if not written:
+        return ()
+    conjugate = (one for one in written if one.conjugate)
+    first = next(conjugate, None) or by_route("kane", written[0].scene)
+    return common_form(first if first.textbook is not None else written[0])
 
 
 def _named(name: str) -> Route:

@@ -18,11 +18,15 @@ from mechanics.routes.rows import coefficients, remainder
 
 @dataclass
 class Row:
-    """A row while it is worked on: value = sum of coefficients times reactions."""
+    """A row while it is worked on: value = sum of coefficients times reactions.
+
+    `place` is where it stood before the elimination.
+    """
 
     body: int
     value: Node
     coefficients: dict[int, Node]
+    place: int = -1
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,10 @@ def eliminated(mechanism: Mechanism) -> tuple[tuple[FreeBodyRow, ...], Eliminati
     """
     filter_, closed = mechanism.filters
     rows = free_body_rows(mechanism, filter_, differentiate.motions(mechanism))
-    work = [Row(row.body, row.rate - row.applied, dict(row.coefficients)) for row in rows]
+    work = [
+        Row(row.body, row.rate - row.applied, dict(row.coefficients), place)
+        for place, row in enumerate(rows)
+    ]
     elimination = Elimination(filter_, closed, work)
     kept = mechanism.multipliers
     names = [reaction.name for reaction in mechanism.reactions]

@@ -87,6 +87,19 @@ def test_chosen_routes_only(run: Any, pendulum: Any) -> None:
 
 
 @pytest.mark.campaign
+def test_equations_stand_above_the_verdict_and_timings_behind_an_option(
+    run: Any, pendulum: Any
+) -> None:
+    asked = ("crosscheck", pendulum(), "--routes", "lagrange", "--states", 0)
+    short, long = run(*asked), run(*asked, "-v")
+    lines = [line.rstrip() for line in short.out.splitlines() if line.strip()]
+    assert re.search(r"^  .*_ddot.* = ", lines[1])
+    assert re.fullmatch(r"All \d+ checks passed\.", lines[-1])
+    assert "seconds" not in short.out
+    assert "seconds" in long.out
+
+
+@pytest.mark.campaign
 def test_systems_lists_every_system(run: Any) -> None:
     from systems import ALL
 

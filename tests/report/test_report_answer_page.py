@@ -140,6 +140,14 @@ def test_the_derivation_stands_beside(answered: Check) -> None:
     assert "step by step" not in alone
 
 
+def test_it_says_how_many_equations_of_motion_there_are_to_give(answered: Check) -> None:
+    one = check_html(replace(answered, judged=answered.judged[:1]))
+    assert "1 of 2 equations of motion given." in one
+    assert "equations of motion given" not in check_html(
+        replace(answered, judged=answered.judged[:2])
+    )
+
+
 def test_the_summary_follows_the_verdict(answered: Check) -> None:
     (right, *_, numbers) = answered.judged
     assert "Everything is right" in check_html(replace(answered, judged=(right,)))

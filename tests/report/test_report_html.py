@@ -3,6 +3,7 @@
 import dataclasses
 import os
 import re
+from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -14,8 +15,10 @@ from mechanics.equations import Line
 from mechanics.kernel import Finding, Verdict
 from mechanics.report import typeset, words
 from mechanics.report.html import to_html
-from mechanics.report.result import ResidualResult, SystemResult
+from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
 from mechanics.report.sections import residual_rows
+from mechanics.routes.derivation import by_route, goal_of, steps_of
+from systems import elastic_pendulum, pendulum_chain, rocker, rocker_ledger
 
 GOLDEN = Path(__file__).parent / "golden" / "page.html"
 VOID = {"meta", "link", "br", "wbr", "img", "hr"}
@@ -86,8 +89,8 @@ def test_names_are_escaped(small: SystemResult) -> None:
 def test_the_overall_verdict(small: SystemResult) -> None:
     proved = Finding("a = b", Verdict.PROVED, "")
     good = dataclasses.replace(small, findings=(proved,), pairs={})
-    assert "Everything is shown" in to_html([good])
-    assert "Not everything is shown" in to_html([good, small])
+    assert "All 2 checks passed." in to_html([good])
+    assert "Not all 7 checks passed." in to_html([good, small])
     assert "Nothing was checked" in to_html([])
 
 
@@ -174,3 +177,47 @@ def test_what_does_not_stand_is_listed_first_and_linked(small: SystemResult) -> 
     wrong += [finding for finding in small.findings if not finding.shown]
     assert len(anchors) == 2 * len(wrong) > 0
     assert all(f'id="{anchor}"' in page for anchor in anchors)
+
+
+def words_in_maths(page: str) -> set[str]:
+    """Contents of letters and signs of MathML that are longer than one character."""
+    parts = re.findall(r"<m(?:i|o|text)\b[^>]*>([^<]*)</m(?:i|o|text)>", page)
+    return {text for part in parts if len(text := unescape(part)) > 1}
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        rocker.scene,
+        pytest.param(elastic_pendulum.scene, marks=pytest.mark.campaign),
+        pytest.param(pendulum_chain.scene, marks=pytest.mark.campaign),
+    ],
+)
+def test_no_maths_holds_a_backslash_or_a_word_that_is_no_symbol(make) -> None:
+    scene = make()
+    goal = goal_of([by_route("kane", scene)])
+    routes = {}
+    for name in ("free_body", "moving_point", "kane", "lagrange"):
+        equations = by_route(name, scene)
+        routes[name] = RouteResult(equations, 0.1, 1, steps=steps_of(equations, goal))
+    published = tuple(
+        LedgerResult(row, Finding(row.tag, Verdict.PROVED, "")) for row in rocker_ledger.PUBLISHED
+    )
+    result = SystemResult(scene.name, scene, routes, (), published, form=goal)
+    page = to_html([result])
+    assert words_in_maths(page) <= {"sin", "cos"}
+    assert "\\" not in "".join(re.findall(r"<math.*?</math>", page))
+    ids = re.findall(r' id="([^"]*)"', page)
+    assert len(ids) == len(set(ids))
+    assert set(re.findall(r'href="#([^"]*)"', page)) <= set(ids)
+
+
+def test_a_term_lights_the_arrow_of_its_load() -> None:
+    scene = rocker.scene()
+    equations = by_route("free_body", scene)
+    route = RouteResult(equations, 0.1, 1, steps=steps_of(equations))
+    page = to_html([SystemResult(scene.name, scene, {"free_body": route}, ())])
+    for name in ("T", "N", "f", "gravity"):
+        assert f'<g class="of-{name} arrow' in page
+        assert f'<span class="of-{name}" tabindex="0">' in page
+        assert f"span.of-{name}:is(:hover, :focus)) .arrow.of-{name} {{" in page

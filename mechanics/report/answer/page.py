@@ -5,19 +5,21 @@ Nothing is fetched from a network and no script runs, as with the report of a cr
 
 from markupsafe import Markup
 
+from mechanics.equations import Line
 from mechanics.errors import wanted
 from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.follows import lines_of
 from mechanics.report.answer.parted import parted
 from mechanics.report.answer.sentences import counted, order, read_as, two_sided, which
 from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
-from mechanics.report.sections import SymbolRow, symbol_rows
-from mechanics.routes.derivation import steps_of
+from mechanics.report.projection import View
+from mechanics.report.sections import ShownStep, SymbolRow, shown_steps, symbol_rows
+from mechanics.routes.derivation import goal_of, steps_of
+from mechanics.scene.quantities import EquationOfMotion
 
 
 def check_html(found: Check) -> str:
@@ -40,7 +42,7 @@ def check_html(found: Check) -> str:
     )  # fmt: skip
     made.tests["wide"] = typed.wide
     told, notes = shared_notes(found.told)
-    route, result = lines_of(found.derived) if found.derived is not None else ("", ())
+    form = goal_of((found.derived,)) if found.derived is not None else ()
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
         found=found,
@@ -51,10 +53,27 @@ def check_html(found: Check) -> str:
         tally=words.tally(entry.finding for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),
-        route=route,
-        result=result,
-        steps_before=steps_of(found.derived)[:-1] if found.derived else (),
+        form=form,
+        missing=_missing(found),
+        derived_steps=_derivation(found, form, state),
     )
+
+
+def _missing(found: Check) -> str:
+    """How many equations of motion there are to give, where there are fewer."""
+    kinds = (e.statement.row.quantity for e in found.judged if e.statement.row is not None)
+    given, needed = sum(isinstance(k, EquationOfMotion) for k in kinds), len(found.scene.u)
+    needed -= len(found.scene.constraints)
+    return f"{given} of {needed} equations of motion given." if 0 < given < needed else ""
+
+
+def _derivation(
+    found: Check, form: tuple[Line, ...], state: dict[str, float]
+) -> tuple[ShownStep, ...]:
+    derived = found.derived
+    if derived is None:
+        return ()
+    return shown_steps(derived, steps_of(derived, form), View(found.scene, state))[0]
 
 
 def _symbols(found: Check, state: dict[str, float]) -> list[SymbolRow]:

@@ -1,0 +1,277 @@
+"""What the derivations of all routes share: names for what they introduce, numbers, the goal.
+
+row_goal = sum_j c_j row_j,   c rational        how the rows of a route end in the common form
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import count
+from typing import Any
+
+import numpy as np
+from sympy import (
+    Add,
+    Expr,
+    Matrix,
+    Rational,
+    Symbol,
+    collect,
+    cos,
+    expand,
+    expand_trig,
+    nsimplify,
+    sin,
+)
+
+from mechanics.equations import Line, Side, Step, Term
+from mechanics.kinematics.motion import Motions
+from mechanics.kinematics.printer import Printer
+from mechanics.mechanism import Mechanism
+from mechanics.program.builder import Node
+from mechanics.program.vectors import Vector
+from mechanics.symbolic import tidy
+
+FULL = 3
+"""Coordinates up to which every equation is shown in full; beyond, the first one is."""
+MOST = 40
+"""Products of an equation that is multiplied out in front of the reader."""
+SHORT_NAME = re.compile(r"[A-Za-z]\w{0,2}'?")
+"""A point whose name can stand as a subscript."""
+LETTERS = {
+    "kinetic": (("T", "T"), ("E_k", "E_{k}")),
+    "potential": (("V", "V"), ("U", "U"), ("E_p", "E_{p}")),
+    "lagrangian": (("L", "L"), ("", r"\mathcal{L}")),
+    "momentum": (("p", "p"), ("P", "P"), ("", r"\Pi")),
+    "spin": (("H", "H"), ("", r"\mathcal{H}")),
+    "active": (("F", "F"), ("K", "K"), ("", r"\Phi")),
+    "forces": (("Q", "Q"), ("", r"\mathcal{Q}")),
+}
+"""What a textbook calls them, and what they are called where a scene has that name already."""
+
+
+@dataclass(frozen=True)
+class Writer:
+    """A scene, how it is printed, and what its derivation has to arrive at.
+
+    Attributes
+    ----------
+    printer : Printer
+    mechanism : Mechanism
+    goal : tuple of Line
+        The equations in the common form, numbered, or in the route's own form.
+    common : bool
+        Whether the scene has a common form, see `has_common_form`.
+    """
+
+    printer: Printer
+    mechanism: Mechanism
+    goal: tuple[Line, ...]
+    common: bool
+
+    def letter(self, quantity: str) -> str:
+        """LaTeX of a quantity that the scene does not name, by a letter that it does not use."""
+        taken = self.printer.symbols
+        return next(latex for plain, latex in LETTERS[quantity] if plain not in taken)
+
+    def centre(self, body: int) -> str:
+        """Subscript for the mass centre of a body: the name of the point, else a number."""
+        names = [self.mechanism.points[b.centre].name for b in self.mechanism.bodies]
+        name = names[body]
+        return name if SHORT_NAME.fullmatch(name) and names.count(name) == 1 else str(body + 1)
+
+    def axis(self, name: str) -> str:
+        """An axis for people: that of the inertial frame is a letter, A.x is x of A."""
+        frame, _, letter = name.partition(".")
+        return letter if frame == self.mechanism.frames[0].name else f"{letter} of {frame}"
+
+    def subscript(self, name: str) -> str:
+        """The same as a subscript."""
+        frame, _, letter = name.partition(".")
+        return letter if frame == self.mechanism.frames[0].name else f"{letter}_{{{frame}}}"
+
+    def of_loads(self, nodes: Mapping[str, Node]) -> tuple[Term, ...]:
+        """What each load or reaction does, by its name: inputs before brackets."""
+        inputs = self.printer.scene.input_symbols
+        values = [collect(expand(v), inputs) for v in self.printer.expanded(tuple(nodes.values()))]
+        return tuple(Term(v, name) for name, v in zip(nodes, values, strict=True) if v != 0)
+
+    def vector(self, entries: Vector) -> Matrix:
+        """Inertial components in the normal form, as a column."""
+        return Matrix(self.printer.expanded(entries))
+
+
+class Numbers:
+    """The numbers of the equations of one route: F1, F2, ..."""
+
+    def __init__(self, prefix: str) -> None:
+        self._prefix, self._count = prefix, count(1)
+
+    def __call__(self, left: Side, right: Side, label: str = "", between: str = "") -> Line:
+        """A line with the next number."""
+        return Line(left, right, label, f"{self._prefix}{next(self._count)}", between)
+
+
+def kinematics(writer: Writer, numbers: Numbers, motions: Motions, accelerations: bool) -> Step:
+    """Position, velocity and angular velocity of every body; accelerations where they are used."""
+    mechanism, lines, names = writer.mechanism, [], []
+    for index, body in enumerate(mechanism.bodies):
+        point, label = motions.points[body.centre], writer.centre(index)
+        vectors = [("r", point.position), ("v", point.velocity)]
+        vectors += [("a", point.acceleration)] if accelerations else []
+        if body.frame is not None:
+            turning = motions.frames[body.frame]
+            vectors.append((r"\omega", turning.omega))
+            vectors += [(r"\alpha", turning.alpha)] if accelerations else []
+        for letter, entries in vectors:
+            column = writer.vector(entries)
+            if any(column):
+                lines.append(numbers(rf"\vec{{{letter}}}_{{{label}}}", column))
+        names.append(f"${label}$ is the mass centre of {_the(body.name)}")
+    whose = "Its position is" if len(names) == 1 else "Their positions are"
+    way = (
+        "differentiated twice along frames and points"
+        if accelerations
+        else "and differentiated for the velocity"
+    )
+    text = f"{'; '.join(names)}. {whose} read from the drawing, {way}."
+    return Step("Kinematics", text, tuple(lines))
+
+
+def shortest(expr: Expr) -> Expr:
+    """An expression, or its normal form where that is shorter."""
+    return min(expr, tidy(expr), key=lambda side: side.count_ops())
+
+
+def _the(name: str) -> str:
+    return f"the {name}" if name.replace(" ", "").isalpha() else name
+
+
+def multiplied_out(terms: Sequence[Term]) -> tuple[Term, ...]:
+    """The products of some terms one by one, those that cancel marked; none where too many."""
+    products = [
+        Term(product, term.source)
+        for term in terms
+        for product in Add.make_args(expand(term.value))
+        if product != 0
+    ]
+    if len(products) > MOST:
+        return ()
+    totals: dict[Expr, Expr] = {}
+    for product in products:
+        factor, rest = product.value.as_coeff_Mul()
+        totals[rest] = totals.get(rest, 0) + factor
+    return tuple(
+        replace(product, cancels=totals[product.value.as_coeff_Mul()[1]] == 0)
+        for product in products
+    )
+
+
+def squares_meet(terms: Sequence[Term]) -> tuple[Expr, ...]:
+    """Angles whose squared sine and cosine stand with the same factor in what does not cancel."""
+    left = {term.value.as_coeff_Mul()[1] for term in terms if not term.cancels}
+    found = []
+    for value in left:
+        for factor in value.atoms(cos):
+            if value.has(factor**2) and value * sin(factor.args[0]) ** 2 / factor**2 in left:
+                found.append(factor.args[0])
+    return tuple(dict.fromkeys(found))
+
+
+def worked_out(
+    numbers: Numbers, terms: Sequence[Term], label: str, full: bool = True
+) -> tuple[Line, ...]:
+    """A row with everything put in, and, in full, multiplied out: 0 on the right."""
+    products = multiplied_out(terms) if full else ()
+    before = {part for term in terms for part in Add.make_args(term.value)}
+    words = ["what cancels is grey"] if any(product.cancels for product in products) else []
+    words += [
+        rf"$\sin^{{2}} <<{a}>> + \cos^{{2}} <<{a}>> = 1$"
+        for a in squares_meet(products)
+        if isinstance(a, Symbol)
+    ]
+    if {product.value for product in products} == before:
+        return (numbers(products, Rational(0), "; ".join((label, *words))),)
+    lines = [numbers(tuple(terms), Rational(0), label)]
+    if products:
+        lines.append(numbers(products, Rational(0), "; ".join(("multiplied out", *words))))
+    return tuple(lines)
+
+
+def arrival(writer: Writer, rows: Sequence[tuple[str, Expr]]) -> Step:
+    """The last step: rows that are zero, each with its number, and the common form.
+
+    Where the routes have none, the route's own rows are sorted, with the constraints.
+    """
+    if not writer.common:
+        names = ", ".join(f"({name})" for name, _ in rows)
+        text = f"{names}: terms with accelerations on the left."
+        if writer.mechanism.constraints:
+            text += " Then the constraints, differentiated down to the accelerations."
+        return Step("Equations of motion", text, writer.goal)
+    goals = [residual(line) for line in writer.goal]
+    every = len(rows) == len(goals)
+    weights = combination(goals if every else goals[:1], [row for _, row in rows], writer)
+    if weights is None:
+        text = "Combined linearly, with factors that depend on the state, these rows are"
+    else:
+        said = [
+            f"({line.number}) is {_sum(row, [name for name, _ in rows])}"
+            for line, row in zip(writer.goal, weights, strict=False)
+        ]
+        text = f"Sorted by accelerations, rates and loads, {'; '.join(said)}."
+        text += "" if every else " The others follow in the same way."
+    return Step("Equations of motion", text, writer.goal)
+
+
+def _sum(weights: Sequence[Rational], names: Sequence[str]) -> str:
+    parts: list[str] = []
+    for weight, name in zip(weights, names, strict=True):
+        if weight:
+            sign = "\N{MINUS SIGN}" if weight < 0 else "+" if parts else ""
+            size = "" if abs(weight) == 1 else f"{abs(weight)} "
+            parts.append(f"{sign}{' ' if parts else ''}{size}({name})")
+    return " ".join(parts)
+
+
+def residual(line: Line) -> Expr:
+    """Left minus right of a line whose sides are terms."""
+    return Add(*_values(line.left)) - Add(*_values(line.right))
+
+
+def _values(side: Side) -> list[Any]:
+    return [term.value for term in side] if isinstance(side, tuple) else [side]
+
+
+def combination(
+    goals: Sequence[Expr], rows: Sequence[Expr], writer: Writer
+) -> list[list[Rational]] | None:
+    """Numbers c with goal_i = sum_j c_ij row_j, or None; found at two states, then proved."""
+    unknown = [writer.printer.symbol(node) for node in writer.mechanism.ud]
+    if not rows or (len(goals) > 1 and len(goals) != len(rows)):
+        return None
+    if len(goals) == 1:
+        unknown = unknown[:1]
+        rows = rows[:1]
+    free = sorted(set().union(*(e.free_symbols for e in (*goals, *rows))), key=str)
+    random = np.random.default_rng(7)
+    found = []
+    for _ in range(2):
+        state = {symbol: float(random.uniform(0.5, 1.5)) for symbol in free}
+        tables = [
+            np.array(Matrix(list(e)).jacobian(unknown).evalf(subs=state).tolist(), dtype=float)
+            for e in (goals, rows)
+        ]
+        if np.linalg.matrix_rank(tables[1]) < len(rows):
+            return None
+        found.append(tables[0] @ np.linalg.inv(tables[1]))
+    if not np.allclose(found[0], found[1], atol=1e-9):
+        return None
+    weights = [[nsimplify(round(c, 9), rational=True) for c in row] for row in found[0]]
+    for goal, factors in zip(goals, weights, strict=True):
+        rest = goal - Add(*(c * row for c, row in zip(factors, rows, strict=True)))
+        if tidy(expand_trig(rest)) != 0:
+            return None
+    return weights
