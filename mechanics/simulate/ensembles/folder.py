@@ -25,6 +25,8 @@ try:
 except ImportError:  # Windows: two runs at once write the same files twice.
     fcntl = None  # type: ignore[assignment]
 
+Buffer = Any
+"""Bytes, or what gives them without a copy."""
 MANIFEST, LOCK, FRESH = "ensemble.json", ".lock", ".new"
 MOTIONS, SAMPLES = "motions", "samples"
 PART = "part"
@@ -48,10 +50,10 @@ class Folder:
     part: int
     done: frozenset[int]
 
-    def add(self, number: int, motions: bytes, samples: bytes) -> None:
-        """Write a part."""
+    def add(self, number: int, motions: Buffer, samples: Buffer) -> None:
+        """Write a part: what `tables.written` gives."""
         with _writable(self.path):
-            if samples:
+            if memoryview(samples).nbytes:
                 _put(_file(self.path / SAMPLES, number), samples)
             _put(_file(self.path / MOTIONS, number), motions)
 
@@ -164,7 +166,7 @@ def _begun(path: Path, about: Mapping[str, Any]) -> int:
     return part
 
 
-def _put(file: Path, content: bytes) -> None:
+def _put(file: Path, content: Buffer) -> None:
     """Whole, or not at all, whatever stops this machine."""
     fresh = file.with_suffix(FRESH)
     with fresh.open("wb") as stream:

@@ -9,7 +9,7 @@ stands: neither the parts, nor their order, nor who computed them can be seen in
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from itertools import islice
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from mechanics.simulate.ensembles.run import Found
 from mechanics.simulate.ensembles.task import Task, integrate, to_text
 
 Array = NDArray[np.float64]
+S = TypeVar("S")
 T = TypeVar("T")
 PARTS, LEAST, MOST = 64, 256, 65536
 """Into how many parts motions are divided, and how many a part has at least and at most."""
@@ -51,15 +52,15 @@ def spread(executor: Executor, task: Task, start: Array, held: Array) -> Found:
 
 
 def under_way(
-    submit: Callable[[int], "Future[T]"], numbers: Iterable[int], limit: Callable[[], int]
-) -> Iterator[tuple[int, T]]:
-    """Number and result of each part, as they end.
+    submit: Callable[[S], "Future[T]"], parts: Iterable[S], limit: Callable[[], int]
+) -> Iterator[tuple[S, T]]:
+    """Each part and its result, as they end.
 
     Parameters
     ----------
     submit : callable
-        Of the number of a part.
-    numbers : iterable of int
+        Of a part.
+    parts : iterable
     limit : callable
         How many may be under way now.
 
@@ -68,12 +69,12 @@ def under_way(
     Exception
         What a part raised; the others are cancelled.
     """
-    left, running = iter(numbers), dict[Future[Any], int]()
+    left, running = iter(parts), dict[Future[T], S]()
     try:
         while True:
             room = max(1, limit()) - len(running)
-            for number in islice(left, max(0, room)):
-                running[submit(number)] = number
+            for part in islice(left, max(0, room)):
+                running[submit(part)] = part
             if not running:
                 return
             done, _ = wait(running, return_when=FIRST_COMPLETED)

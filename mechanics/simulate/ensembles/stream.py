@@ -37,7 +37,9 @@ from mechanics.simulate.run import equal_times
 
 Array = NDArray[np.float64]
 Values = Mapping[str, Any]
-BYTES, PARTS, FEW, LANES = 8 * 2**20, 100, 1024, 16
+WRITERS = 2
+"""Threads that write: what one has to wait for on the disk, the other has not."""
+BYTES, PARTS, FEW, LANES = 16 * 2**20, 100, 1024, 16
 """A part's size at most; its share of the motions, if these are not few, but a block of lanes."""
 MOST_SAMPLES = 10**6
 IN_MEMORY = 256 * 2**20
@@ -260,7 +262,7 @@ def _fill(
     def bounds(number: int) -> tuple[int, int]:
         return number * place.part, min((number + 1) * place.part, grid.count)
 
-    def submit(number: int) -> "Future[tuple[bytes, bytes]]":
+    def submit(number: int) -> "Future[tuple[Any, Any]]":
         first, last = bounds(number)
         start, held = (packed(array) for array in rows(first, last).rows)
         varied = [grid.columns(first, last)[name] for name in grid.axes]
@@ -271,16 +273,21 @@ def _fill(
     def limit() -> int:
         return min(2 * workers(), max(2, IN_MEMORY // bytes_of_a_part))
 
+    def write(part: tuple[int, tuple[Any, Any]]) -> "Future[None]":
+        number, files = part
+        return writers.submit(place.add, number, *files)
+
     before = sum(b - a for a, b in map(bounds, place.done) if a < grid.count)
     left = (number for number in range(count) if number not in place.done)
     done = before
     try:
-        for number, files in under_way(submit, left, limit):
-            place.add(number, *files)
-            first, last = bounds(number)
-            done += last - first
-            if progress is not None:
-                progress(done / grid.count)
+        with ThreadPoolExecutor(WRITERS) as writers:
+            computed = under_way(submit, left, limit)
+            for (number, _), _ in under_way(write, computed, lambda: WRITERS):
+                first, last = bounds(number)
+                done += last - first
+                if progress is not None:
+                    progress(done / grid.count)
     except BrokenExecutor as error:
         raise InputError(
             f"folder {place.path}: a worker ended ({error}): {done} of {grid.count} motions are"

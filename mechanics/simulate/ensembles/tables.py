@@ -61,8 +61,8 @@ def unpacked(columns: Sequence[Column], count: int) -> Array:
 def written(
     text: str, labels: Labels, numbers: tuple[int, int], varied: Sequence[Array],
     start: Sequence[Column], held: Sequence[Column], samples: bool,
-) -> tuple[bytes, bytes]:  # fmt: skip
-    """On a worker: motions from one number to another, integrated, as the bytes of two files.
+) -> tuple[Any, Any]:  # fmt: skip
+    """On a worker: motions from one number to another, integrated, as buffers of two files.
 
     Parameters
     ----------
@@ -117,8 +117,8 @@ def _samples(
 
 def _file(
     columns: Mapping[str, Any], labels: Labels, few: Sequence[str], rising: Sequence[str] = ()
-) -> bytes:
-    """A Parquet file; columns with few values, and one that rises, take little room."""
+) -> Any:
+    """A Parquet file, as a buffer; columns with few values, or that rise, take little room."""
     pyarrow, writer = parquet("samples")
     arrays = {name: pyarrow.array(values) for name, values in columns.items()}
     fields = [
@@ -131,4 +131,4 @@ def _file(
         pyarrow.table(list(arrays.values()), schema=schema), target, compression="none",
         use_dictionary=[*few], column_encoding={name: "DELTA_BINARY_PACKED" for name in rising},
     )  # fmt: skip
-    return bytes(target.getvalue())
+    return target.getvalue()
