@@ -9,14 +9,15 @@ Dask starts again what a lost worker had under way, and a worker in the place of
 import asyncio
 import logging
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError, Executor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from mechanics.errors import InputError
 
+T = TypeVar("T")
 PATIENCE = 10
 """Seconds for a scheduler to answer."""
 ADDRESS = "tcp://host:8786"
@@ -75,6 +76,12 @@ def workers(cluster: str | None = None, processes: int | None = None) -> Iterato
                 f"cluster {cluster or 'of processes'}: its scheduler went away: what is written"
                 " stays, and the same call goes on"
             ) from None
+
+
+def spread(team: Team, function: Callable[..., T], arguments: Iterable[Any], *more: Any) -> list[T]:
+    """A function of each argument, in their order, wherever it was computed."""
+    waiting = [team.executor.submit(function, argument, *more) for argument in arguments]
+    return [future.result() for future in waiting]
 
 
 def _distributed() -> Any:
