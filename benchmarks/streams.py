@@ -54,7 +54,9 @@ def main() -> None:
         folder = Path(scratch)
         write_ensemble(model, DURATION, folder / "warm", {"theta": (2.4, 2.6, 1000)},
                        executor=team.executor, workers=team.size)  # fmt: skip
+        used = process_time()
         memory = in_memory(model, asked.motions, side)
+        cores = process_time() - used
         _line(f"{asked.motions} last states, in memory", memory,
               f"{1e6 * memory / asked.motions:.2f} us a motion, {side} threads")  # fmt: skip
         used = process_time()
@@ -83,7 +85,7 @@ def main() -> None:
                    for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))  # fmt: skip
     print(f"largest memory: {own:.0f} MB, of a worker or a compiler {others:.0f} MB")
     if asked.processes:
-        plan(asked.motions, memory * side, leads, size)
+        plan(asked.motions, cores, leads, size)
 
 
 def _line(what: str, seconds: float, words: str) -> None:

@@ -62,7 +62,9 @@ def ensemble(
         bool, typer.Option("--beyond-domain", help="Do not watch where the model is valid.")
     ] = False,
 ) -> None:
-    """Integrate many motions, all combinations of what is varied, and write them to a folder.
+    """Integrate many motions, on one machine or on many; write them to a folder of Parquet.
+
+    All combinations of what is varied are integrated.
 
     `FOLDER/motions` has a row a motion: what is varied, its last state, how it ended;
     `FOLDER/samples` a row a motion and time, with `--samples`. Memory does not grow with their

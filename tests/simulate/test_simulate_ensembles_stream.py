@@ -1,6 +1,7 @@
 """Ensembles in parts: neither parts, nor order, nor workers, nor a stop can be seen in a result."""
 
 import json
+import sys
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from functools import cache
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mechanics.cluster import workers
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.crosscheck import derive
@@ -177,9 +179,12 @@ def test_ranges_that_are_none(tmp_path: Path, vary: Any, words: str) -> None:
 
 
 def test_what_is_not_installed_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "pyarrow", None)
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
     with pytest.raises(InputError, match=r"pip install 'mechanics\[parquet\]'"):
         write(tmp_path / "a")
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError, match=r"pip install 'mechanics\[cluster\]'"):
+        workers(processes=2).__enter__()
 
 
 @given(st.lists(st.integers(2, 5), min_size=1, max_size=3), st.data())
