@@ -28,12 +28,15 @@ from mechanics.compiled import Model, compile
 from mechanics.crosscheck import derive
 from mechanics.simulate import ensemble, write_ensemble
 from mechanics.simulate.ensembles.grid import read_grid
+from mechanics.simulate.ensembles.motions import read_motions
+from mechanics.simulate.ensembles.stream import BYTES
+from mechanics.simulate.ensembles.tables import packed
 from systems import elastic_pendulum
 
 DURATION, SAMPLES = 10.0, 1001
 BLOCK = 20_000
 """Motions in memory at a time."""
-LARGE = 10**9
+LARGE, ROWS = 10**9, 100_000
 
 
 def main() -> None:
@@ -63,6 +66,7 @@ def main() -> None:
         stream = streamed(model, folder / "ends", asked.motions, 2, team)
         leads = process_time() - used
         size = bytes_in(folder / "ends")
+        parts = len([*(folder / "ends" / "motions").glob("part-*")])
         share = f"{memory / stream:.0%} of the speed in memory"
         _line("the same, streamed", stream, f"{share}, {size / asked.motions:.0f} bytes a motion")
         used = process_time()
@@ -85,19 +89,30 @@ def main() -> None:
                    for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))  # fmt: skip
     print(f"largest memory: {own:.0f} MB, of a worker or a compiler {others:.0f} MB")
     if asked.processes:
-        plan(asked.motions, cores, leads, size)
+        plan(model, asked.motions, cores, leads, size, parts)
 
 
 def _line(what: str, seconds: float, words: str) -> None:
     print(f"{what:40s}{seconds:8.1f} s  {words}", flush=True)
 
 
-def plan(motions: int, seconds: float, leads: float, size: int) -> None:
-    """What 1e9 motions take, by proportion."""
-    each, one = seconds / motions, leads / motions
+def plan(model: Model, motions: int, cores: float, leads: float, size: int, parts: int) -> None:
+    """What 1e9 motions take.
+
+    Workers and bytes by proportion; the process that leads so much for each part, whatever its
+    size, and for each row of initial values. It has work for so many cores, and is the first limit.
+    """
+    used, times = process_time(), np.array([0.0, DURATION])
+    columns = read_grid({"theta": (2.4, 2.6, LARGE)}).columns(0, ROWS)
+    for array in read_motions(model, times, columns, {}, {}).rows:
+        packed(array)
+    row = (process_time() - used) / ROWS
+    each, many = cores / motions, LARGE * size / motions / BYTES
+    one = row + leads / parts * many / LARGE
     print(f"\n{LARGE:.0e} motions: {size / motions * LARGE / 1e9:.0f} GB,"
-          f" {each * LARGE / 3600:.0f} hours of one core, {one * LARGE / 3600:.2f} hours of the"
-          f" process that leads, which has work for {each / one:.0f} cores")  # fmt: skip
+          f" {each * LARGE / 3600:.1f} hours of one core ({1e6 * each:.1f} us a motion);"
+          f" the process that leads {1e6 * row:.2f} us a motion and {1e3 * leads / parts:.0f} ms a"
+          f" part: {one * LARGE / 3600:.2f} hours, work for {each / one:.0f} cores")  # fmt: skip
 
 
 @contextmanager
