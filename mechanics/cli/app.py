@@ -47,6 +47,10 @@ COMMANDS = {
         "using",
         "Integrate the equations of motion; write the samples, or draw the motion.",
     ),
+    "ensemble": (
+        "ensembles",
+        "Integrate many motions, on one machine or on many; write them to a folder of Parquet.",
+    ),
     "codegen": (
         "using",
         "Write the equations as C99: a folder that builds, tests and installs alone.",
@@ -142,7 +146,7 @@ def options(
 GROUPS = {
     "Find out whether equations are right": ("crosscheck", "check", "grade", "compare"),
     "Derive and look": ("systems", "derive", "linearize", "modes"),
-    "Simulate and measure": ("simulate", "trade", "extremes"),
+    "Simulate and measure": ("simulate", "ensemble", "trade", "extremes"),
     "Export and serve": ("codegen", "verify", "fmu", "serve-mcp"),
 }
 """Commands by what somebody wants to do, in the order of the list of all."""

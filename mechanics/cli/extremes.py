@@ -11,14 +11,20 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from mechanics.cli.ensembles import ClusterOption, ProcessesOption
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import load
+from mechanics.cluster import spread, workers
 from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
 from mechanics.extremes import extremes as walk
 from mechanics.extremes.result import PRECISIONS, End
 from mechanics.report.extremes import extremes_html
 from mechanics.report.extremes_plot import heat_plot
+from mechanics.scene import Scene
+from mechanics.scene.json.read import from_json
+from mechanics.scene.json.write import to_json
+from mechanics.scene.system import Path as Along
 from mechanics.scene.system import System
 from mechanics.simulate.files import writable
 
@@ -47,11 +53,13 @@ def extremes(
     form: Annotated[
         list[str] | None, typer.Option(help="Form of forward dynamics; all when not given.")
     ] = None,
+    cluster: ClusterOption = None,
+    processes: ProcessesOption = None,
 ) -> None:
     """Walk out along every parameter, coordinate and speed until something breaks, and say what.
 
     Errors are measured against enclosed accelerations, in double and in single precision, for every
-    form of forward dynamics.
+    form of forward dynamics. With workers, each takes a system.
 
     Examples
     --------
@@ -65,15 +73,19 @@ def extremes(
         writable(plot, (".svg",))
     refuse_unwritable(report, json_file)
     loaded = [load(name) for name in names] if names else _every()
-    results = []
-    with Console(stderr=True).status("") as status:
-        for system in loaded:
-            status.update(f"{system.name}: deriving")
-            equations = derive(system.scene(), route)
-            status.update(f"{system.name}: walking")
-            results.append(
-                walk(equations, name=system.name, paths=system.paths, forms=tuple(form or ()))
-            )
+    with Console(stderr=True).status("walking") as status:
+        forms = tuple(form or ())
+        if cluster is None and processes is None:
+            results = []
+            for system in loaded:
+                status.update(f"{escape(system.name)}: deriving and walking")
+                scene = system.scene()
+                results.append(walked((scene, system.name, system.paths), route, forms))
+        else:
+            status.update(f"walking {len(loaded)} systems")
+            with workers(cluster, processes) as team:
+                texts = [(json.dumps(to_json(s.scene())), s.name, s.paths) for s in loaded]
+                results = spread(team, walked, texts, route, forms)
         if plot is not None:
             write_file(heat_plot(results[0]), plot)
         if report is not None:
@@ -85,6 +97,16 @@ def extremes(
         write(text, json_file)
     if json_file != "-":
         _summary(Console(), results)
+
+
+def walked(
+    what: tuple[Scene | str, str, tuple[Along, ...]], route: str, forms: tuple[str, ...]
+) -> Extremes:
+    """The map of a scene, or of its JSON, which is what travels."""
+    scene, name, paths = what
+    made = from_json(scene) if isinstance(scene, str) else scene
+    assert isinstance(made, Scene)
+    return walk(derive(made, route), name=name, paths=paths, forms=forms)
 
 
 def _every() -> list[System]:

@@ -114,6 +114,8 @@ def _print(console: Console, found: Trade) -> None:
     for pick in found.recommendations:
         style = "" if pick.choice is not None else "yellow"
         console.print(f"{escape(pick.reason)}\n", style=style)
+    console.print(_costs(found))
+    console.print()
     if found.least is not None:
         _print_least(console, found.least)
     for name, why in found.left_out.items():
@@ -145,7 +147,7 @@ def _front(found: Trade, wide: bool) -> Table:
             f"{m.error_end:.1e}",
             str(m.evaluations),
             "" if m.energy_drift is None else f"{m.energy_drift:.1e}",
-            f"{milliseconds(low)} to {milliseconds(high)}",
+            f"{milliseconds(low)} to {milliseconds(high)}{', noise' if m.noisy else ''}",
         )
         table.add_row(
             m.choice.words,
@@ -154,6 +156,28 @@ def _front(found: Trade, wide: bool) -> Table:
             "" if bound is None else f"{bound:.1e}",
             *(rest if wide else ()),
         )
+    return table
+
+
+def _costs(found: Trade) -> Table:
+    """What is recommended, its cost told apart; the second half by the C alone."""
+    table = Table(box=None, pad_edge=False)
+    for name in ("target", "for", "choice", "a call", "a step in C", "operations for 1 s", "bytes"):
+        table.add_column(name, justify="left" if name in ("for", "choice") else "right")
+    for who, picks in (("Python", found.recommendations), ("embedding", found.embedded)):
+        for pick in picks:
+            if pick.choice is None:
+                table.add_row(f"{pick.target:.0e}", who, "none")
+                continue
+            cost = found.costs[pick.choice]
+            step = "" if cost.step is None else milliseconds(cost.step)
+            table.add_row(
+                f"{pick.target:.0e}", who, pick.choice.words,
+                "" if cost.call is None else milliseconds(cost.call),
+                f"{step} an evaluation" if step and cost.counted == "evaluation" else step,
+                "" if cost.operations is None else f"{cost.operations:.3g}",
+                "" if cost.memory is None else str(cost.memory),
+            )  # fmt: skip
     return table
 
 

@@ -25,7 +25,7 @@ from mechanics.compiled.step import Tableau, runge_kutta
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
 from mechanics.program.casadi_reader import read, read_routine
-from mechanics.program.routine import Routine
+from mechanics.program.routine import Routine, entries_of
 from mechanics.program.sympy_reader import read as read_expressions
 
 NEEDED = ("forward_dynamics", "coordinate_rates")
@@ -95,37 +95,41 @@ class Compiled:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Held:
-    """f of many motions, all of them with inputs that stay.
+    """f of many motions, all of them with inputs that stay; data that can travel.
 
     Attributes
     ----------
-    function : casadi.Function
+    routine : Routine
         ``rate(y, held)``: y' from the state, with t as its last entry if it is held, and from the
-        inputs without t and the parameters.
+        inputs without t and the parameters. As it is written.
+    program : Program
+        ``yd`` of inputs called as in C.
     """
 
-    function: ca.Function
+    routine: Routine
+    program: Program
 
-    @cached_property
-    def routine(self) -> Routine:
-        """Its instructions."""
-        return read_routine(self.function)
+    @property
+    def sizes(self) -> tuple[int, int]:
+        """Entries of the state, and of what is held."""
+        (_, size), (_, count) = self.routine.inputs
+        return size, count
 
     @property
     def state(self) -> tuple[str, ...]:
         """Names of the state's entries in C."""
-        return tuple(f"y[{k}]" for k in range(self.function.numel_in(0)))
+        return tuple(f"y[{k}]" for k in range(self.sizes[0]))
 
-    @cached_property
-    def program(self) -> Program:
-        """``yd`` of inputs called as in C."""
-        builder, function = Builder(), self.function
-        names = [self.state, tuple(f"held[{k}]" for k in range(function.numel_in(1)))]
-        arguments = {
-            function.name_in(i): list(map(builder.input, group)) for i, group in enumerate(names)
-        }
-        (rates,) = read(builder, function, arguments).values()
-        return builder.program({"yd": rates}, [*names[0], *names[1]])
+
+def read_held(function: ca.Function) -> Held:
+    """A function ``rate(y, held) -> yd``."""
+    code, builder = read_routine(function), Builder()
+    names = entries_of(code.inputs)
+    size, _ = (count for _, count in code.inputs)
+    arguments = {"y": names[:size], "held": names[size:]}
+    nodes = {group: [*map(builder.input, entries)] for group, entries in arguments.items()}
+    (rates,) = read(builder, function, nodes).values()
+    return Held(code, builder.program({"yd": rates}, names))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -205,7 +209,7 @@ class RightHandSide:
             given = ca.vertcat(*(w[i] for i, name in enumerate(names) if name != "t"))
         held = ca.vertcat(given, p)
         function = ca.Function("rate", [state, held], [ca.densify(rates)], ["y", "held"], ["yd"])
-        return Held(function)
+        return read_held(function)
 
     @cached_property
     def steps(self) -> Mapping[str, Step]:

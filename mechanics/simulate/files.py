@@ -9,6 +9,7 @@ import json
 from pathlib import Path
 
 from mechanics.errors import InputError
+from mechanics.simulate.parquet import parquet
 from mechanics.simulate.trajectory import Trajectory
 
 SUFFIXES = (".csv", ".parquet")
@@ -55,14 +56,7 @@ def _write_csv(trajectory: Trajectory, target: Path) -> None:
 
 
 def _write_parquet(trajectory: Trajectory, target: Path) -> None:
-    try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError:
-        raise InputError(
-            f"file {target.name}: Parquet needs pyarrow, which is not installed: run"
-            " pip install 'mechanics[parquet]', or write a .csv file"
-        ) from None
+    pyarrow, writer = parquet(f"file {target.name}", ", or write a .csv file")
     columns = trajectory.columns
     fields = [
         pyarrow.field(name, pyarrow.float64(), metadata={"unit": trajectory.units[name]})
@@ -74,4 +68,4 @@ def _write_parquet(trajectory: Trajectory, target: Path) -> None:
         "parameters": json.dumps(dict(trajectory.parameters)),
     }
     table = pyarrow.table(list(columns.values()), schema=pyarrow.schema(fields, metadata=about))
-    pyarrow.parquet.write_table(table, target)
+    writer.write_table(table, target)

@@ -64,9 +64,9 @@ class Choice:
 
     @property
     def knob(self) -> str:
-        """``"tolerance 1e-09"`` or ``"step 0.01 s"``."""
+        """``"tolerance 2.3e-09"`` or ``"step 0.01 s"``."""
         if self.setting.tolerance is not None:
-            return f"tolerance {self.setting.tolerance:.0e}"
+            return f"tolerance {self.setting.tolerance:.2g}"
         return f"step {self.setting.step:.4g} s"
 
     @property

@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 
 ROUNDS = (3, 25)
 """Fewest and most rounds of timing."""
+APART, AGAIN = 2.0, 2
+"""Quartiles farther apart are measured again, so many times; then they are told to be noise."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +66,11 @@ class Measurement:
         """Quartiles of the times."""
         low, high = np.quantile(self.seconds, [0.25, 0.75])
         return float(low), float(high)
+
+    @property
+    def noisy(self) -> bool:
+        """Whether the quartiles are so far apart that the median tells little."""
+        return self.spread[1] > APART * self.spread[0]
 
 
 def integrator(name: str) -> Integrator:
@@ -137,5 +144,16 @@ def times_side_by_side(
     budget : float
         Seconds that all of it may take, beyond the fewest rounds.
     """
-    found = side_by_side(runs, budget, rounds)
+    found = [list(seconds) for seconds in side_by_side(runs, budget, rounds)]
+    for _ in range(AGAIN):
+        noisy = [i for i, seconds in enumerate(found) if _apart(seconds)]
+        again = side_by_side([runs[i] for i in noisy], budget / 2, rounds) if noisy else ()
+        for i, seconds in zip(noisy, again, strict=True):
+            # A quieter round stands for itself; the others are what disturbed the machine.
+            found[i] = min(found[i], [*seconds], key=lambda one: np.quantile(one, 0.75))
     return [tuple(one / horizon for one in seconds) for seconds in found]
+
+
+def _apart(seconds: Sequence[float]) -> bool:
+    low, high = np.quantile(seconds, [0.25, 0.75])
+    return bool(high > APART * low)

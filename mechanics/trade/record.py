@@ -1,5 +1,6 @@
 """A trade as plain data, from which each of its figures can be made again."""
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from mechanics.trade.choice import Choice
 from mechanics.trade.least import LeastModel
 from mechanics.trade.measure import Measurement
+from mechanics.trade.recommend import Recommendation
 from mechanics.trade.result import Trade
 
 
@@ -50,18 +52,21 @@ def to_record(found: Trade) -> dict[str, Any]:
                 for t in found.trained
             ],
         },
-        "recommendations": [
-            {
-                "target": pick.target,
-                "choice": None if pick.choice is None else _choice(pick.choice),
-                "bound": number(pick.bound),
-                "reason": pick.reason,
-            }
-            for pick in found.recommendations
-        ],
+        "recommendations": [_pick(found, pick) for pick in found.recommendations],
+        "embedded": [_pick(found, pick) for pick in found.embedded],
         "least_model": None if found.least is None else _least(found.least),
         "notes": list(found.notes),
         "left_out": found.left_out,
+    }
+
+
+def _pick(found: Trade, pick: Recommendation) -> dict[str, Any]:
+    return {
+        "target": pick.target,
+        "choice": None if pick.choice is None else _choice(pick.choice),
+        "bound": number(pick.bound),
+        "cost": None if pick.choice is None else asdict(found.costs[pick.choice]),
+        "reason": pick.reason,
     }
 
 
@@ -93,6 +98,7 @@ def _measurement(m: Measurement, bound: float | None, front: bool) -> dict[str, 
         "jacobians": m.jacobians,
         "energy_drift": None if m.energy_drift is None else number(m.energy_drift),
         "seconds": list(m.seconds),
+        "noisy": m.noisy,
         "bound": None if bound is None else number(bound),
         "front": front,
         "failure": m.failure,

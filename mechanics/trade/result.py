@@ -1,12 +1,15 @@
 """What a trade found, with everything that its figures were made from."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechanics.trade.choice import Choice
+from mechanics.trade.cost import Cost
 from mechanics.trade.family import Family
 from mechanics.trade.least import LeastModel
 from mechanics.trade.measure import Measurement
-from mechanics.trade.recommend import Recommendation, pareto
+from mechanics.trade.pareto import pareto
+from mechanics.trade.recommend import Recommendation
 from mechanics.trade.train import Trained
 from mechanics.trade.yardstick import Yardstick
 
@@ -35,7 +38,11 @@ class Trade:
     family : Family
     trained : tuple of Trained
     recommendations : tuple of Recommendation
-        One for each target.
+        One for each target: the least time, called from Python.
+    embedded : tuple of Recommendation
+        One for each target: the fewest operations on a target without Python.
+    costs : mapping of Choice to Cost
+        Of what is recommended.
     least : LeastModel or None
     notes : tuple of str
         What a reader has to know, in sentences.
@@ -54,6 +61,8 @@ class Trade:
     family: Family
     trained: tuple[Trained, ...]
     recommendations: tuple[Recommendation, ...]
+    embedded: tuple[Recommendation, ...]
+    costs: Mapping[Choice, Cost]
     least: LeastModel | None
     notes: tuple[str, ...]
     left_out: dict[str, str]

@@ -13,11 +13,14 @@ from mechanics.errors import InputError, wanted
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
 from mechanics.simulate.run import simulate_one
 from mechanics.trade.case import Case
+from mechanics.trade.choice import Choice
+from mechanics.trade.cost import costs, embeddable, operations
 from mechanics.trade.dropping import Derive
 from mechanics.trade.family import SPREAD, TRAINING, Family, family, working_truths
 from mechanics.trade.least import least_model
-from mechanics.trade.recommend import recommend
+from mechanics.trade.recommend import Recommendation, recommend
 from mechanics.trade.result import Trade
+from mechanics.trade.solve import Price, cheapest_that_meets
 from mechanics.trade.survey import (
     Progress,
     Survey,
@@ -102,14 +105,29 @@ def trade(
     for choice in [c.with_variant(better) for c in near if c.variant.plain]:
         if better.careful and found.add(case, choice, stick.truth) is not None:
             near.append(choice)
+
+    def counted(choice: Choice) -> float:
+        return operations(case, choice) if embeddable(choice) else np.inf
+
+    near += near_front(found.measurements, lambda m: counted(m.choice))
     tell("states around the start", 0.45)
     around = _family(case, found, stick, spread)
     trained = train(case, list(dict.fromkeys(near)), around, STATES)
     tell("times", 0.7)
-    measurements = timed(case, found, near)
+    timed(case, found, near)
     tell("picks", 0.85)
     tried = {t.choice: t for t in trained}
-    picks = tuple(recommend(case, t, measurements, tried, around) for t in targets)
+
+    def picked(target: float, price: Price | None = None) -> Recommendation:
+        pick = cheapest_that_meets(case, stick.truth, found, trained, around, target, STATES, price)
+        if pick is not None:
+            tried[pick.trained.choice] = pick.trained
+        return recommend(target, case.horizon, pick, trained)
+
+    picks = tuple(map(picked, targets))
+    embedded = tuple(picked(each, counted) for each in targets)
+    measurements = tuple(found.measurements)
+    chosen = [pick.choice for pick in (*picks, *embedded) if pick.choice is not None]
     tell("models", 0.9)
     least = None
     if derive is not None:
@@ -127,6 +145,8 @@ def trade(
         family=around,
         trained=tuple(tried.values()),
         recommendations=picks,
+        embedded=embedded,
+        costs=costs(case, chosen, measurements),
         least=least,
         notes=notes,
         left_out=found.left_out,

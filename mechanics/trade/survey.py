@@ -27,7 +27,6 @@ from mechanics.trade.measure import (
     times_side_by_side,
     unsuited,
 )
-from mechanics.trade.recommend import pareto
 from mechanics.trade.truth import Truth
 
 Array = NDArray[np.float64]
@@ -215,15 +214,21 @@ def finest(measurements: Sequence[Measurement]) -> tuple[Measurement, Measuremen
     return order[0], other
 
 
-def near_front(measurements: Sequence[Measurement]) -> list[Choice]:
-    """Choices that cost at most `NEAR` times the cheapest that is as accurate."""
+def near_front(
+    measurements: Sequence[Measurement], price: Callable[[Measurement], float] = lambda m: m.time
+) -> list[Choice]:
+    """Choices that cost at most `NEAR` times the cheapest that is as accurate.
+
+    Parameters
+    ----------
+    measurements : sequence of Measurement
+    price : callable
+        Infinite for what is not wanted.
+    """
     usable = [m for m in measurements if m.choice.variant.careful and not m.failure]
-    front = [usable[i] for i in pareto(usable)]
-    return [
-        m.choice
-        for m in usable
-        if m.time <= NEAR * min(f.time for f in front if f.error_largest <= m.error_largest)
-    ]
+    rows = [(m, price(m)) for m in usable if price(m) < np.inf]
+    least = [min(cost for f, cost in rows if f.error_largest <= m.error_largest) for m, _ in rows]
+    return [m.choice for (m, cost), best in zip(rows, least, strict=True) if cost <= NEAR * best]
 
 
 def timed(case: Case, found: Survey, near: Sequence[Choice]) -> tuple[Measurement, ...]:

@@ -1,14 +1,12 @@
 """How large the error of a choice can be on states that were not tried.
 
-    log10 error ~ mean + deviation * normal        over the family of states
+    bound = max(SAFETY * largest error seen, tail)
 
-    bound = max(largest error seen, 10^(mean + k deviation), tail)
+The largest of 299 errors is one that 99 % of all states stay below, with a confidence of 95 %
+(Wilks, Annals of Mathematical Statistics 12, 1941), whatever their distribution. On it stands a
+factor of safety.
 
-k is the factor of the one-sided tolerance limit of a normal distribution (Hahn and Meeker,
-Statistical Intervals, 1991): with the stated confidence, the stated share of all states of the
-family stays below the bound. Factors between errors are what varies, so logarithms are taken.
-
-Beside a separatrix errors have a heavier tail, P(error > x) ~ x^(-1/xi). With many states xi is
+Beside a separatrix errors have a heavy tail, P(error > x) ~ x^(-1/xi). With many states xi is
 estimated from the m largest errors (Hill, Annals of Statistics 3, 1975) and the tail extrapolated:
 
     tail = x_m (m / (count p))^xi,   p = 1 - coverage
@@ -19,7 +17,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import nctdtrit, ndtri
+from scipy.special import ndtri
 
 from mechanics.errors import MechanicsError
 from mechanics.trade.case import Case
@@ -30,6 +28,8 @@ from mechanics.trade.truth import Truth
 
 Array = NDArray[np.float64]
 
+SAFETY = 2.0
+"""By how much the largest error that was seen has to stay below a target."""
 COVERAGE, CONFIDENCE = 0.999, 0.95
 # Share of the errors that is the tail, and the fewest that tell its index.
 TAIL, FEWEST = 0.05, 10
@@ -61,16 +61,7 @@ class Trained:
         """What errors on other states of the family are expected to stay below."""
         if not np.all(np.isfinite(self.errors)):
             return np.inf
-        logs = np.log10(np.maximum(self.errors, SMALLEST))
-        limit = np.mean(logs) + tolerance_factor(len(logs)) * np.std(logs, ddof=1)
-        return max(self.largest, float(10.0**limit), tail_limit(self.errors))
-
-
-def tolerance_factor(count: int) -> float:
-    """k of the one-sided tolerance limit for `count` draws from a normal distribution."""
-    root = np.sqrt(count)
-    # scipy.stats has these too, and takes a third as long to import as the whole package.
-    return float(nctdtrit(count - 1, ndtri(COVERAGE) * root, CONFIDENCE) / root)
+        return max(SAFETY * max(self.largest, SMALLEST), tail_limit(self.errors))
 
 
 def tail_limit(errors: Array) -> float:

@@ -20,7 +20,7 @@ from benchmarks.problems import pose
 from mechanics.compiled import Model, compile
 from mechanics.compiled.machine.library import FLAGS, REMARKS, build, find_compiler
 from mechanics.compiled.machine.vectorised import TELL, loop_line, vectorised
-from mechanics.compiled.right_hand_side import Held
+from mechanics.compiled.right_hand_side import Held, read_held
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError
 from mechanics.program import Program
@@ -30,8 +30,8 @@ from mechanics.simulate.constraints import manifold
 from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.explicit import RATE, dop853_source
 from mechanics.simulate.ensembles.library import Library
-from mechanics.simulate.ensembles.run import Control, integrated
-from mechanics.simulate.ensembles.taylor import order, taylor_source
+from mechanics.simulate.ensembles.run import ADAPTIVE, SOURCES, Method, integrated
+from mechanics.simulate.ensembles.taylor import taylor_source
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.reference import Reference, reference
 from systems import ALL
@@ -204,11 +204,11 @@ def test_series_of_every_operation(name: str) -> None:
     f = OPERATIONS[name]
     graph = ca.Function("rate", [y, p], [ca.vertcat(f(y[0]) + 0.1, f(p) * y[0])], ["y", "held"],
                         ["yd"])  # fmt: skip
-    method = Library(Held(graph), 2, str(find_compiler()), taylor_source)
+    method = Library(read_held(graph), 2, str(find_compiler()), taylor_source)
     start = np.column_stack([np.linspace(0.05, 0.4, 18), np.zeros(18)])
     held, times = np.linspace(0.1, 0.6, 18)[:, None].copy(), np.array([0.0, 0.2, 0.3])
-    by = Control(1e-13, order(1e-13), 1000)
-    found = integrated(method, start, held, times, by, 1)
+    by = Method("taylor", 1e-13, 1000)
+    found = integrated(method, by, start, held, times, 1)
     assert not found.status.any() and np.max(found.steps) < 10
     for i in (0, 17):
 
@@ -229,11 +229,13 @@ def test_what_has_no_series_is_left_to_dop853() -> None:
     y, p = ca.SX.sym("y"), ca.SX.sym("p")
     graph = ca.Function("rate", [y, p], [-p * ca.fabs(y)], ["y", "held"], ["yd"])
     with pytest.raises(ExpressionError, match="operation abs has no Taylor series"):
-        taylor_source(Held(graph))
-    assert best(*rate_program(Held(graph)), 1e-12) == "dop853"
-    method = Library(Held(graph), 1, str(find_compiler()), dop853_source)
+        taylor_source(read_held(graph))
+    assert best(*rate_program(read_held(graph)), 1e-12) == "dop853"
+    method = Library(read_held(graph), 1, str(find_compiler()), dop853_source)
     times = np.array([0.0, 2.0])
-    found = integrated(method, np.ones((1, 1)), np.ones((1, 1)), times, Control(1e-9, 0, 999), 1)
+    found = integrated(
+        method, Method("dop853", 1e-9, 999), np.ones((1, 1)), np.ones((1, 1)), times, 1
+    )  # fmt: skip
     assert abs(found.states[0, 1, 0] - np.exp(-2)) < 1e-8
 
 
@@ -245,7 +247,7 @@ def test_choice_goes_by_counted_operations() -> None:
     products = ca.vertcat(*(y[i] * y[j] * ca.sin(y[i] - y[j]) for i, j in PAIRS))
     rates = products[:40] + products[40:80]
     graph = ca.Function("rate", [y, p], [rates], ["y", "held"], ["yd"])
-    assert best(*rate_program(Held(graph)), 1e-6) == "dop853"
+    assert best(*rate_program(read_held(graph)), 1e-6) == "dop853"
 
 
 def test_linear_motion_takes_a_few_steps_and_is_exact() -> None:
@@ -254,10 +256,10 @@ def test_linear_motion_takes_a_few_steps_and_is_exact() -> None:
     graph = ca.Function(
         "rate", [y, p], [ca.vertcat(y[1], p, ca.SX(0))], ["y", "held"], ["yd"]
     )  # fmt: skip
-    method = Library(Held(graph), 3, str(find_compiler()), taylor_source)
+    method = Library(read_held(graph), 3, str(find_compiler()), taylor_source)
     start, held = np.array([[1.0, -2.0, 0.0]]), np.array([[3.0]])
     times = np.array([0.0, 10.0, 1000.0])
-    found = integrated(method, start, held, times, Control(1e-12, 16, 1000), 1)
+    found = integrated(method, Method("taylor", 1e-12, 1000), start, held, times, 1)
     expected = np.column_stack([1 - 2 * times + 1.5 * times**2, -2 + 3 * times, 0 * times])
     assert np.allclose(found.states[0], expected, rtol=1e-15) and found.steps[0] < 5
 
@@ -270,13 +272,13 @@ def test_angles_beyond_the_inline_sine() -> None:
     )  # fmt: skip
     near, far = np.array([0.3, 0.0]), np.array([2e6, 0.0])
     times, held = np.array([0.0, 2.0]), np.full((17, 1), 1.5)
-    for source in (taylor_source, dop853_source):
-        method = Library(Held(graph), 2, str(find_compiler()), source)
-        by = Control(1e-13, 18, 1000)
-        alone = integrated(method, np.tile(near, (17, 1)), held, times, by, 1).states
+    for name in ADAPTIVE:
+        method = Library(read_held(graph), 2, str(find_compiler()), SOURCES[name])
+        by = Method(name, 1e-13, 1000)
+        alone = integrated(method, by, np.tile(near, (17, 1)), held, times, 1).states
         start = np.tile(near, (17, 1))
         start[4] = far
-        mixed = integrated(method, start, held, times, by, 1).states
+        mixed = integrated(method, by, start, held, times, 1).states
         others = np.arange(17) != 4
         assert np.array_equal(mixed[others], alone[others])
         for states, begin in ((mixed[4], 2e6), (mixed[0], 0.3)):

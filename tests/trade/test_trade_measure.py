@@ -13,7 +13,7 @@ from mechanics.trade import Trade, trade
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice, Variant
 from mechanics.trade.measure import prepared
-from mechanics.trade.recommend import pareto
+from mechanics.trade.pareto import pareto
 from mechanics.trade.record import to_record
 from mechanics.trade.survey import LONGEST
 from mechanics.trade.yardstick import yardstick

@@ -5,15 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mechanics.simulate.integrators import Setting
+from benchmarks.trade_picks import exhaustive
 from mechanics.simulate.reference import reference
 from mechanics.trade import Trade
 from mechanics.trade.case import Case
-from mechanics.trade.choice import Choice, Variant
 from mechanics.trade.family import family
 from mechanics.trade.measure import prepared
 from mechanics.trade.recommend import recommend
-from mechanics.trade.train import Trained, error_of, tail_limit, tolerance_factor
+from mechanics.trade.train import SAFETY, Trained, error_of, tail_limit
 from mechanics.trade.truth import Truth, from_reference, from_states
 
 pytestmark = pytest.mark.campaign
@@ -51,52 +50,60 @@ def test_pick_is_shown_to_meet_its_target(pendulum: Trade) -> None:
         assert len(confirmed.errors) == len(pendulum.family.starts) >= 300
 
 
-def made(pendulum: Trade, name: str, seconds: float, error: float, step: bool) -> tuple:
-    """A measurement and errors on all states, both made up."""
-    setting = Setting(name, step=0.1) if step else Setting(name, tolerance=0.1)
-    choice = Choice(Variant(), setting)
-    one = replace(pendulum.measurements[0], choice=choice, seconds=(seconds,), error_largest=error)
-    return one, Trained(choice, np.full(len(pendulum.family.starts), error))
+def test_settings_are_solved_for_and_not_taken_from_a_ladder(pendulum: Trade) -> None:
+    """The bound is near the target, but for steps, of which a whole number lies between samples."""
+    for pick in (*pendulum.recommendations, *pendulum.embedded):
+        assert pick.choice is not None and pick.bound <= pick.target
+        if pick.choice.setting.tolerance is not None:
+            assert pick.target <= 2 * pick.bound
 
 
-@pytest.mark.parametrize(
-    ("fixed", "adaptive", "expected"),
-    [(1.0, 1.9, "adaptive"), (1.0, 2.1, "fixed"), (2.0, 1.0, "adaptive")],
-)
-def test_fixed_steps_are_taken_only_where_adaptive_ones_cost_twice_as_much(
-    pendulum: Trade, case: Case, fixed: float, adaptive: float, expected: str
+def test_embedded_pick_has_the_fewest_operations_of_an_exhaustive_search(
+    pendulum: Trade, case: Case
 ) -> None:
-    rows = [
-        made(pendulum, "fixed", fixed, 1e-7, True),
-        made(pendulum, "adaptive", adaptive, 1e-7, False),
-        made(pendulum, "cheap", 0.1, 1e-5, False),
-        made(pendulum, "dear", 9.0, 1e-12, False),
-    ]
-    tried = {t.choice: t for _, t in rows}
-    pick = recommend(case, 1e-6, [m for m, _ in rows], tried, pendulum.family)
-    assert pick.choice is not None
-    assert pick.choice.setting.integrator == expected
-    assert "cheap, tolerance 1e-01 is cheaper, but was only shown to stay below" in pick.reason
+    """All numbers of steps of all methods in C, from few to many, until one meets the target."""
+    around = pendulum.family
+    for pick in pendulum.embedded:
+        assert pick.choice is not None
+        cost = pendulum.costs[pick.choice].operations
+        best = exhaustive(case, around, pick.target)
+        assert cost is not None and cost <= 1.2 * best
 
 
-def test_target_that_nothing_meets_is_said_so(pendulum: Trade, case: Case) -> None:
-    tried = {t.choice: t for t in pendulum.trained}
-    pick = recommend(case, 1e-18, pendulum.measurements, tried, pendulum.family)
+def test_call_is_told_apart_from_what_the_method_takes(pendulum: Trade) -> None:
+    """A call and its steps together are the run; operations are those of the step's graph."""
+    for pick in pendulum.recommendations:
+        assert pick.choice is not None and pick.measurement is not None
+        cost = pendulum.costs[pick.choice]
+        if cost.call is not None and cost.step is not None:
+            run = pick.measurement.time * pendulum.horizon
+            assert cost.call + cost.steps * cost.step == pytest.approx(run, rel=2)
+    for pick in pendulum.embedded:
+        assert pick.choice is not None
+        cost = pendulum.costs[pick.choice]
+        assert cost.operations is not None and cost.memory is not None
+        assert cost.operations > 4 * 22 * cost.steps / pendulum.horizon
+        assert 4 * 4 < cost.memory < 10_000
+
+
+def test_target_that_nothing_meets_is_said_so(pendulum: Trade) -> None:
+    pick = recommend(1e-18, 4.0, None, pendulum.trained)
     assert pick.choice is None
     assert "no choice is shown to stay below it" in pick.reason
 
 
-def test_tolerance_factor_is_the_published_one() -> None:
-    # One-sided, 95 % confidence: Hahn and Meeker, Statistical Intervals, table A.12.
-    assert tolerance_factor(10) == pytest.approx(5.203, abs=2e-3)
-    assert tolerance_factor(30) == pytest.approx(4.022, abs=2e-3)
+def test_noise_is_told(pendulum: Trade) -> None:
+    one = pendulum.measurements[0]
+    assert not replace(one, seconds=(1.0, 1.1, 1.2, 1.9)).noisy
+    assert replace(one, seconds=(1.0, 1.0, 2.5, 2.6)).noisy
 
 
 def test_bound_covers_what_was_seen_and_grows_with_the_spread(pendulum: Trade) -> None:
     choice = pendulum.trained[0].choice
     near = Trained(choice, 10.0 ** np.linspace(-9, -8.9, 24))
-    far = Trained(choice, 10.0 ** np.linspace(-11, -8.9, 24))
-    assert near.largest <= near.bound < far.bound
+    assert near.bound == pytest.approx(SAFETY * 10**-8.9)
+    wide = Trained(choice, 10.0 ** np.random.default_rng(1).normal(-9, 1, 300))
+    assert wide.bound >= SAFETY * wide.largest
     assert Trained(choice, np.array([1e-9, np.inf, 1e-9])).bound == np.inf
 
 

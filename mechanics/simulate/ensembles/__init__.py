@@ -2,5 +2,6 @@
 
 from mechanics.simulate.ensembles.ensemble import ensemble
 from mechanics.simulate.ensembles.outcome import Ensemble, Status
+from mechanics.simulate.ensembles.stream import Written, write_ensemble
 
-__all__ = ["Ensemble", "Status", "ensemble"]
+__all__ = ["Ensemble", "Status", "Written", "ensemble", "write_ensemble"]

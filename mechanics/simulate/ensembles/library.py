@@ -14,11 +14,11 @@ import numpy as np
 from mechanics.compiled.machine.library import load
 from mechanics.compiled.machine.native import affordable
 from mechanics.compiled.machine.vectorised import settings
-from mechanics.compiled.model import Model
 from mechanics.compiled.right_hand_side import Held
 from mechanics.simulate.ensembles.text import text
 
 Source = Callable[[Held], str]
+Loader = Callable[[str, str, str], ctypes.CDLL]
 
 ALIGNED = 64
 """Bytes of the widest vectors."""
@@ -38,6 +38,8 @@ class Library:
     compiler : str
     source : callable
         Of the function, to C text that follows the arithmetic of lanes.
+    loaded : callable
+        Of that text, the compiler and its settings, to a library.
 
     Attributes
     ----------
@@ -50,16 +52,17 @@ class Library:
         If the compiler refuses the code; the message carries its words.
     """
 
-    def __init__(self, of: Held, moving: int, compiler: str, source: Source) -> None:
-        function = of.function
-        size, held = function.numel_in(0), function.numel_in(1)
+    def __init__(
+        self, of: Held, moving: int, compiler: str, source: Source, loaded: Loader = load
+    ) -> None:
+        size, held = of.sizes
         self.text = "\n".join([
             text("lanes.h"),
             f"enum {{ SIZE = {size}, HELD = {held}, MOVING = {moving} }};",
             source(of),
         ])  # fmt: skip
-        self.flags = f"{affordable(settings(compiler), function.n_instructions())} {FUSED}"
-        library = load(self.text, compiler, self.flags)
+        self.flags = f"{affordable(settings(compiler), of.routine.operations)} {FUSED}"
+        library = loaded(self.text, compiler, self.flags)
         self._march = library.mechanics_march
         self._march.restype = None
         library.mechanics_room.restype = ctypes.c_int64
@@ -99,10 +102,3 @@ class Library:
 def at(array: np.ndarray) -> ctypes.c_void_p:
     """Address of an array."""
     return ctypes.c_void_p(array.ctypes.data)
-
-
-def library(model: Model, source: Source) -> Library:
-    """The method for a model that has a compiler; the same text is compiled once."""
-    known = model.right_hand_side
-    moving = known.held.function.numel_in(0) - known.timed
-    return Library(known.held, moving, model.compiler or "", source)

@@ -58,6 +58,16 @@ class Motions:
     def __len__(self) -> int:
         return len(self.start)
 
+    @property
+    def rows(self) -> tuple[Array, Array]:
+        """States, with the time as the last entry if the equations hold it; and what is held."""
+        start, inputs = self.start, self.inputs
+        if self.model.right_hand_side.timed:
+            at_time = self.model.entries["inputs"].index("t")
+            start = np.column_stack([start, inputs[:, at_time]])
+            inputs = np.delete(inputs, at_time, axis=1)
+        return np.ascontiguousarray(start), np.ascontiguousarray(np.hstack([inputs, self.p]))
+
 
 def read_motions(
     model: Model, times: Array, initial: Given, parameters: Given, inputs: Given

@@ -10,7 +10,7 @@ import numpy as np
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.motions import Motions
 from mechanics.simulate.ensembles.outcome import Status
-from mechanics.simulate.ensembles.run import FIXED, STAGES, Run
+from mechanics.simulate.ensembles.run import FIXED, STAGES, Method, Run
 from mechanics.simulate.integrators import explicit, scipy
 from mechanics.simulate.integrators.problem import Cause, Problem, Setting
 
@@ -23,25 +23,23 @@ STATUS = {
 }
 
 
-def one_by_one(motions: Motions, name: str, by: float, budget: int) -> Run:
+def one_by_one(motions: Motions, method: Method) -> Run:
     """Every motion by a scalar integrator.
 
     Parameters
     ----------
-    name : str
-        Of a method, or ``"auto"``; all adaptive ones are DOP853, whose steps are counted with those
-        that were refused.
-    by : float
-        Tolerance, or step in s.
-    budget : int
-        Steps that a motion may try.
+    motions : Motions
+    method : Method
+        All adaptive ones are DOP853, whose steps are counted with those that were refused; its
+        `by` is the tolerance.
     """
+    name, by, budget = method
     if name in FIXED:
         place = FIXED.index(name)
         member, stages = explicit.MEMBERS[place], len(TABLEAUX[place].a)
         setting, words = Setting(member.name, step=by), f"steps of at most {by:g} s"
     else:
-        member, stages = _DOP853, STAGES
+        member, stages = _DOP853, STAGES["dop853"]
         tolerance = max(by, scipy.FINEST)
         setting = Setting(member.name, tolerance=tolerance)
         words = f"tolerance {tolerance:.3g}"

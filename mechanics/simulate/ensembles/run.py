@@ -1,4 +1,7 @@
-"""The methods: what each is compiled from, and how it is called."""
+"""The methods: what each is compiled from, and how it is called.
+
+(right-hand side, method) --> Library --> Found          the same on this machine and on a worker
+"""
 
 import ctypes
 from dataclasses import dataclass
@@ -9,22 +12,70 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
-from mechanics.compiled.step import Tableau
 from mechanics.compiled.tableaus import TABLEAUX
 from mechanics.simulate.ensembles.explicit import dop853_source, fixed_source
-from mechanics.simulate.ensembles.library import Library, Source, at, library
-from mechanics.simulate.ensembles.motions import Motions
+from mechanics.simulate.ensembles.library import Library, Source, at
 from mechanics.simulate.ensembles.outcome import CODES, Status
 from mechanics.simulate.ensembles.taylor import order, taylor_source
 from mechanics.simulate.integrators.loop import plan
 
 Array = NDArray[np.float64]
 Counts = NDArray[np.int64]
+SOURCES: dict[str, Source] = {
+    "taylor": taylor_source,
+    "dop853": dop853_source,
+    **{tableau.name.lower(): partial(fixed_source, tableau=tableau) for tableau in TABLEAUX},
+}
+"""What every method is compiled from, by its name."""
 ADAPTIVE = ("taylor", "dop853")
 FIXED = tuple(tableau.name.lower() for tableau in TABLEAUX)
 """Names of the methods."""
-STAGES = DOP853.n_stages
-"""Evaluations that a step of DOP853 takes."""
+STAGES = {
+    "dop853": DOP853.n_stages,
+    **{tableau.name.lower(): len(tableau.a) for tableau in TABLEAUX},
+}
+"""Evaluations that a step takes."""
+
+
+class Method(NamedTuple):
+    """How motions are integrated.
+
+    Attributes
+    ----------
+    name : str
+        One of `SOURCES`.
+    by : float
+        Error of a step; with fixed steps their length in s.
+    budget : int
+        Steps that a motion may try.
+    """
+
+    name: str
+    by: float
+    budget: int
+
+    @property
+    def words(self) -> str:
+        """For people."""
+        if self.name in FIXED:
+            return f"{self.name.upper()}, steps of at most {self.by:g} s"
+        words = f"Taylor series of order {order(self.by)}" if self.name == "taylor" else "DOP853"
+        return f"{words}, error of a step {self.by:.3g}"
+
+    @property
+    def cost(self) -> int:
+        """Evaluations of a step."""
+        return STAGES.get(self.name) or order(self.by)
+
+
+class Found(NamedTuple):
+    """States (batch, N, size), and a number a motion: status, samples reached, steps, tries."""
+
+    states: Array
+    status: Counts
+    reached: Counts
+    steps: Counts
+    tries: Counts
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,105 +90,66 @@ class Run:
     method: str
 
 
-def adaptive(motions: Motions, name: str, tolerance: float, budget: int, threads: int) -> Run:
-    """Every motion with steps of its own.
-
-    Parameters
-    ----------
-    name : str
-        One of `ADAPTIVE`.
-    tolerance : float
-        Error of a step.
-    budget : int
-        Steps that a motion may try.
-    """
-    sources: dict[str, Source] = {"taylor": taylor_source, "dop853": dop853_source}
-    method = library(motions.model, sources[name])
-    by = Control(tolerance, order(tolerance), budget)
-    found = integrated(method, *_given(motions), motions.times, by, threads)
-    words, cost = f"Taylor series of order {by.order}", by.order
-    if name == "dop853":
-        words, cost = "DOP853", STAGES
+def run_of(found: Found, method: Method, moving: int) -> Run:
+    """The same for people: the first entries of the states, and numbers as words."""
     return Run(
-        found.states[..., : motions.start.shape[1]],
-        tuple(CODES[k] for k in found.status.tolist()), found.reached, found.steps,
-        found.tries * cost, f"{words}, error of a step {tolerance:.3g}",
+        found.states[..., :moving], tuple(CODES[k] for k in found.status.tolist()), found.reached,
+        found.steps, found.tries * method.cost, method.words,
     )  # fmt: skip
 
 
-class Control(NamedTuple):
-    """Error of a step, order of a series, and steps that a motion may try."""
-
-    tolerance: float
-    order: int
-    budget: int
-
-
-class Found(NamedTuple):
-    """States (batch, N, size), and a number a motion: status, samples reached, steps, tries."""
-
-    states: Array
-    status: Counts
-    reached: Counts
-    steps: Counts
-    tries: Counts
-
-
 def integrated(
-    method: Library, start: Array, held: Array, times: Array, by: Control, threads: int
+    library: Library, method: Method, start: Array, held: Array, times: Array, threads: int
 ) -> Found:
-    """What an adaptive method finds.
+    """What a method finds.
 
     Parameters
     ----------
+    library : Library
+        Of the method.
+    method : Method
     start, held : arrays, shapes (batch, size) and (batch, k)
         Contiguous.
     times : array, shape (N,)
         Increasing from 0.
+    threads : int
     """
+    solve = _fixed if method.name in FIXED else _adaptive
+    return solve(library, method, start, held, times, threads)
+
+
+def _adaptive(
+    library: Library, method: Method, start: Array, held: Array, times: Array, threads: int
+) -> Found:
+    """Every motion with steps of its own."""
     count, size = start.shape
     numbers = (np.zeros(count, dtype=np.int64) for _ in range(4))
     found = Found(np.full((count, len(times), size), np.nan), *numbers)
 
     def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
         march(
-            many, ctypes.c_int64(len(times)), at(times), *rows, ctypes.c_double(by.tolerance),
-            ctypes.c_int64(by.order), ctypes.c_int64(by.budget), room,
+            many, ctypes.c_int64(len(times)), at(times), *rows, ctypes.c_double(method.by),
+            ctypes.c_int64(order(method.by)), ctypes.c_int64(method.budget), room,
         )  # fmt: skip
 
-    method.march([start, held, *found], call, threads)
+    library.march([start, held, *found], call, threads)
     return found
 
 
-def fixed(motions: Motions, tableau: Tableau, step: float, threads: int) -> Run:
+def _fixed(
+    library: Library, method: Method, start: Array, held: Array, times: Array, threads: int
+) -> Found:
     """All motions with the same steps, which end at the times."""
-    start, held = _given(motions)
-    found = np.full((len(motions), len(motions.times), start.shape[1]), np.nan)
-    spans = plan(motions.times, step)
+    states = np.full((len(start), len(times), start.shape[1]), np.nan)
+    spans = plan(times, method.by)
     counts = np.array([number for number, _ in spans], dtype=np.int64)
     lengths = np.array([length for _, length in spans])
-    reached = np.zeros(len(motions), dtype=np.int64)
+    reached = np.zeros(len(start), dtype=np.int64)
 
     def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
-        samples = ctypes.c_int64(len(motions.times))
-        march(many, samples, at(counts), at(lengths), *rows, room)
+        march(many, ctypes.c_int64(len(times)), at(counts), at(lengths), *rows, room)
 
-    method = library(motions.model, partial(fixed_source, tableau=tableau))
-    method.march([start, held, found, reached], call, threads)
-    ended = reached == len(motions.times)
+    library.march([start, held, states, reached], call, threads)
+    early = np.where(reached == len(times), 0, CODES.index(Status.NOT_FINITE))
     steps = np.concatenate([[0], np.cumsum(counts)])[np.maximum(reached - 1, 0)]
-    return Run(
-        found[..., : motions.start.shape[1]],
-        tuple(Status.FINISHED if done else Status.NOT_FINITE for done in ended.tolist()), reached,
-        steps, steps * len(tableau.a), f"{tableau.name}, steps of at most {step:g} s",
-    )  # fmt: skip
-
-
-def _given(motions: Motions) -> tuple[Array, Array]:
-    """States, with the time as the last entry if the equations hold it; and what is held."""
-    start, inputs = motions.start, motions.inputs
-    if motions.model.right_hand_side.timed:
-        at_time = motions.model.entries["inputs"].index("t")
-        start = np.column_stack([start, inputs[:, at_time]])
-        inputs = np.delete(inputs, at_time, axis=1)
-    return np.ascontiguousarray(start), np.ascontiguousarray(np.hstack([inputs, motions.p]))
+    return Found(states, early.astype(np.int64), reached, steps, steps)
