@@ -1,0 +1,5 @@
+"""Reduced models: what may be left out of an output over a box, with a proved bound."""
+
+from mechanics.reduce.reduce import Reduction, reduce
+
+__all__ = ["Reduction", "reduce"]
