@@ -73,6 +73,10 @@ COMMANDS = {
         "Measure what each integrator, precision, form, compiler setting and model costs"
         " and loses.",
     ),
+    "reduce": (
+        "reducing",
+        "Find what may be left out of an output over a box, with a proved bound of the change.",
+    ),
     "linearize": (
         "small_motions",
         "Print the linear equations about rest or a steady motion, which is proved first.",
@@ -143,7 +147,7 @@ GROUPS = {
     "Find out whether equations are right": ("crosscheck", "check", "grade", "compare"),
     "Derive and look": ("systems", "derive", "linearize", "modes"),
     "Simulate and measure": ("simulate", "trade", "extremes"),
-    "Export and serve": ("codegen", "verify", "fmu", "serve-mcp"),
+    "Export and serve": ("codegen", "reduce", "verify", "fmu", "serve-mcp"),
 }
 """Commands by what somebody wants to do, in the order of the list of all."""
 

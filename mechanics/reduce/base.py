@@ -31,10 +31,13 @@ class Base:
         Without linear systems.
     couplings : tuple of (int, str)
         Nodes that are entries of the mass matrix beside its diagonal, and their names.
+    inner : tuple of str
+        Parameters whose numbers, no rationals, stand in the program.
     """
 
     program: Program
     couplings: tuple[tuple[int, str], ...] = ()
+    inner: tuple[str, ...] = ()
 
 
 def bases(graphs: Graphs, name: str) -> Iterator[Base]:

@@ -1,4 +1,4 @@
-"""What may be left out of a program: parameters, entries, couplings, summands, products of speeds."""
+"""What may be left out: parameters, entries, couplings, summands, products of speeds."""
 
 from __future__ import annotations
 

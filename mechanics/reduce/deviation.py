@@ -16,7 +16,7 @@ signs. Two more rules keep rotations from growing, and small angles small:
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -131,7 +131,7 @@ class _Walk:
         if code == op.INPUT:
             return self.box[program.inputs[program.operands[0][number]]]
         if code == op.PI:
-            return on.by_balls(Balls().pi)
+            return on.PI
         x = [values[k] for k in operands]
         if code == op.MULTIPLY and operands[0] == operands[1]:
             return on.square(x[0])
@@ -211,12 +211,14 @@ class _Walk:
         if self.shares[c] or self.shares[s] or any(k in self.of.edits for k in products):
             return shares
         return {
-            j: on.meet(share, on.hypotenuse(self.shares[x].get(j, ZERO), self.shares[y].get(j, ZERO)))
+            j: on.meet(
+                share, on.hypotenuse(self.shares[x].get(j, ZERO), self.shares[y].get(j, ZERO))
+            )
             for j, share in shares.items()
         }
 
 
-_RULES = {
+_RULES: dict[int, Callable[..., Interval]] = {
     op.ADD: on.add, op.SUBTRACT: on.subtract, op.MULTIPLY: on.multiply, op.DIVIDE: on.divide,
     op.NEGATE: on.negate, op.SQRT: on.sqrt, op.SIN: on.sine, op.COS: lambda x: on.sine(x, 1),
 }  # fmt: skip

@@ -54,7 +54,9 @@ class Polynomials:
         """After less before, or None where it is no such polynomial."""
         domain = _Domain(self.program)
         given = {
-            name: domain.constant(self.numbers[name]) if name in self.numbers else domain.input(name)
+            name: domain.constant(self.numbers[name])
+            if name in self.numbers
+            else domain.input(name)
             for name in self.program.inputs
         }
         try:
@@ -89,7 +91,9 @@ class _Domain:
         self.start = len(program.inputs)
         self.circles = [
             (c, s, c**2 + s**2 - 1)
-            for c, s in zip(generators[self.start :: 2], generators[self.start + 1 :: 2], strict=True)
+            for c, s in zip(
+                generators[self.start :: 2], generators[self.start + 1 :: 2], strict=True
+            )
         ]
         self.operations: dict[str, Callable[..., fmpq_mpoly]] = {
             "add": lambda a, b: a + b, "subtract": lambda a, b: a - b, "negate": lambda a: -a,
@@ -152,7 +156,7 @@ def _forms(polynomial: fmpq_mpoly, inputs: int, as_number: Callable[[fmpq], Any]
     """Squares of the coefficients of equation (1), summed for each form."""
     coefficients: dict[tuple[Form, tuple[int, ...]], Any] = {}
     for powers, value in polynomial.to_dict().items():
-        terms = [((), (), as_number(value))]
+        terms: list[tuple[tuple, tuple, Any]] = [((), (), as_number(value))]
         for k in range(inputs, len(powers), 2):
             if not (powers[k] or powers[k + 1]):
                 continue

@@ -92,7 +92,9 @@ def square(x: Interval) -> Interval:
     """x x, which is not negative."""
     a, b = x.low * x.low, x.high * x.high
     least = np.where((x.low <= 0) & (x.high >= 0), 0.0, np.minimum(a, b))
-    return Interval(np.maximum(np.nextafter(least, -INFINITE), 0.0), outward(a, np.maximum(a, b))[1])
+    return Interval(
+        np.maximum(np.nextafter(least, -INFINITE), 0.0), outward(a, np.maximum(a, b))[1]
+    )
 
 
 def divide(x: Interval, y: Interval) -> Interval:
@@ -133,7 +135,10 @@ def hypotenuse(x: Interval, y: Interval) -> Interval:
 def sine(x: Interval, quarter: int = 0) -> Interval:
     """sin x, or cos x with a quarter of a turn more."""
     function = Balls.operations["cos" if quarter else "sin"]
-    low, high = by_balls(function, Interval(x.low, x.low)), by_balls(function, Interval(x.high, x.high))
+    low, high = (
+        by_balls(function, Interval(x.low, x.low)),
+        by_balls(function, Interval(x.high, x.high)),
+    )
     ends = hull(low, high)
     # A crest or trough in between, and a little to be sure; beyond 1e6 rad anything may be.
     turns = [(end / np.pi + quarter / 2) / 2 for end in x]
@@ -146,6 +151,10 @@ def sine(x: Interval, quarter: int = 0) -> Interval:
         np.where(trough | wild, -1.0, np.maximum(ends.low, -1.0)),
         np.where(crest | wild, 1.0, np.minimum(ends.high, 1.0)),
     )
+
+
+PI = Interval(float(np.nextafter(np.pi, 0)), float(np.nextafter(np.pi, 4)))
+"""The doubles around pi; the nearest one is below it."""
 
 
 def by_balls(function: Callable[..., arb], *operands: Interval) -> Interval:

@@ -1,7 +1,7 @@
 """In which order edits are made: cost saved for error spent, level by level.
 
-    d_k = (dy/dx_k) change_k / scale        error of edit k at a state, to first order            (1)
-    k   in the order of max |d_k| / saved_k, as long as all edits together keep within a level     (2)
+    d_k = (dy/dx_k) change_k / scale        error of edit k at a state, to first order           (1)
+    k   in the order of max |d_k| / saved_k, as long as all edits together keep within a level    (2)
 
 Levels rise to what is allowed, and each goes on where the one before ended, so that what is made
 for a small error is made for a larger one, too. States are drawn, and propose the order only;
@@ -34,8 +34,6 @@ Array = NDArray[np.float64]
 STATES, SEED = 256, 1
 LEAST = -6
 """Decade of the first level."""
-PASSES = 2
-"""Of each level: what was made changes what the rest saves."""
 Measure = Callable[[Edits], Array]
 
 
@@ -127,7 +125,7 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
         with np.errstate(all="ignore"):
             return float(np.max(np.where(found > 0, found / unit, 0.0), initial=0.0))
 
-    for level in (level for level in levels(error) for _ in range(PASSES)):
+    for level in levels(error):
         for edit in _ranked(start, made, inputs, unit, level):
             trial = {**made, edit.node: edit.kind}
             fewer = operations(start.reduced(trial))

@@ -1,10 +1,9 @@
 """The bound of what edits do, proved over a box.
 
-    |d_i(box)| <= bound_i  for all i  on every part of the box, parts of which halves are taken until
-                                       it holds, in rounds, at most `boxes` of them
+    |d_i(part)| <= bound_i      for all i, on every part of the box
 
 In each round every part on which it does not hold yet is halved along the input whose width enters
-the deviations most.
+the deviations most. The budget counts parts.
 """
 
 from __future__ import annotations

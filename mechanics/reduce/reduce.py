@@ -1,6 +1,6 @@
 """What may be left out of an output of some equations, with a proved bound of the change.
 
-    |reduced_i(x) - whole_i(x)|  <=  error S_i      at every x in the box                          (1)
+    |reduced_i(x) - whole_i(x)|  <=  error S_i      at every x in the box                       (1)
 
 S_i is the size of output i in the box: the value of |whole_i| at a state where it is large, which
 its maximum over the box is not smaller than. An absolute error is in the unit of the output.
@@ -9,9 +9,10 @@ its maximum over the box is not smaller than. An absolute error is in the unit o
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from math import isfinite
 from typing import Any
 
@@ -22,17 +23,18 @@ from mechanics.compiled.graphs import Graphs, function_inputs
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.kernel import Finding, enclosed
-from mechanics.kernel.balls import ball, precision
+from mechanics.kernel.balls import precision
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
+from mechanics.program.operations import INPUT
 from mechanics.program.program import reachable
 from mechanics.program.sympy_reader import read
 from mechanics.reduce.base import FORWARD, INVERSE, Base, bases
 from mechanics.reduce.box import check_names, complete, fixed_parameters, given_ranges, read_over
 from mechanics.reduce.candidates import candidates
-from mechanics.reduce.edits import Edit, Kind
+from mechanics.reduce.edits import Edit, Kind, nodes
 from mechanics.reduce.harmonics import BITS, Polynomials
-from mechanics.reduce.order import Start, constants, operations, sequence
+from mechanics.reduce.order import Start, operations, sequence
 from mechanics.reduce.proof import BOXES, Box, bound, estimate
 from mechanics.reduce.scale import scales
 
@@ -56,10 +58,14 @@ class Reduction:
         That was allowed.
     absolute : bool
         Whether it is in the unit of the output.
+    boxes : int
+        Parts of the box that may be looked at.
     base : Base
         Program of the whole output.
     start : Start
         The same with its box.
+    place : int
+        Of the base among all.
     fixed : mapping of Symbol to Expr
         Parameters that are numbers.
     sizes : tuple of Fraction
@@ -78,8 +84,10 @@ class Reduction:
     of: str
     error: Fraction
     absolute: bool
+    boxes: int
     base: Base
     start: Start
+    place: int
     fixed: Mapping[Symbol, Expr]
     sizes: tuple[Fraction, ...]
     bounds: tuple[Fraction, ...]
@@ -97,6 +105,12 @@ class Reduction:
     def box(self) -> dict[str, tuple[Fraction, Fraction]]:
         """Ranges of the inputs that have one."""
         return {name: ends for name, ends in self.start.box.items() if ends[0] < ends[1]}
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the entries: ``ud[0]``."""
+        outputs = self.start.program.outputs
+        return tuple(f"{name}[{k}]" for name, nodes in outputs.items() for k in range(len(nodes)))
 
     @cached_property
     def made(self) -> dict[int, Kind]:
@@ -122,7 +136,8 @@ class Reduction:
         whole, less = (
             _inputs(self.start, builder, edits) for edits in ({}, self.made)
         )  # fmt: skip
-        return tuple(sorted(every & less)), tuple(sorted((every & whole) - less))
+        kept = (every & less) | {*self.base.inner}
+        return tuple(sorted(kept)), tuple(sorted((every & whole) - less))
 
     @property
     def couplings(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -133,9 +148,6 @@ class Reduction:
 
 def _inputs(start: Start, builder: Builder, edits: Mapping[int, Kind]) -> set[str]:
     """Inputs that the outputs need, whatever their values."""
-    from mechanics.program.operations import INPUT
-    from mechanics.reduce.edits import nodes
-
     found = nodes(start.program, builder, {}, edits)
     needed = reachable(builder, [found[k].number for k in start.program.roots])
     codes, first = builder.operations, builder.operands[0]
@@ -184,6 +196,58 @@ def reduce(
         For a parameter without a value.
     """
     wanted(equations, Equations, "reduce", "pass derive(scene, route)")
+    asked = _asked(equations, error, of, over, values, absolute, boxes)
+    starts = _starts(asked)
+    before = operations(starts[0][1].reduced({}))
+    tried = starts if before <= SMALL and of == FORWARD else starts[:1]
+    found = []
+    for base, start, place in tried:
+        progress(f"{len(start.edits)} candidates in {before} operations")
+        found.append(_reduced(asked, base, start, place, before, None))
+    return min(found, key=lambda one: (not one.finding.shown, one.after))
+
+
+def repeated(
+    equations: Equations, error: Any, *, of: str, over: Mapping[str, Any],
+    values: Mapping[str, Any], absolute: bool, boxes: int, place: int, edits: Sequence[Edit],
+) -> Reduction:  # fmt: skip
+    """The same with edits that are known, of the base at a place."""
+    known = {*equations.scene.parameters}
+    names = {symbol.name for symbol in known}
+    given = {n: v for n, v in values.items() if n not in names or n in _free(equations)}
+    asked = _asked(equations, error, of, over, given, absolute, boxes)
+    starts = _starts(asked)
+    before = operations(starts[0][1].reduced({}))
+    base, start, _ = next(row for row in starts if row[2] == place)
+    if not {*edits} <= {*start.edits}:
+        raise ValueError("an edit is none that may be done")
+    return _reduced(asked, base, start, place, before, list(edits))
+
+
+def _free(equations: Equations) -> set[str]:
+    """Parameters that no definition gives."""
+    scene = equations.scene
+    return {s.name for s in scene.parameters if s not in scene.definitions}
+
+
+@dataclass(frozen=True, eq=False)
+class _Asked:
+    """What a caller wants, looked through."""
+
+    equations: Equations
+    graphs: Graphs
+    of: str
+    error: Fraction
+    absolute: bool
+    ranges: Box
+    fixed: Mapping[Symbol, Expr]
+    boxes: int
+
+
+def _asked(
+    equations: Equations, error: Any, of: str, over: Mapping[str, Any] | Sequence[str],
+    values: Mapping[str, Any] | None, absolute: bool, boxes: int,
+) -> _Asked:  # fmt: skip
     allowed = _error(error)
     if not isinstance(boxes, int) or boxes < 1:
         raise InputError(f"boxes {boxes!r}: give how many parts may be looked at, 1 or more")
@@ -193,37 +257,33 @@ def reduce(
         raise InputError(f"{twice[0]} has a range and a value: give one of them")
     ranges |= single
     if of not in function_inputs(equations):
-        names = ", ".join(function_inputs(equations))
-        raise InputError(f"{of!r}: there is no such output to reduce: there are {names}")
+        near = get_close_matches(of, function_inputs(equations), n=1)
+        ask = f"did you mean {near[0]!r}?" if near else "there are " + ", ".join(
+            function_inputs(equations)
+        )  # fmt: skip
+        raise InputError(f"output {of!r} of {equations.scene.name}: there is none: {ask}")
     graphs = Graphs(equations)
-    known, scene = graphs.quantities, equations.scene
-    check_names(scene, known, ranges)
-    fixed = fixed_parameters(scene, known, ranges)
+    check_names(equations.scene, graphs.quantities, ranges)
+    fixed = fixed_parameters(equations.scene, graphs.quantities, ranges)
+    return _Asked(equations, graphs, of, allowed, absolute, ranges, fixed, boxes)
+
+
+def _starts(asked: _Asked) -> list[tuple[Base, Start, int]]:
+    """Every base with its box, what may be done, and its place; the shortest first."""
+    known, rationals = asked.graphs.quantities, _rationals(asked.fixed)
+    speeds, numbers = [e.name for e in known.u], {e.name for e in known.p}
+    words = f"{asked.of} of {asked.equations.scene.name}"
     found = []
-    for base in bases(graphs, of):
-        base = _with_numbers(base, fixed)
-        box = complete(
-            [n for n in base.program.inputs if n not in _rationals(fixed)],
-            known, ranges, f"{of} of {scene.name}", of == INVERSE,
-        ) | {n: (v, v) for n, v in _rationals(fixed).items() if n in base.program.inputs}  # fmt: skip
-        start = Start(base.program, box, ())
-        found.append((operations(start.reduced({})), len(found), base, start))
-    found.sort(key=lambda row: row[:2])
-    before = found[0][0]
-    tried = found if before <= SMALL and of == FORWARD else found[:1]
-    speeds = [entry.name for entry in known.u]
-    numbers = {entry.name for entry in known.p}
-    best: Reduction | None = None
-    for _, _, base, start in tried:
-        edits = candidates(base.program, speeds, numbers, [node for node, _ in base.couplings])
-        start = replace(start, edits=edits)
-        progress(f"{len(edits)} candidates in {operations(start.reduced({}))} operations")
-        one = _reduced(equations, of, allowed, absolute, base, start, fixed, boxes, before)
-        better = best is None or (
-            one.finding.shown, -one.after) > (best.finding.shown, -best.after)  # fmt: skip
-        best = one if better else best
-    assert best is not None  # there is a base at least
-    return best
+    for place, plain in enumerate(bases(asked.graphs, asked.of)):
+        base = _with_numbers(plain, asked.fixed)
+        inputs = base.program.inputs
+        moving = [name for name in inputs if name not in rationals]
+        box = complete(moving, known, asked.ranges, words, asked.of == INVERSE)
+        box |= {name: (rationals[name],) * 2 for name in inputs if name in rationals}
+        nodes = [node for node, _ in base.couplings]
+        edits = candidates(base.program, speeds, numbers, nodes)
+        found.append((base, Start(base.program, box, edits), place))
+    return sorted(found, key=lambda row: (operations(row[1].reduced({})), row[2]))
 
 
 def _error(error: Any) -> Fraction:
@@ -252,18 +312,21 @@ def _with_numbers(base: Base, fixed: Mapping[Symbol, Expr]) -> Base:
     program, builder = base.program, Builder()
     entries = {"couplings": tuple(node for node, _ in base.couplings)}
     whole = replace(program, outputs={**program.outputs, **entries})
-    outputs = include(builder, whole, dict(zip(others, read(builder, [*others.values()]), strict=True)))
+    outputs = include(
+        builder, whole, dict(zip(others, read(builder, [*others.values()]), strict=True))
+    )
     again = builder.program(outputs)
     rest = dict(again.outputs)
     places = rest.pop("couplings")
     names = (name for _, name in base.couplings)
-    return Base(replace(again, outputs=rest), tuple(zip(places, names, strict=True)))
+    return Base(replace(again, outputs=rest), tuple(zip(places, names, strict=True)), tuple(others))
 
 
 def _reduced(
-    equations: Equations, of: str, error: Fraction, absolute: bool, base: Base, start: Start,
-    fixed: Mapping[Symbol, Expr], boxes: int, before: int,
-) -> Reduction:  # fmt: skip
+    asked: _Asked, base: Base, start: Start, place: int, before: int, known: list[Edit] | None
+) -> Reduction:
+    """Reduced by what is known to do, or by what is found."""
+    error, absolute, boxes = asked.error, asked.absolute, asked.boxes
     sizes = scales(start.program, start.box)
     unit = tuple(max(sizes) for _ in sizes) if absolute else sizes
     share = float(error / unit[0]) if absolute and unit[0] else float(error)
@@ -277,17 +340,18 @@ def _reduced(
             return np.array(found)
         return estimate(start.program, start.box, edits, scale, min(PARTS, boxes))
 
-    edits = sequence(start, scale, share, measure)
-    subject = f"{of} of {equations.scene.name}: the reduced one deviates by no more than its bound"
+    edits = sequence(start, scale, share, measure) if known is None else known
+    scene = asked.equations.scene.name
+    subject = f"{asked.of} of {scene}: reduced = whole within the bound, over the box"
     while True:
         made = {edit.node: edit.kind for edit in edits}
         finding = _finding(subject, start, polynomials, made, bounds, boxes)
-        if finding.shown or not edits:
+        if finding.shown or not edits or known is not None:
             break
         edits.pop()
     return Reduction(
-        equations, of, error, absolute, base, start, fixed, sizes, bounds, tuple(edits), finding,
-        before,
+        asked.equations, asked.of, error, absolute, boxes, base, start, place, asked.fixed, sizes,
+        bounds, tuple(edits), finding, before,
     )  # fmt: skip
 
 
