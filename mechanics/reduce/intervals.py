@@ -102,7 +102,8 @@ def divide(x: Interval, y: Interval) -> Interval:
     if x is ZERO:
         return ZERO
     holds_zero = (y.low <= 0) & (y.high >= 0)
-    quotients = [a / b for a in x for b in y]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        quotients = [np.divide(a, b) for a in x for b in y]
     low, high = np.minimum.reduce(quotients), np.maximum.reduce(quotients)
     return outward(np.where(holds_zero, -INFINITE, low), np.where(holds_zero, INFINITE, high))
 
@@ -146,7 +147,7 @@ def sine(x: Interval, quarter: int = 0) -> Interval:
         crest, trough = (
             np.floor(turns[1] - at + 1e-9) > np.floor(turns[0] - at - 1e-9) for at in (0.25, 0.75)
         )
-        wild = ~((x.low >= -1e6) & (x.high <= 1e6))
+        wild = np.logical_not((x.low >= -1e6) & (x.high <= 1e6))
     return Interval(
         np.where(trough | wild, -1.0, np.maximum(ends.low, -1.0)),
         np.where(crest | wild, 1.0, np.minimum(ends.high, 1.0)),

@@ -1,7 +1,7 @@
 """In which order edits are made: cost saved for error spent, level by level.
 
     d_k = (dy/dx_k) change_k / scale        error of edit k at a state, to first order           (1)
-    k   in the order of max |d_k| / saved_k, as long as all edits together keep within a level    (2)
+    k   in the order of max |d_k| / saved_k, as long as all of them keep within a level         (2)
 
 Levels rise to what is allowed, and each goes on where the one before ended, so that what is made
 for a small error is made for a larger one, too. States are drawn, and propose the order only;
@@ -118,6 +118,7 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
     made: dict[int, Kind] = {}
     order: list[Edit] = []
     reached: list[float] = []
+    refused: dict[Edit, float] = {}
     count = operations(start.reduced({}))
 
     def worst(trial: Edits) -> float:
@@ -127,12 +128,20 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
 
     for level in levels(error):
         for edit in _ranked(start, made, inputs, unit, level):
+            # With more edits made, it will hardly take less than when it was too much.
+            if refused.get(edit, 0.0) > level:
+                continue
             trial = {**made, edit.node: edit.kind}
             fewer = operations(start.reduced(trial))
-            if fewer < count and (now := worst(trial)) <= level:
-                made, count = trial, fewer
-                order.append(edit)
-                reached.append(now)
+            if fewer >= count:
+                continue
+            now = worst(trial)
+            if now > level:
+                refused[edit] = now
+                continue
+            made, count = trial, fewer
+            order.append(edit)
+            reached.append(now)
     most = max((k for k, now in enumerate(reached, 1) if now <= error), default=0)
     return order[:most]
 

@@ -38,10 +38,10 @@ from mechanics.reduce.order import Start, operations, sequence
 from mechanics.reduce.proof import BOXES, Box, bound, estimate
 from mechanics.reduce.scale import scales
 
-PARTS = 256
-"""Of the box, for what is asked on the way."""
+WORK, FEWEST, MOST = 12_800, 16, 256
+"""Nodes times parts of the box for what is asked on the way, and the fewest and most parts."""
 SMALL = 400
-"""Operations up to which every base is tried."""
+"""Nodes up to which every base is tried, and every way to a bound."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -333,12 +333,14 @@ def _reduced(
     bounds = tuple(error if absolute else error * size for size in sizes)
     polynomials = Polynomials(start.program, start.box, start.numbers)
     scale = np.array([float(size) for size in unit])
+    parts = min(boxes, max(FEWEST, min(MOST, WORK // max(1, len(start.program)))))
 
     def measure(edits: Mapping[int, Kind]) -> Any:
         found = polynomials.bounds(edits)
-        if found is not None:
+        if found is not None and len(start.program) > SMALL:
             return np.array(found)
-        return estimate(start.program, start.box, edits, scale, min(PARTS, boxes))
+        other = estimate(start.program, start.box, edits, scale, parts)
+        return other if found is None else np.minimum(found, other)
 
     edits = sequence(start, scale, share, measure) if known is None else known
     scene = asked.equations.scene.name
