@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 STATES, SEED = 256, 1
 LEAST = -6
 """Decade of the first level."""
-Measure = Callable[[Edits], Array]
+Measure = Callable[[Edits, float], Array]
 
 
 @dataclass(frozen=True)
@@ -101,8 +101,11 @@ def outputs_at(program: Program, inputs: Mapping[str, Array]) -> Array:
         return np.stack([np.broadcast_to(value, STATES) for value in flat])
 
 
-def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[Edit]:
+def sequence(start: Start, unit: Array, error: float, measure: Measure) -> tuple[list[Edit], int]:
     """Edits in the order in which they are made, as many as keep within an error.
+
+    Besides, how many more keep within it by themselves at all states that were drawn, while no
+    bound of it is known.
 
     Parameters
     ----------
@@ -111,8 +114,8 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
         What is one for the deviation of each output; 0 where it must not deviate at all.
     error : float
     measure : callable
-        Of edits: what no deviation is larger than, for each output; infinite where that is not
-        known.
+        Of edits and a level: what no deviation is larger than, for each output, well enough to
+        know whether it is beyond the level in units; infinite where that is not known.
     """
     inputs = states(start.box)
     made: dict[int, Kind] = {}
@@ -121,8 +124,8 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
     refused: dict[Edit, float] = {}
     count = operations(start.reduced({}))
 
-    def worst(trial: Edits) -> float:
-        found = measure(trial)
+    def worst(trial: Edits, level: float) -> float:
+        found = measure(trial, level)
         with np.errstate(all="ignore"):
             return float(np.max(np.where(found > 0, found / unit, 0.0), initial=0.0))
 
@@ -135,7 +138,7 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
             fewer = operations(start.reduced(trial))
             if fewer >= count:
                 continue
-            now = worst(trial)
+            now = worst(trial, level)
             if now > level:
                 refused[edit] = now
                 continue
@@ -143,7 +146,8 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> list[
             order.append(edit)
             reached.append(now)
     most = max((k for k, now in enumerate(reached, 1) if now <= error), default=0)
-    return order[:most]
+    unproved = sum(now > error and edit not in order for edit, now in refused.items())
+    return order[:most], unproved
 
 
 def levels(error: float) -> Iterator[float]:

@@ -44,6 +44,7 @@ def record(reduction: Reduction) -> dict[str, Any]:
         ],
         "parameters": {"kept": list(kept), "dropped": list(dropped)},
         "couplings": {"kept": list(entries), "dropped": list(couplings)},
+        "unproved": reduction.unproved,
         "dropped": [words(reduction, edit) for edit in reduction.edits],
         "finding": {
             "subject": finding.subject,
@@ -76,7 +77,7 @@ def repeat(text: str, equations: Equations) -> Reduction:
         return repeated(
             equations, Fraction(told["error"]), of=told["of"], over=over, values=values,
             absolute=bool(told["absolute"]), boxes=int(told["boxes"]), place=int(told["base"]),
-            edits=edits,
+            edits=edits, unproved=int(told["unproved"]),
         )  # fmt: skip
     except (
         KeyError,

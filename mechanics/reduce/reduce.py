@@ -78,6 +78,9 @@ class Reduction:
         PROVED, or UNDECIDED and why.
     before : int
         Operations of the whole output at these numbers, in the shortest form.
+    unproved : int
+        Edits that are not made though each keeps within the error at the states that were drawn:
+        with the others, or at other states, no bound of them is known.
     """
 
     equations: Equations
@@ -94,6 +97,7 @@ class Reduction:
     edits: tuple[Edit, ...]
     finding: Finding
     before: int
+    unproved: int
 
     def __repr__(self) -> str:
         return (
@@ -210,24 +214,26 @@ def reduce(
 def repeated(
     equations: Equations, error: Any, *, of: str, over: Mapping[str, Any],
     values: Mapping[str, Any], absolute: bool, boxes: int, place: int, edits: Sequence[Edit],
+    unproved: int,
 ) -> Reduction:  # fmt: skip
-    """The same with edits that are known, of the base at a place."""
-    known = {*equations.scene.parameters}
-    names = {symbol.name for symbol in known}
-    given = {n: v for n, v in values.items() if n not in names or n in _free(equations)}
+    """The same with edits that are known, of the base at a place.
+
+    Raises
+    ------
+    ValueError
+        If there is no such base, or an edit is none of those that may be made.
+    """
+    defined = {symbol.name for symbol in equations.scene.definitions}
+    given = {name: value for name, value in values.items() if name not in defined}
     asked = _asked(equations, error, of, over, given, absolute, boxes)
     starts = _starts(asked)
     before = operations(starts[0][1].reduced({}))
-    base, start, _ = next(row for row in starts if row[2] == place)
-    if not {*edits} <= {*start.edits}:
-        raise ValueError("an edit is none that may be done")
+    rows = [row[:2] for row in starts if row[2] == place]
+    if not rows or not {*edits} <= {*rows[0][1].edits}:
+        raise ValueError("an edit is none of those that may be made")
+    ((base, start),) = rows
+    asked = replace(asked, unproved=unproved)
     return _reduced(asked, base, start, place, before, list(edits))
-
-
-def _free(equations: Equations) -> set[str]:
-    """Parameters that no definition gives."""
-    scene = equations.scene
-    return {s.name for s in scene.parameters if s not in scene.definitions}
 
 
 @dataclass(frozen=True, eq=False)
@@ -242,6 +248,7 @@ class _Asked:
     ranges: Box
     fixed: Mapping[Symbol, Expr]
     boxes: int
+    unproved: int = 0
 
 
 def _asked(
@@ -335,14 +342,16 @@ def _reduced(
     scale = np.array([float(size) for size in unit])
     parts = min(boxes, max(FEWEST, min(MOST, WORK // max(1, len(start.program)))))
 
-    def measure(edits: Mapping[int, Kind]) -> Any:
+    def measure(edits: Mapping[int, Kind], level: float) -> Any:
         found = polynomials.bounds(edits)
-        if found is not None and len(start.program) > SMALL:
+        if found is not None and (len(start.program) > SMALL or (found <= level * scale).all()):
             return np.array(found)
         other = estimate(start.program, start.box, edits, scale, parts)
         return other if found is None else np.minimum(found, other)
 
-    edits = sequence(start, scale, share, measure) if known is None else known
+    edits, unproved = (
+        sequence(start, scale, share, measure) if known is None else (known, asked.unproved)
+    )
     scene = asked.equations.scene.name
     subject = f"{asked.of} of {scene}: reduced = whole within the bound, over the box"
     while True:
@@ -353,7 +362,7 @@ def _reduced(
         edits.pop()
     return Reduction(
         asked.equations, asked.of, error, absolute, boxes, base, start, place, asked.fixed, sizes,
-        bounds, tuple(edits), finding, before,
+        bounds, tuple(edits), finding, before, unproved,
     )  # fmt: skip
 
 
