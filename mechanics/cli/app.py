@@ -77,6 +77,10 @@ COMMANDS = {
         "Measure what each integrator, precision, form, compiler setting and model costs"
         " and loses.",
     ),
+    "reduce": (
+        "reducing",
+        "Find what may be left out of an output over a box, with a proved bound of the change.",
+    ),
     "linearize": (
         "small_motions",
         "Print the linear equations about rest or a steady motion, which is proved first.",
@@ -147,7 +151,7 @@ GROUPS = {
     "Find out whether equations are right": ("crosscheck", "check", "grade", "compare"),
     "Derive and look": ("systems", "derive", "linearize", "modes"),
     "Simulate and measure": ("simulate", "ensemble", "trade", "extremes"),
-    "Export and serve": ("codegen", "verify", "fmu", "serve-mcp"),
+    "Export and serve": ("codegen", "reduce", "verify", "fmu", "serve-mcp"),
 }
 """Commands by what somebody wants to do, in the order of the list of all."""
 

@@ -16,14 +16,17 @@ from rich.markup import escape
 from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import CALL, built_in, load
+from mechanics.compiled.reduced import FILE
 from mechanics.crosscheck import derive
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.export.evidence.read import Folder, read_folder
 from mechanics.export.evidence.record import chain_record
-from mechanics.export.evidence.verify import NO_PHYSICS, Outcome, Verification
+from mechanics.export.evidence.verify import NO_PHYSICS, Again, Outcome, Verification
 from mechanics.export.evidence.verify import verify as check
-from mechanics.kernel import Verdict
+from mechanics.kernel import Verdict, same
+from mechanics.reduce.model import reduced_graphs
+from mechanics.reduce.record import record_text, repeat
 
 ASKED = "give --scene FILE"
 SHOWN_FINDINGS = 12
@@ -73,7 +76,8 @@ def verify(
     with errors.status("reading") as status:
         read = read_folder(folder)
         equations, remark = _derived(read, scene)
-        found = check(read, equations, measure, lambda words: status.update(escape(words)))
+        again = None if equations is None else _reduced(read, equations)
+        found = check(read, equations, measure, lambda words: status.update(escape(words)), again)
     console = Console(soft_wrap=True)
     if json_file is not None:
         _write(found, json_file)
@@ -102,6 +106,17 @@ def _derived(folder: Folder, scene: str | None) -> tuple[Equations | None, str]:
         return derive(system.scene(), folder.route), ""
     except InputError as error:
         return None, f"the manifest's {error}"
+
+
+def _reduced(folder: Folder, equations: Equations) -> Again | None:
+    """A reduced model, reduced again as its record says; None for any other."""
+    if FILE not in folder.texts:
+        return None
+    text = folder.texts[FILE]
+    found = repeat(text, equations)
+    words = "the record is what comes out when the same is done again"
+    told = same(FILE, text, record_text(found), words)
+    return Again(reduced_graphs(found), (found.finding, told))
 
 
 def _write(found: Verification, file: str) -> None:

@@ -19,7 +19,8 @@ from mechanics.compiled.forms import FORMS
 from mechanics.compiled.programs.gathered import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import STATE, Quantities, mechanism_of, quantities
-from mechanics.compiled.source import Source, with_fixed
+from mechanics.compiled.reduced import Reduced
+from mechanics.compiled.source import Source, graphs_of, with_fixed
 from mechanics.compiled.step import RK4, runge_kutta
 from mechanics.compiled.textbook import dense_function
 from mechanics.compiled.translate import Translator
@@ -53,6 +54,8 @@ class Graphs(Mapping[str, ca.Function]):
         Exact values of parameters that are fixed.
     outputs : sequence of str, optional
         The functions to have; by default all.
+    reduced : Reduced, optional
+        Functions in the place of those of the equations, and which ones there are.
 
     Attributes
     ----------
@@ -70,10 +73,11 @@ class Graphs(Mapping[str, ca.Function]):
         form: str = "auto",
         fixed: Fixed | None = None,
         outputs: Sequence[str] | None = None,
+        reduced: Reduced | None = None,
     ) -> None:
-        self.derived, self.fixed = equations, dict(fixed or {})
+        self.derived, self.fixed, self.reduced = equations, dict(fixed or {}), reduced
         self._asked = outputs is not None
-        every = function_inputs(equations)
+        every = function_inputs(equations) if reduced is None else dict(reduced.inputs)
         self._inputs = every if outputs is None else self._chosen(every, outputs)
         self._built: dict[str, ca.Function] = {}
         self._exact: dict[str, Exact] = {}
@@ -169,6 +173,8 @@ class Graphs(Mapping[str, ca.Function]):
         Numbers bound before a form is looked for lead to shorter graphs, most of the time; those of
         free parameters, bound afterwards, are never longer than with the parameters.
         """
+        if self.reduced is not None and name in self.reduced.functions:
+            return "", graphs_of(self.reduced.functions[name], self._arrays)
         if name not in self._found:
             found = self.source.outputs(name)
             self._found[name] = self.source.form if name == "forward_dynamics" else "", found
@@ -185,7 +191,7 @@ class Graphs(Mapping[str, ca.Function]):
     def _free(self) -> "Graphs | None":
         """The same functions of free parameters, where numbers can be put in place of these."""
         written = self.derived.textbook is not None and self._named == "auto"
-        if not self.fixed or not written or 0 in self.fixed.values():
+        if self.reduced or not self.fixed or not written or 0 in self.fixed.values():
             return None
         # The step is made of these two, asked for or not.
         return Graphs(self.derived, outputs=(*self._inputs, "coordinate_rates", "forward_dynamics"))

@@ -153,7 +153,7 @@ class Outputs:
         return {
             "forward_dynamics": lambda: self._forward_dynamics[1],
             "mass_matrix": self._mass_matrix,
-            "forcing": lambda: self._bound({"forcing": self._system.forcing}),
+            "forcing": lambda: self._bound({"forcing": self.system.forcing}),
             "residual": lambda: self._bound({"residual": (*self._rows, *self._closing)}),
             "inverse_dynamics": self._inverse_dynamics,
             "energy": self._energy,
@@ -196,7 +196,7 @@ class Outputs:
         return tuple(acceleration_forms(self.mechanism))
 
     @cached_property
-    def _system(self) -> Solvable:
+    def system(self) -> Solvable:
         """M and f, the multipliers left out."""
         build, route = self.mechanism.builder, self.route
         rows = self._rows
@@ -281,7 +281,7 @@ class Outputs:
     def _eliminated(self) -> list[Rows]:
         if self._bordered is not None:
             return [self._bordered.solution] if self._bordered.determined else []
-        return [self._system.accelerations(self.mechanism.builder)]
+        return [self.system.accelerations(self.mechanism.builder)]
 
     def _composite(self) -> list[Rows]:
         """With constraints where the tree that remains without loops is one of joints."""
@@ -293,7 +293,7 @@ class Outputs:
             if self._bordered is not None:
                 found.append(replace(self._bordered, mass=mass).solution)
             else:
-                found.append(Solvable(mass, self._system.forcing).accelerations(mechanism.builder))
+                found.append(Solvable(mass, self.system.forcing).accelerations(mechanism.builder))
         return found + self._constrained_trees()
 
     def _constrained_trees(self) -> list[Rows]:
@@ -307,7 +307,7 @@ class Outputs:
         ]
 
     def _articulated(self) -> list[Rows]:
-        bias = [-entry for entry in self._system.forcing]
+        bias = [-entry for entry in self.system.forcing]
         return [forward_dynamics(self.mechanism, links, bias) for links in self._trees]
 
     def _least(self) -> list[Rows]:
@@ -360,7 +360,7 @@ class Outputs:
 
     @cached_property
     def _masses(self) -> list[Sequence[Sequence[Node]]]:
-        found = [self._system.mass]
+        found = [self.system.mass]
         return found + [mass_matrix(self.mechanism, links) for links in self._trees]
 
     def _mass_matrix(self) -> Program:
@@ -390,7 +390,7 @@ class Outputs:
         if self._bordered is not None:
             return self._bound(self._constrained_jacobians(self._bordered))
         if not self._trees:
-            return self._bound(jacobians(mechanism, self._rows, self._system, self.variables))
+            return self._bound(jacobians(mechanism, self._rows, self.system, self.variables))
         groups = list(self.variables.values())
         every = tuple(node for group in groups for node in group)
 

@@ -16,6 +16,10 @@ FUNCTIONS = {
     "coordinate_rates": ("Rates of the coordinates: q' = N u + n.",),
     "jacobians": ("Derivatives of u' by q, u, inputs and p.",),
     "reactions": ("The reactions listed above, from the state.",),
+    "domain": (
+        "How far inside of its domain a reduced model is: where no margin is negative, what is",
+        "reduced is within its bound. reduction.json has the bound, and the ranges in this order.",
+    ),
     "prepare": ("What the forward dynamics use of the parameters only: once for many states.",),
     "forward_dynamics_prepared": (
         "The same accelerations with what the function above makes of p: fewer operations.",
@@ -46,6 +50,7 @@ OUTPUTS = {
     "linear": "component i in the inertial frame, in kg m/s",
     "angular": "component i in the inertial frame, in kg m^2/s",
     "qd": "rate of q[i], in the unit of q[i] per s",
+    "margins": "a pair a range, value less its lower end and upper end less the value",
     "kinetic": "in J",
     "potential": "in J",
     "total": "in J",

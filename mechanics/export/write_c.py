@@ -11,6 +11,7 @@
     NAME.pc.in         for pkg-config
     NAME_loader.py     calls it from Python
     equations.json     what was derived, as data
+    reduction.json     of a reduced model: domain, what was left out, bound of the change
     graphs.json        the graphs that the C was printed from, as data
     manifest.json      what was generated from what: hash of each file, operation counts, versions,
                        and what was shown about it: `mechanics verify` repeats that from the files
@@ -24,6 +25,7 @@ from pathlib import Path
 from mechanics.compiled import Model
 from mechanics.compiled.c.lanes import SHARED
 from mechanics.compiled.programs.of_model import WHOLE
+from mechanics.compiled.reduced import FILE as REDUCTION
 from mechanics.errors import wanted
 from mechanics.export.atomic import named
 from mechanics.export.batch import batched
@@ -111,6 +113,8 @@ def write_c(
     code = {file: text for file, text in files.items() if file.endswith((".c", ".h"))}
     evidence = evidence_of(model, parts, names, many, code)
     files |= evidence_files(evidence)
+    reduced = model.casadi.reduced
+    files |= {} if reduced is None else {REDUCTION: reduced.record}
     target = named(folder)
     # Told before the proofs, which take their time.
     check_folder(target, prefix, (*files, MANIFEST))
@@ -121,7 +125,7 @@ def write_c(
         shown = chain_record(found)
     files[MANIFEST] = manifest(
         contents, prefix, files, evidence.kernels, shown, system,
-        model.form if WHOLE in names else None, model.programs.reciprocals,
+        model.form if WHOLE in names and reduced is None else None, model.programs.reciprocals,
     )  # fmt: skip
     return write_folder(target, prefix, files)
 

@@ -16,6 +16,7 @@ from sympy import Expr, Matrix, Symbol
 
 from mechanics.compiled.graphs import Graphs
 from mechanics.compiled.outputs import every_reaction
+from mechanics.compiled.reduced import Reduced, output_name
 from mechanics.equations import Equations, Rows
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import body_motions
@@ -24,6 +25,7 @@ from mechanics.mechanism import Mechanism, lower
 from mechanics.program import Builder, Program
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
+from mechanics.program.interpret import include
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import add, cross, dot, scale, times, transpose, zeros
 from mechanics.routes import kane
@@ -87,12 +89,25 @@ def derived(graphs: Graphs) -> Derived:
     told = [entry.symbol.name for entry in known.reactions]
     reactions = _reactions(equations, mechanism) if told else {}
     outputs |= {**system, "reactions": [reactions[name] for name in told]}
+    if graphs.reduced is not None:
+        outputs |= _reduced(graphs.reduced, mechanism)
     symbols = {g: tuple(e.symbol for e in getattr(known, g)) for g in GROUPS}
     times = [i for i, symbol in enumerate(symbols["inputs"]) if symbol == TIME]
     return Derived(
         equations.scene.name, route, symbols, graphs.fixed, times[0] if times else None,
         mechanism.builder.program(outputs),
     )  # fmt: skip
+
+
+def _reduced(reduced: Reduced, mechanism: Mechanism) -> Outputs:
+    """Functions that are reduced, the mass matrix column by column."""
+    found: Outputs = {}
+    for function, program in reduced.functions.items():
+        for output, nodes in include(mechanism.builder, program).items():
+            n = len(mechanism.ud) if output == "mass_matrix" else 1
+            columns = [node for j in range(n) for node in nodes[j::n]]
+            found[output_name(function, output)] = columns
+    return found
 
 
 def _of_bodies(mechanism: Mechanism) -> Outputs:

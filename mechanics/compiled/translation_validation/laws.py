@@ -4,6 +4,7 @@
     jacobians            J w = K^-1 (-(d residual / d s) w) at x       s in q, u, inputs, p;  any w
     inverse dynamics     rows conjugate to u, or M_T (u' - x),         M_T = d2T/du2
     step                 y + h/6 (k1 + 2 k2 + 2 k3 + k4) of the rates
+    what is reduced      graph = the program of which a bound was proved
     the rest             graph = program
 
 with K the slope of the residual by (u', lambda), and x = K^-1 k where it is not the graph's. The
@@ -14,7 +15,9 @@ A law gives, by output, pairs of values that have to be equal: the graph's, and 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 
+from mechanics.compiled.reduced import output_name
 from mechanics.compiled.translation_validation.derived import WANTED
 from mechanics.compiled.translation_validation.physics import Entry, Physics
 from mechanics.program import Node
@@ -160,13 +163,21 @@ def law_of(name: str, wanted: Iterable[str]) -> Law | None:
     wanted : iterable of str
         Outputs of the program of what was derived.
     """
-    own = f"{WANTED}{name}"
+    own, every = f"{WANTED}{name}", tuple(wanted)
+    if any(output.startswith(output_name(name, "")) for output in every):
+        return partial(_reduced, name)
 
     def law(physics: Physics, outputs: Outputs) -> Iterator[Entry]:
         for output, numbers in outputs.items():
             yield from _equal(output, numbers, _derived(physics)[own])
 
-    return LAWS.get(name) or (law if own in wanted else None)
+    return LAWS.get(name) or (law if own in every else None)
+
+
+def _reduced(name: str, physics: Physics, outputs: Outputs) -> Iterator[Entry]:
+    """A reduced function is the one of which a bound was proved."""
+    for output, numbers in outputs.items():
+        yield from _equal(output, numbers, _derived(physics)[output_name(name, output)])
 
 
 LAWS: dict[str, Law] = {

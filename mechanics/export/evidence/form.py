@@ -59,9 +59,11 @@ def prove_form(folder: Folder, graphs: Graphs) -> Iterator[Finding]:
         Of the scene that was derived again, with what is fixed.
     """
     form, shared = (folder.manifest.get(key) for key in ("form", "reciprocals"))
-    if WHOLE not in folder.evidence.graphs:
+    if WHOLE not in folder.evidence.graphs or graphs.reduced is not None:
         if form is not None:
-            yield undecided(FORM, f"refused: there is no {WHOLE}, and {str(form)[:40]!r} says how")
+            yield undecided(
+                FORM, f"refused: there is no {WHOLE} of a form, and {str(form)[:40]!r} says how"
+            )
         return
     if form not in [each.name for each in FORMS]:
         yield undecided(FORM, f"refused: there is no form {str(form)[:40]!r}")

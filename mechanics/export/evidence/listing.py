@@ -60,8 +60,9 @@ ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError,
 
 
 def prove_files(
-    folder: Folder, again: Contents | None, found: Chain, derived: Derived | None = None
-) -> Iterator[Finding]:
+    folder: Folder, again: Contents | None, found: Chain, derived: Derived | None = None,
+    looked: Sequence[str] = (),
+) -> Iterator[Finding]:  # fmt: skip
     """Decide about what stands in a folder, and what the manifest says of it.
 
     Parameters
@@ -73,6 +74,8 @@ def prove_files(
         What was found about the functions.
     derived : Derived, optional
         What was derived again.
+    looked : sequence of str
+        Files that another step has looked at.
     """
     prefix = str(folder.manifest.get("prefix"))
     parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
@@ -83,7 +86,7 @@ def prove_files(
     except ODD as error:
         yield _odd("folder", f"what is written cannot be made again: {error}")
         return
-    yield from _texts(folder, prefix, parts, contents)
+    yield from _texts(folder, prefix, parts, contents, looked)
     source = ("scene and " if again else "") + "graphs"
     yield from _manifest(folder, contents, prefix, parts, found, source)
     yield from _evidence(folder, derived, source)
@@ -199,7 +202,7 @@ def _evidence(folder: Folder, derived: Derived | None, source: str) -> Iterator[
 
 
 def _texts(
-    folder: Folder, prefix: str, parts: Sequence[Part], contents: Contents
+    folder: Folder, prefix: str, parts: Sequence[Part], contents: Contents, others: Sequence[str]
 ) -> Iterator[Finding]:
     """Whether files that no other step looks at are what is written."""
     scene, graphs = contents.scene, folder.evidence.graphs
@@ -227,7 +230,7 @@ def _texts(
         else:
             yield same(name, folder.texts[name], text, "what is written for these graphs")
     for name in folder.texts:
-        if name not in wanted and name not in looked and name not in NEEDED:
+        if name not in wanted and name not in looked and name not in (*NEEDED, *others):
             yield _odd(name, "no step looks at it")
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from mechanics.compiled.fixed import Fixed, read_fixed
 from mechanics.compiled.graphs import STATE, Graphs, function_inputs
+from mechanics.compiled.reduced import FILE as REDUCTION
 from mechanics.compiled.translation_validation.build import building, compilers
 from mechanics.compiled.translation_validation.derived import Derived, derived
 from mechanics.equations import Equations
@@ -52,11 +53,27 @@ from mechanics.scene import Scene
 
 FRACTION = re.compile(r"-?\d+(/\d+)?")
 REACTIONS = "reactions"
+BOUND = "whole model = reduced model within its bound"
 NO_PHYSICS = "the equations were not derived again"
 NO_FORM = "form of forward dynamics in the manifest: it follows from the scene"
 VERSIONS = "versions in the manifest: facts about another installation"
 FIGURES = "figures of binaries in the manifest: facts about the machine that wrote it"
 NOTHING_SHOWN = "the manifest tells no chain: nothing was proved when it was written"
+
+
+@dataclass(frozen=True)
+class Again:
+    """A reduced model, reduced again as its record says.
+
+    Attributes
+    ----------
+    graphs : Graphs
+    findings : tuple of Finding
+        That its bound holds, and that the record says so.
+    """
+
+    graphs: Graphs
+    findings: tuple[Finding, ...]
 
 
 class Outcome(Enum):
@@ -165,6 +182,7 @@ def verify(
     equations: Equations | None = None,
     measure: bool = True,
     report: Report = silent,
+    reduced: Again | None = None,
 ) -> Verification:
     """Repeat the chain of translation validation of a folder.
 
@@ -179,6 +197,8 @@ def verify(
         Whether to compile the code and compare.
     report : callable
         Told what is looked at.
+    reduced : Again, optional
+        For the folder of a reduced model: what was reduced again.
 
     Raises
     ------
@@ -186,13 +206,19 @@ def verify(
         If it is no such folder, or a file of it cannot be read.
     """
     folder = folder if isinstance(folder, Folder) else read_folder(Path(folder))
-    graphs = None if equations is None else graphs_again(folder, equations)
+    if reduced is not None:
+        graphs: Graphs | None = reduced.graphs
+    else:
+        graphs = None if equations is None else graphs_again(folder, equations)
     again = None if graphs is None else derived(graphs)
     if again is not None:
         _same_entries(folder, again)
     found = chain(folder.evidence, again, measure, report=report)
     contents = None if graphs is None else as_derived(folder, graphs)
-    files = tuple(prove_files(folder, contents, found, again))
+    looked = () if reduced is None else (REDUCTION,)
+    files = tuple(prove_files(folder, contents, found, again, looked))
+    if reduced is not None:
+        found = replace(found, steps=(*found.steps, (BOUND, reduced.findings)))
     forms = [*prove_reciprocals(folder), *(prove_form(folder, graphs) if graphs else ())]
     found = replace(
         found,
@@ -200,7 +226,8 @@ def verify(
         not_done=(*found.not_done, *_not_checked(folder, graphs is not None)),
     )
     physics = equations is not None
-    return Verification(folder, found, physics, unvouched(folder, physics))
+    left = tuple(name for name in unvouched(folder, physics) if name not in looked)
+    return Verification(folder, found, physics, left)
 
 
 def _not_checked(folder: Folder, physics: bool) -> Iterator[str]:
