@@ -31,6 +31,8 @@ from mechanics.importers.robot import (
 from mechanics.importers.rotations import roll_pitch_yaw
 from mechanics.scene import Scene
 
+XACRO = "{http://www.ros.org/wiki/xacro}"
+"""Begins the tags of macros."""
 LARGEST = 16_000_000
 """Of a file, in bytes."""
 KINDS = {
@@ -99,6 +101,8 @@ def read_urdf(path: str | Path, notes: Notes, multiples: bool = True) -> Robot:
         top = _parsed(path.read_bytes())
         if top.tag != "robot":
             raise InputError(f"it begins with <{top.tag[:40]}>: a URDF begins with <robot>")
+        if any(element.tag.startswith(XACRO) for element in top.iter()):
+            raise InputError(f"it is xacro: expand it first: xacro {path.name} > robot.urdf")
         links = top.findall("link")
         if len(links) > MOST_LINKS:
             raise InputError(f"{len(links)} links: at most {MOST_LINKS} are read")

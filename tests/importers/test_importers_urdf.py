@@ -298,6 +298,10 @@ def test_hostile_robots_get_one_line(tmp_path, parts, words):
         ("<robot><link", "no XML"),
         ("", "no XML"),
         ("<mujoco/>", "begins with <mujoco>"),
+        (
+            '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:property name="m"/></robot>',
+            "it is xacro: expand it first",
+        ),
         ("\x00", "no XML"),
     ],
 )
