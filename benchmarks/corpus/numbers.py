@@ -18,7 +18,7 @@ import sympy as sp
 
 HERE = Path(__file__).parent
 NAME = re.compile(r"(?<![\w.])[A-Za-z]\w*")
-FUNCTIONS = ("sin", "cos", "tan", "acos", "sqrt", "Abs", "pi")
+FUNCTIONS = ("sin", "cos", "tan", "acos", "sqrt", "sign", "Abs", "pi")
 DRAWS = 4
 SMALL = 1e-9
 
@@ -38,16 +38,20 @@ class Truth:
     """The motion of a scene, by its Lagrangian."""
 
     def __init__(self, row: dict[str, Any]) -> None:
-        self.names = row["q"].split()
+        self.names = row.get("q", row.get("speeds", "")).split()
         self.q, self.v, self.a = (
             sp.Matrix([sp.Symbol(name + dots) for name in self.names]) for dots in ("", "_d", "_dd")
         )
         self.t = sp.Symbol("t")
-        self.kinetic, self.potential = expression(row["T"]), expression(row.get("V", "0"))
+        self.kinetic, self.potential = expression(row.get("T", "0")), expression(row.get("V", "0"))
         self.loads = [expression(text) for text in row.get("Q", ["0"] * len(self.names))]
         self.lengths = [sp.Symbol(name) for name in row.get("lengths", "").split()]
         self.also = {name: expression(text) for name, text in row.get("also", {}).items()}
-        self.motion = self.euler_lagrange(self.kinetic - self.potential)
+        if "motion" in row:  # of speeds that are no derivatives, as it was typed
+            self.v, self.a = self.q, self.v
+            self.motion = sp.Matrix([expression(text) for text in row["motion"]])
+        else:
+            self.motion = self.euler_lagrange(self.kinetic - self.potential)
         self.mass = self.motion.jacobian(self.a)
         self.rest = self.motion.subs(dict.fromkeys(self.a, 0))
 
@@ -112,6 +116,10 @@ def _residuals(of: Truth, row: str) -> list[sp.Expr]:
         case "energy":  # a constant, of the dimension of an energy: length to the power 2
             grown = sum(s * sp.diff(typed, s) for s in of.lengths)
             return [sp.diff(typed, s) for s in [*of.q, *of.v]] + [grown - 2 * typed]
+        case "integral":  # its rate along the motion
+            held = sp.Matrix([typed])
+            rate = held.jacobian(of.q) * of.v + held.jacobian(of.v) * of.a + held.diff(of.t)
+            return [rate[0]]
         case "damping":  # Rayleigh's function: its derivative is what the loads hold of the speed
             return [
                 sp.diff(typed, v, 2) + sp.diff(Q, v) for v, Q in zip(of.v, of.loads, strict=True)

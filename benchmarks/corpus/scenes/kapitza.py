@@ -1,0 +1,48 @@
+"""Pendulum whose point of support is shaken up and down."""
+
+from sympy import cos, sin
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+
+phi, theta = dynamicsymbols("phi theta")
+t = dynamicsymbols._t
+m, l, g, a, gamma, w, ell = parameters(
+    "m l g a gamma w ell", units="kg m m/s^2 m 1/s 1/s m", typical="1 1 9.81 0.1 250 250 1"
+)
+
+
+def hanging():
+    """phi from hanging; the support is a cos(gamma t) below its mean place."""
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (phi, N.z))
+    S = O.locatenew("S", -a * cos(gamma * t) * N.y)
+    P = S.locatenew("P", -l * A.y)
+    return Scene(
+        "pendulum on a shaken support",
+        N,
+        O,
+        coordinates=(phi,),
+        bodies=(Particle("bob", P, m),),
+        loads=(gravity(-g * N.y),),
+        reactions=(reaction("T", at=P, on="bob", by=None, along=A.y),),
+        example={"phi": 0.3},
+    )
+
+
+def upright():
+    """theta from upright; the support is a sin(w t) above its mean place."""
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (-theta, N.z))
+    S = O.locatenew("S", a * sin(w * t) * N.y)
+    P = S.locatenew("P", ell * A.y)
+    return Scene(
+        "Kapitza pendulum",
+        N,
+        O,
+        coordinates=(theta,),
+        bodies=(Particle("bob", P, m),),
+        loads=(gravity(-g * N.y),),
+        reactions=(reaction("T", at=P, on="bob", by=None, along=A.y),),
+        example={"theta": 0.3},
+    )
