@@ -36,7 +36,7 @@ Ranks = tuple[tuple[str, ...], ...]
 
 _MEANINGS: tuple[tuple[str, str, str], ...] = (
     ("T", "kinetic energy", "tension|torque|period"),
-    ("KE E_k E_kin E_K T_kin Ek Ekin", "kinetic energy", ""),
+    ("K KE E_k E_kin E_K T_kin Ek Ekin", "kinetic energy", ""),
     ("V", "potential energy", "speed"),
     ("U PE E_p E_pot Ep Epot Pi", "potential energy", ""),
     ("E E_tot Etot", "energy", ""),

@@ -3,14 +3,16 @@
 D(q) q'' + C(q, q') q' + g(q) = tau        q = (q1, q2), tau = (tau1, tau2)
 """
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from mechanics.claims.definitions import definitions, gathers
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import COORDINATES, Naming, column
 from mechanics.claims.spelled_rates import bases, key
-from mechanics.claims.tree import Call, Name, Node, Number, Table, names, parts
+from mechanics.claims.tree import Call, Name, Node, Number, Product, Sum, Table, names, parts
 from mechanics.scene.symbols import DOTS
 
 SYMMETRIC = ("M", "D", "H", "B", "A", "I", "J")
@@ -24,12 +26,64 @@ def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     defined = definitions(lines, naming)
     own = {key(name): name for name in defined}
     free = [name for name in used if name not in defined and not naming.knows(name)]
+    lines = [_accelerations(line, naming, used_once(sides)) for line in lines]
     gathered = [line for name in free if (line := _gathered(naming, name, own)) is not None]
     if not gathered and not any(map(_holds_matrix, sides)):
         return list(lines)
+    gathered += _inputs(naming, sides, free, defined)
     made = {line.sides[0].name for line in gathered if isinstance(line.sides[0], Name)}
     found = (_defined(naming, name, {key(n): n for n in used}) for name in free if name not in made)
     return [*(line for line in found if line is not None), *gathered, *lines]
+
+
+def _inputs(
+    naming: Naming, sides: Sequence[Node], free: Sequence[str], defined: Mapping[str, Line]
+) -> list[Line]:
+    """What the one unknown term of a sum of columns is: f in f - V - G, the inputs."""
+    inputs = [symbol.name for symbol in naming.vocabulary.scene.input_symbols]
+    tables = {name for name, line in defined.items() if isinstance(line.sides[1], Table)}
+    beside = {
+        name.name for side in sides for s in _sums(side) for name in s.terms
+        if isinstance(name, Name) and any(_ends(t) in tables for t in s.terms)
+    }  # fmt: skip
+    unknown = [name for name in free if name in beside and not column(naming, name)]
+    named = {n.name for side in sides for n in names(side)} & {*inputs}
+    if len(unknown) != 1 or not 1 < len(inputs) == len(naming.vocabulary.scene.q) or named:
+        return []
+    (name,) = unknown
+    table = stacked(0, [Name(0, entry) for entry in inputs])
+    return [Line((Name(0, name), table), "", 0, f"{name} = ({', '.join(inputs)})")]
+
+
+def _sums(node: Node) -> list[Sum]:
+    inner = [found for part in parts(node) for found in _sums(part)]
+    return [node, *inner] if isinstance(node, Sum) else inner
+
+
+def _ends(node: Node) -> str:
+    """The name of a term but for its sign."""
+    last = node.factors[-1] if isinstance(node, Product) else node
+    return last.name if isinstance(last, Name) else ""
+
+
+def used_once(sides: Sequence[Node]) -> frozenset[str]:
+    """Names that stand at one place only."""
+    every = Counter(name.name for side in sides for name in names(side))
+    return frozenset(name for name, count in every.items() if count == 1)
+
+
+def _accelerations(line: Entry, naming: Naming, once: Container[str]) -> Entry:
+    r"""``qdd = M \ f``, which nothing uses: what a function returns, and a claim."""
+    left = line.sides[0] if isinstance(line, Line) and len(line.sides) == 2 else None
+    if not isinstance(line, Line) or not isinstance(left, Name) or left.name not in once:
+        return line
+    made = _defined(naming, left.name, {})
+    table = made.sides[1] if made is not None else None
+    held = names(table) if table is not None else []
+    orders = [n.order + (naming.lookup(n.name) or ("", 0))[1] for n in held]
+    if table is None or set(orders) != {2}:
+        return line
+    return replace(line, sides=(table, line.sides[1]))
 
 
 def _gathered(naming: Naming, name: str, own: Mapping[str, str]) -> Line | None:

@@ -16,12 +16,14 @@ from mechanics.claims.names import Naming, column
 from mechanics.claims.partials import undifferentiated
 from mechanics.claims.tree import (
     COMPOSED,
+    Call,
     Name,
     Node,
     Number,
     Power,
     Product,
     Rate,
+    Sum,
     Table,
     constant,
     inverse,
@@ -174,17 +176,71 @@ def _root(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str]
 
 
 def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
-    """The lines without sides that only name the rate of what nothing explains: x'' = w' = ... ."""
+    """The lines without sides that only name what the others are: x'' = w' = ..., = tau/I = ... .
+
+    Those are the rate of a name, or hold one, that nothing explains and nothing else uses; of
+    letters for energies only what the first side is by definition: L = T - V = ... .
+    """
     known = set(definitions(lines, naming))
+    counts = Counter(name.name for name in used(lines))
+    once = {name for name, count in counts.items() if count == 1} - known
     found: list[Entry] = []
     for line in lines:
         if isinstance(line, Line) and len(line.sides) > 2:
-            kept = tuple(side for side in line.sides if not _unknown_rate(side, naming, known))
+            first, *rest = line.sides
+            kept = tuple(
+                side for side in rest
+                if not _unknown_rate(side, naming, known) and not _named(first, side, naming, once)
+            )  # fmt: skip
+            kept = (first, *kept) if not _unknown_rate(first, naming, known) else kept
             if 1 < len(kept) < len(line.sides):
-                note = "the rate of a name that the scene does not have is what the others are"
+                note = "a side with names that the scene does not have is what the others are"
                 line = replace(line, sides=kept, notes=(*line.notes, note))
         found.append(line)
     return found
+
+
+def _named(first: Node, side: Node, naming: Naming, once: Container[str]) -> bool:
+    """Whether a side says by names of its own what the others are."""
+    unknown = [n.name for n in names(side) if naming.target(n.name) is None and n.name != "t"]
+    if not unknown or not all(name in once for name in unknown):
+        return False
+    if not all(name in ENERGY_NAMES for name in unknown):
+        return not any(name in ENERGY_NAMES for name in unknown)
+    if isinstance(side, Call):  # p = dL/dq'
+        return _momentum_of(first, side, naming)
+    return isinstance(first, Name) and _is_law(ENERGY_NAMES.get(first.name, ""), side)
+
+
+def _is_law(energy: str, side: Node) -> bool:
+    """Whether a side is T - V for a Lagrangian, T + V for an energy."""
+    terms = side.terms if isinstance(side, Sum) else ()
+    if len(terms) != 2 or not isinstance(terms[0], Name):
+        return False
+    sign = {"Lagrangian": -1, "energy": 1}.get(energy)
+    second, minus = terms[1], 1
+    if isinstance(second, Product) and constant(second.factors[0]) == -1:
+        second, minus = second.factors[-1], -1
+    kinds = [ENERGY_NAMES.get(n.name) for n in (terms[0], second) if isinstance(n, Name)]
+    if kinds == ["potential energy", "kinetic energy"]:
+        kinds, minus = kinds[::-1], minus if energy == "energy" else 0
+    return kinds == ["kinetic energy", "potential energy"] and minus == sign
+
+
+def _momentum_of(first: Node, side: Call, naming: Naming) -> bool:
+    """Whether a derivative of a Lagrangian is the momentum on the first side, by definition."""
+    momentum = naming.momentum(first.name) if isinstance(first, Name) else None
+    of, by = (*side.arguments, None, None)[:2]
+    if momentum is None or not isinstance(of, Name) or not isinstance(by, Name):
+        return False
+    speed = naming.lookup(by.name)
+    lagrangian = ENERGY_NAMES.get(of.name) == "Lagrangian"
+    return (
+        lagrangian
+        and speed is not None
+        and speed[1] + by.order == 1
+        and momentum[0] == (f"p_{speed[0]}")
+    )
 
 
 def _unknown_rate(side: Node, naming: Naming, known: Container[str]) -> bool:

@@ -27,6 +27,9 @@ from mechanics.scene.quantities import (
 )
 from mechanics.scene.symbols import plain_symbol
 
+STIFF = ("K",)
+"""Letters for a kinetic energy that are as often a constant: only where speeds are held."""
+
 
 def kind_of(scene: Scene, sides: tuple[Expr, ...]) -> tuple[Quantity, tuple[Expr, ...], str]:
     """The quantity, the sides that its rows have, and a note on what was added."""
@@ -73,6 +76,10 @@ def letter_on_left(
         return None
     said, own = words.get(left.name, ""), naming.knows(left.name)
     if not said and left.name not in LETTERS:
+        return None
+    scene = naming.vocabulary.scene
+    moving = {symbol for side in sides for symbol in scene.plain(side).free_symbols}
+    if not said and left.name in STIFF and not moving & {*scene.u, *scene.qd}:
         return None
     constants = {*naming.vocabulary.constants.values()}
     constant = all(side.free_symbols and side.free_symbols <= constants for side in sides)

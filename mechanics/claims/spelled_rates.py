@@ -3,13 +3,16 @@
 thetadd, theta_dd, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
 """
 
+import re
 from collections.abc import Iterable, Iterator
 
 SPELLINGS = (
-    (2, ("ddot", "dd", "2dot"), ("dd", "d2")),
+    (2, ("ddot", "dotdot", "dd", "2dot"), ("dd", "d2")),
     (1, ("dot", "d"), ("d",)),
 )
 """Orders, and what stands behind or before the name of what is differentiated."""
+NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dot|dd|d)(?P<number>\d{1,2})")
+"""The rate of a letter, and then its number: qdot1, thdd2."""
 
 
 def key(name: str) -> str:
@@ -29,6 +32,8 @@ def bases(name: str) -> Iterator[tuple[str, int]]:
         for start in starts:
             if bare.startswith(start) and bare != start:
                 yield bare.removeprefix(start), order
+    if part := NUMBERED.fullmatch(bare):
+        yield part["name"] + part["number"], 2 if part["rate"].startswith("dd") else 1
 
 
 def families(names: Iterable[str]) -> dict[str, str]:

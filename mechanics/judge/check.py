@@ -30,6 +30,7 @@ from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.outputs import of_one_order, right_otherwise
+from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
@@ -155,15 +156,16 @@ def check(
 def _reference(
     scene: Scene | System | Equations | Reference,
 ) -> tuple[Reference, tuple[str, ...]]:
-    """What statements are compared with, and what of its scene could not be verified."""
+    """What statements are compared with, and what is to be said of its scene."""
     if isinstance(scene, Reference):
         return scene, ()
     kinds = (Scene, System, Equations)
     wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
     if isinstance(scene, Equations):
         return Reference(scene), ()
-    truth = derived(scene.scene() if isinstance(scene, System) else scene)
-    return Reference(truth), verify(truth)
+    plain, told = with_positive_radii(scene.scene() if isinstance(scene, System) else scene)
+    truth = derived(plain)
+    return Reference(truth), (*told, *verify(truth))
 
 
 def _plain(things: Sequence[Any], **asked: Any) -> None:

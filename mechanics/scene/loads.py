@@ -35,7 +35,8 @@ class Spring:
     stiffness : Expr
         In N/m.
     along : Vector or None
-        Unit direction from first to second, fixed in the inertial frame.
+        Unit direction from first to second, fixed in the inertial frame, or that in which second is
+        seen from first: then the distance counts as positive along it.
     length : Expr
         Length without tension, in m.
     first_on, second_on : str or None

@@ -208,7 +208,9 @@ def _line(scene: Declaration, where: str, load: Spring | Damper) -> None:
                      stated, point)  # fmt: skip
     if load.along is not None:
         unit_vector(scene, where, load.along)
-        _fixed(scene, where, load.along)
+        span = scene.position(load.second) - scene.position(load.first)
+        if any(map(canonical, span.cross(scene.vector(load.along, where)))):
+            _fixed(scene, where, load.along)
     if isinstance(load, Spring):
         _constant(scene, where, load.stiffness)
         _constant(scene, where, load.length)

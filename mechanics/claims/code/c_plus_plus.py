@@ -23,6 +23,8 @@ WORDS = (
     (r"#\s*pragma\s+once", ""),
     (r"\busing\s+[^;{}]*;", ""),
     (r"\bstd\s*::\s*", ""),
+    (r"\bEigen\s*::\s*", ""),
+    (r"\bVector([2-6])d\b", r"array<double, \1>"),
     (r"\bstatic\s+constexpr\b|\bconstexpr\b", "const"),
     (r"\bnoexcept\b|\binline\b|\[\[\w+\]\]|\boverride\b", ""),
     (r"\bstatic_cast\s*<\s*(double|float)\s*>", r"(\1)"),
@@ -61,7 +63,7 @@ def in_c(text: str, origin: str) -> str:
     """
     for pattern, words in WORDS:
         text = re.sub(pattern, words, text)
-    text = _returned(BINDING.sub(_bound, text))
+    text = _globals_passed(_referred(_returned(_filled(BINDING.sub(_bound, text)))))
     for found in reversed([m for m in CLASS.finditer(text) if FUNCTION.search(_inside(text, m))]):
         inside = _inside(text, found)
         end = found.end() + len(inside)
@@ -74,6 +76,69 @@ def in_c(text: str, origin: str) -> str:
             text[: found.start()] + _gone(found[0]) + _plain(inside, found[1]) + text[after.end() :]
         )
     return text
+
+
+REFERENCE = re.compile(r"(?<!const )\b(?:double|float)\s*&\s*(\w+)(?=\s*[,)])")
+FILLED = re.compile(
+    r"\b(?:array|vector)\s*<\s*(?:double|float)\s*(?:,\s*(?P<size>\d+)\s*)?>\s+(?P<name>\w+)"
+    r"\s*(?:\(\s*(?P<count>\d+)\s*(?:,\s*0(?:\.0?)?\s*)?\)|\{\s*\})?\s*;"
+)
+"""An array of zeros that a function fills and returns."""
+GLOBAL = re.compile(r"(?:static\s+|volatile\s+)*\b(?:double|float)\s+(\w+(?:\s*,\s*\w+)*)\s*;")
+
+
+def _filled(text: str) -> str:
+    """Functions that fill an array of their own, with an argument for it."""
+    for found in reversed(list(ARRAY.finditer(text))):
+        inside = _inside(text, found)
+        local = FILLED.search(inside)
+        size = (local["size"] or local["count"]) if local else None
+        if local is None or size is None:
+            continue
+        name, given = local["name"], found["arguments"].strip()
+        last = re.search(rf"\breturn\s+{name}\s*;\s*$", inside)
+        if last is None or len(re.findall(r"\breturn\b", inside)) > 1:
+            continue
+        body = inside[: local.start()] + _gone(local[0]) + inside[local.end() : last.start()]
+        body = _entries(name, body)
+        arrays = "|".join([name, *re.findall(r"\*\s*(\w+)", given)])
+        body = re.sub(rf"\b({arrays})\s*\(\s*(\d+)\s*\)", r"\1[\2]", body)
+        arguments = ", ".join(filter(None, (given, f"double {name}[{size}]")))
+        head = f"void {found['name']}({arguments}) {{"
+        rest = text[found.end() + len(inside) :]
+        text = text[: found.start()] + head + body + _gone(last[0]) + rest
+    return text
+
+
+def _entries(name: str, body: str) -> str:
+    """``f << a, b;`` entry by entry."""
+
+    def each(match: re.Match[str]) -> str:
+        values = enumerate(_parts(match[1]))
+        return "".join(f"{name}[{i}] = {value};" for i, value in values)
+
+    return re.sub(rf"\b{name}\s*<<\s*([^;]*);", each, body)
+
+
+def _referred(text: str) -> str:
+    """Arguments that a function writes through a reference, as arrays of one entry."""
+    for found in reversed(list(FUNCTION.finditer(text))):
+        names = REFERENCE.findall(found[0])
+        if not names:
+            continue
+        inside = _inside(text, found)
+        head = REFERENCE.sub(r"double \1[1]", found[0])
+        body = re.sub(rf"\b({'|'.join(names)})\b", r"\1[0]", inside)
+        text = text[: found.start()] + head + body + text[found.end() + len(inside) :]
+    return text
+
+
+def _globals_passed(text: str) -> str:
+    """Variables of the file without a value, which its function reads, as its arguments."""
+    outside = [m for m in GLOBAL.finditer(text) if _depth(text, m.start()) == 0]
+    if not outside or len(FUNCTION.findall(text)) != 1 or CLASS.search(text):
+        return text
+    return _plain(text, "", GLOBAL)
 
 
 def _bound(match: re.Match[str]) -> str:
@@ -123,20 +188,22 @@ def _inside(text: str, opening: re.Match[str]) -> str:
     return ""
 
 
-def _plain(inside: str, name: str) -> str:
-    """Functions of a class, with its fields as arguments."""
+def _plain(inside: str, name: str, declared: re.Pattern[str] = FIELD) -> str:
+    """Functions of a class, with its fields as arguments; of a file, with its variables."""
     inside = ACCESS.sub(lambda m: _gone(m[0]), inside)
-    made = re.compile(rf"\b(?:explicit\s+)?{name}\s*\([^{{}};]*\)\s*(?::[^;]*?)?\{{[^{{}}]*\}}")
-    inside = made.sub(lambda m: _gone(m[0]), inside)
+    if name:
+        made = re.compile(rf"\b(?:explicit\s+)?{name}\s*\([^{{}};]*\)\s*(?::[^;]*?)?\{{[^{{}}]*\}}")
+        inside = made.sub(lambda m: _gone(m[0]), inside)
     fields: list[str] = []
 
     def field(match: re.Match[str]) -> str:
         if "{" in inside[: match.start()] and _depth(inside, match.start()):
             return match[0]
-        fields.extend(part.split("=")[0].strip() for part in match[2].split(","))
+        names = match[match.lastindex or 0].split(",")
+        fields.extend(part.split("=")[0].strip() for part in names)
         return _gone(match[0])
 
-    inside = FIELD.sub(field, inside)
+    inside = declared.sub(field, inside)
     functions = [m[2] for m in FUNCTION.finditer(inside)]
     passed = "".join(f", {name}" for name in fields)
 

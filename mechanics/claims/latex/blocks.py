@@ -39,6 +39,7 @@ VALUES = (
 """A number with its unit, a value at the beginning, a list of names."""
 LONGEST_VALUE = 200
 ONE = ("multline", "dmath")
+ALIGNED = re.compile(r"\\begin\s*\{(aligned|gathered|split)\}.*?\\end\s*\{\1\}", re.DOTALL)
 RELATED = re.compile(r"=|\\equiv(?![A-Za-z])")
 
 
@@ -76,10 +77,19 @@ def blocks(text: str) -> list[Block]:
         if whole and inline:
             return [Block(block.start, block.end) for block in inline]
     if not inline and not any(block.closed for block in shown):
-        return [Block(0, len(text), bare=True)]
+        return _aligned(text) or [Block(0, len(text), bare=True)]
     found = sorted((*shown, *inline), key=lambda block: block.start)
     kept = [block for block in found if text[block.start : block.end].strip()]
     return kept
+
+
+def _aligned(text: str) -> list[Block]:
+    """Parts of a display that stand without one, as in Markdown, in nothing but words."""
+    found = list(ALIGNED.finditer(text))
+    between = ALIGNED.sub(" ", text)
+    if not found or RELATED.search(between) or "\\" in between or not between.strip():
+        return []
+    return [Block(*match.span()) for match in found]
 
 
 def _displays(text: str) -> Iterator[Block]:

@@ -26,6 +26,7 @@ from mechanics.claims.tree import (
     parts,
     with_parts,
 )
+from mechanics.scene import Scene
 from mechanics.scene.symbols import DOTS
 
 ELEMENT = re.compile(r"(?P<array>\w+)(?P<open>[(\[])(?P<index>\d+)[)\]]")
@@ -53,16 +54,22 @@ def element(array: str, arguments: Sequence[Node], brackets: str = "()") -> str 
 
 def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tuple[Match, ...]]:
     """The lines with the rate of a state entry by entry, and what the entries mean."""
+    size = 2 * len(naming.vocabulary.scene.q)
+    lines = [_named_result(line, size) for line in lines]
     own = definitions(lines, naming)
     lines = [_of_own(line, own) for line in lines]
     arrays = _arrays(lines)
-    tables = [name for name, line in own.items() if isinstance(line.sides[1], Table)]
     if not arrays:
         return list(lines), ()
+    tables = {name: line for name, line in own.items() if isinstance(line.sides[1], Table)}
+    lines = _with_locals(lines, naming, (*arrays, *tables))
+    returned = _returned(lines, tables, size)
     found: dict[str, tuple[str, str]] = {}
     rates: dict[str, str] = {}
     for array in arrays:
         rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
+        if not rate and returned and max(arrays[array]) >= size // 2:
+            rate = returned
         said = _said(lines, naming, array)
         if rate or said or not any(array in _named_rates(other) for other in arrays):
             found |= _meanings(lines, naming, array, rate, arrays, said)
@@ -71,7 +78,6 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
         name for name, line in own.items()
         if not isinstance(line.sides[1], Name) and name not in rates
     }  # fmt: skip
-    size = 2 * len(naming.vocabulary.scene.q)
     expanded = [_expanded(line, rates, found, arrays, columns, size) for line in lines]
     matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
     every = [
@@ -79,6 +85,72 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     ]
     once = frozenset(name for name in every if every.count(name) == 1)
     return [_told(line, naming, found, once) for line in expanded], matches
+
+
+RESULT = "result"
+"""What a function returns without giving it a name."""
+LOCAL = "{} as assigned"
+"""A name of the scene that code gives to a value of its own: phi = ...; dy(2) = phi;"""
+
+
+def _named_result(line: Entry, size: int) -> Entry:
+    """``[v; a]`` alone, with as many entries as a state has: what a function returns."""
+    (side,) = line.sides if isinstance(line, Line) and len(line.sides) == 1 else (None,)
+    if not isinstance(line, Line) or not isinstance(side, Table):
+        return line
+    rows, columns = len(side.rows), len(side.rows[0])
+    if rows * columns != size or size < 2 or rows == columns:
+        return line
+    return replace(line, sides=(ended(Name(side.at, RESULT), side.at), side))
+
+
+def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> str:
+    """The one column that nothing uses, with as many entries as a state has."""
+    every = [
+        n.name for line in lines if isinstance(line, Line) for s in line.sides for n in names(s)
+    ]
+    columns = [
+        name for name, line in tables.items()
+        if every.count(name) == 1 and len(_cells(line.sides[1])) == size
+    ]  # fmt: skip
+    return columns[0] if len(columns) == 1 else ""
+
+
+def _cells(table: Node) -> list[Node]:
+    return [cell for row in table.rows for cell in row] if isinstance(table, Table) else []
+
+
+def _with_locals(lines: Sequence[Entry], naming: Naming, arrays: Sequence[str]) -> list[Entry]:
+    """The lines with names of their own for what code assigns to a coordinate's and returns."""
+    rates = {name for array in arrays for name in _named_rates(array) if name in arrays}
+    assigned: dict[str, int] = {}
+    passed: set[str] = set()
+    for line in lines:
+        left, right = line.sides if isinstance(line, Line) and len(line.sides) == 2 else (None,) * 2
+        if not isinstance(left, Name) or right is None:
+            continue
+        part = ELEMENT.fullmatch(left.name)
+        if left.name in rates or (part and part["array"] in rates):
+            passed |= {c.name for c in (_cells(right) or [right]) if isinstance(c, Name)}
+        elif not left.order and not isinstance(right, Name):
+            assigned[left.name] = assigned.get(left.name, 0) + 1
+    coordinates = {
+        name for name in passed
+        if assigned.get(name) == 1 and naming.is_function(name)
+        and (naming.lookup(name) or ("", 1))[1] == 0
+    }  # fmt: skip
+
+    def renamed(node: Node) -> Node:
+        if isinstance(node, Name) and node.name in coordinates:
+            return ended(replace(node, name=LOCAL.format(node.name)), node.end)
+        inside = parts(node)
+        new = tuple(map(renamed, inside))
+        return node if new == inside else ended(with_parts(node, new), node.end)
+
+    return [
+        replace(line, sides=tuple(map(renamed, line.sides))) if isinstance(line, Line) else line
+        for line in lines
+    ]
 
 
 def _of_own(line: Entry, own: Container[str]) -> Entry:
@@ -135,9 +207,9 @@ def _meanings(
 ) -> dict[str, tuple[str, str]]:  # fmt: skip
     """What the entries of an array mean, and those of its rate, by name."""
     scene = naming.vocabulary.scene
-    if scene.speeds:
-        return {}
     used = arrays[array] | arrays.get(rate, set())
+    if scene.speeds:
+        return _of_speeds(scene, array, rate, used)
     first = 0 if 0 in used else 1
     coordinates = [q.name for q in scene.q]
     size = len(coordinates)
@@ -163,6 +235,24 @@ def _meanings(
             found[f"{array}{brackets[0]}{place}{brackets[1]}"] = base + DOTS[order_of], why
         if rate and order_of + 1 < len(DOTS):
             found[f"{rate}{of_rate[0]}{place}{of_rate[1]}"] = base + DOTS[order_of + 1], why
+    return found
+
+
+def _of_speeds(
+    scene: Scene, array: str, rate: str, used: Container[int]
+) -> dict[str, tuple[str, str]]:
+    """Entries of the column of declared speeds, w(1), and of its rate, wdot(1)."""
+    speeds = [symbol.name for symbol in scene.u]
+    first = 0 if 0 in used else 1
+    places = range(first, first + len(speeds))
+    if not rate or not all(place in used for place in places) or first + len(speeds) in used:
+        return {}
+    brackets = "()" if first else "[]"
+    found: dict[str, tuple[str, str]] = {}
+    for place, speed in zip(places, speeds, strict=True):
+        for b in (brackets, "[]"):
+            found[f"{array}{b[0]}{place}{b[1]}"] = speed, WHY
+            found[f"{rate}{b[0]}{place}{b[1]}"] = speed + DOTS[1], WHY
     return found
 
 
@@ -273,7 +363,7 @@ def _expanded(
     ]
     if not all(labels):
         return line
-    column_of = Table(left.at, tuple((ended(Name(left.at, n), left.end),) for n in labels))
+    column_of = Table(left.at, tuple((Name(left.at, n),) for n in labels))
     return replace(line, sides=(column_of, Table(right.at, tuple((cell,) for cell in cells))))
 
 
@@ -299,6 +389,8 @@ def _told(
     """A line that only names an entry says nothing else."""
     if not isinstance(line, Line) or len(line.sides) != 2:
         return line
+    if isinstance(line.sides[0], Table) and isinstance(line.sides[1], Table):
+        return _without_names(line, naming, found)
     for one, other in (line.sides, line.sides[::-1]):
         if not isinstance(one, Name) or not isinstance(other, Name) or other.name not in found:
             continue
@@ -311,3 +403,27 @@ def _told(
         if found[other.name] == (target[0] + DOTS[order], SAID):
             return Aside(f"{line.source[:60]}: taken as the name of an entry", line.at)
     return line
+
+
+def _without_names(line: Line, naming: Naming, found: Mapping[str, tuple[str, str]]) -> Entry:
+    """A column without entries that are the names of what they have to be: of x'' stands xdd."""
+    left, right = line.sides
+    if not isinstance(left, Table) or not isinstance(right, Table):
+        return line
+
+    def same(label: Node, cell: Node) -> bool:
+        if not isinstance(label, Name) or not isinstance(cell, Name) or ELEMENT.match(cell.name):
+            return False
+        target, told = naming.lookup(cell.name), found.get(label.name)
+        order = target[1] + cell.order if target is not None else len(DOTS)
+        return bool(target and told and order < len(DOTS) and told[0] == target[0] + DOTS[order])
+
+    if len(left.rows) != len(right.rows) or len(left.rows[0]) != 1:
+        return line
+    kept = [k for k, row in enumerate(left.rows) if not same(row[0], right.rows[k][0])]
+    if not kept:
+        return Aside(f"{line.source[:60]}: taken as the names of what is returned", line.at)
+    if len(kept) == len(left.rows):
+        return line
+    tables = (Table(t.at, tuple(t.rows[k] for k in kept)) for t in (left, right))
+    return replace(line, sides=tuple(tables))

@@ -4,7 +4,9 @@ x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two d
 """
 
 import re
+from collections.abc import Mapping
 from fractions import Fraction
+from unicodedata import numeric
 
 from lark import Token, Tree
 
@@ -46,6 +48,9 @@ RATIONALS = ("Rational", "Integer", "Float", "S", "sympify", "Symbol")
 MODELICA = "der"
 FUNCTION = re.compile(r"([a-z]+)\W*(\d?)")
 PERIODIC = ("sin", "cos")
+SECOND = re.compile(r"d(?:\^?2|\u00b2)")
+"""Of the second differential."""
+INVERTED = ("inv", "pinv", "inverse")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
 
 
@@ -54,10 +59,10 @@ class Nodes:
 
     def __init__(
         self, naming: Naming, offset: int, notes: list[str], below: bool = True,
-        arrays: bool = False,
+        arrays: bool = False, state: bool = False, operators: Mapping[str, int] | None = None,
     ) -> None:  # fmt: skip
         self.naming, self.offset, self.notes, self.below = naming, offset, notes, below
-        self.arrays = arrays
+        self.arrays, self.state, self.operators = arrays, state, operators or {}
         self.slash = ""
         self.depth = 0
 
@@ -153,11 +158,8 @@ class Nodes:
         """base ** exponent."""
         base, sign, exponent = tree.children
         below, above = self.node(base), self.node(exponent)
-        if base.data == "call" and isinstance(below, Product):
-            # M(x + 1)^2 is M (x + 1)^2.
-            return Product(
-                at, (below.factors[0], Power(below.factors[1].at, below.factors[1], above))
-            )
+        if (factor := _applied_to(base, below)) is not None:
+            return _raised(at, factor, above)
         node = Power(at, below, above)
         inverted = constant(node.exponent) == -1 and (self.arrays or "." in sign)
         return Pointwise(at, (node,)) if inverted else node
@@ -165,11 +167,15 @@ class Nodes:
     def superscripted(self, tree: Tree, at: int) -> Node:
         """A square or cube in Unicode."""
         base, mark = tree.children
-        return Power(at, self.node(base), Number(at, Fraction(2 if mark == "\u00b2" else 3)))
+        below, above = self.node(base), Number(at, Fraction(2 if mark == "\u00b2" else 3))
+        factor = _applied_to(base, below)
+        return Power(at, below, above) if factor is None else _raised(at, factor, above)
 
     def number(self, tree: Tree, at: int) -> Node:
         """A number, exactly as it is typed."""
         text = str(tree.children[0])
+        if not text.isascii():
+            return Number(at, Fraction(numeric(text)).limit_denominator(10))
         mantissa, _, exponent = text.lower().partition("e")
         if exponent and abs(int(exponent)) > 300:
             raise Refused(at, "the exponent of this number is too large")
@@ -245,6 +251,13 @@ class Nodes:
             raise Refused(at, f"the argument of {name} is missing")
         return Name(at, name, order)
 
+    def leibniz(self, tree: Tree, at: int) -> Node:
+        """A rate as a quotient of differentials: dx/dt, d^2x/dt^2."""
+        above, _, _ = str(tree.children[0]).partition("/")
+        second = SECOND.match(above)
+        name, order = plain(above[second.end() if second else 1 :])
+        return Name(at, name, order + (2 if second else 1))
+
     def bracket(self, tree: Tree, at: int) -> Node:
         """A bracket around one expression."""
         if len(tree.children) != 1:
@@ -255,10 +268,23 @@ class Nodes:
         """A name with primes; behind anything else MATLAB means the transpose."""
         node = self.node(tree.children[0])
         if isinstance(node, Name):
+            if str(tree.children[1]) == "'" and self._holds_no_coordinates(node.name):
+                return Call(at, "transpose", (node,))
             if self.naming.is_function(node.name) is False:
                 raise Refused(at, f"{node.name}' is the rate of a constant")
             return Name(at, node.name, node.order + len(tree.children[1]))
         return Call(at, "transpose", (node,))
+
+    def _holds_no_coordinates(self, name: str) -> bool:
+        """Whether a name is a column of the person's own of which a prime is no rate."""
+        own = self.naming.own.get(name)
+        if not isinstance(own, Table):
+            return False
+        cells = [cell for row in own.rows for cell in row]
+        found = [self.naming.lookup(c.name) for c in cells if isinstance(c, Name) and not c.order]
+        return len(found) < len(cells) or not all(
+            target and target[1] == 0 and self.naming.is_function(target[0]) for target in found
+        )
 
     def transposed(self, tree: Tree, at: int) -> Node:
         """A transposed matrix."""
@@ -315,10 +341,14 @@ class Nodes:
             return Call(at, name, (self._timed(inside[0]),) if periodic else inside)
         if name in DERIVATIVES and given and not self.naming.knows(name):
             return self._derivative(self.node(given[0]), given[1:], at)
-        if name in RATIONALS and given:
+        if name in RATIONALS and given and not (name == "S" and self.state):
             return self._rational(name, given, at)
+        if name in INVERTED and len(given) == 1 and not self.naming.knows(name):
+            return inverse(self.node(given[0]))
         if name in MATRICES and len(given) == 1:
             return self._column(self.node(given[0]), name)
+        if name in self.operators and len(given) == 1:
+            return rate_of(self.node(given[0]), self.operators[name], at)
         if name == MODELICA and len(given) == 1 and not self.naming.knows(name):
             return rate_of(self.node(given[0]), 1, at)
         entry = None if order or self.naming.is_function(name) is False else (
@@ -361,6 +391,16 @@ class Nodes:
         ):
             return Table(node.at, tuple((cell,) for cell in node.rows[0]))
         return node
+
+
+def _applied_to(tree: Tree, node: Node) -> Product | None:
+    """The product that ``M(x + 1)`` is: in its square only the bracket is raised."""
+    return node if tree.data == "call" and isinstance(node, Product) else None
+
+
+def _raised(at: int, below: Product, above: Node) -> Node:
+    name, bracket = below.factors
+    return Product(at, (name, Power(bracket.at, bracket, above)))
 
 
 def _last(tree: Tree | Token) -> str:

@@ -21,6 +21,7 @@ SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
 HEADER = re.compile(r"^[ \t]*(?:function\b|model\b)[^\n]*(?=\n)", re.MULTILINE)
 DECLARED = re.compile(
     r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
+    r"|(?:global|persistent|clear|clc|close|format)\b[^\n=]*"
     r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
     r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
     re.MULTILINE,
@@ -34,9 +35,32 @@ SIZED = re.compile(
 """The size of an array."""
 
 
+RETURNED = re.compile(r"^[ \t]*return(?=[ \t]*[\[(\w])(?![ \t]+\w+[ \t]*;?[ \t]*$)", re.MULTILINE)
+"""Before what a function gives back."""
+MACRO = re.compile(r"^[ \t]*@\w+\b[^\n~]*$", re.MULTILINE)
+OPERATOR = re.compile(
+    r"\b(\w+)[ \t]*=[ \t]*(?:Differential\([ \t]*t[ \t]*\)|(\w+)\^2)(?=[ \t;]*$|;)", re.MULTILINE
+)
+"""Of ModelingToolkit: D = Differential(t); D2 = D^2."""
+LISTED = re.compile(r"\b\w+[ \t]*=[ \t]*\[(?=[^\[\]]*~)|^[ \t]*\](?=[ \t;]*$)", re.MULTILINE)
+
+
+def operators(text: str) -> dict[str, int]:
+    """Names of derivatives by the time that a text in Julia defines, and their orders."""
+    found: dict[str, int] = {}
+    for match in OPERATOR.finditer(text):
+        of = match[2]
+        if of is None or of in found:
+            found[match[1]] = 1 if of is None else 2
+    return found
+
+
 def without_declarations(text: str) -> str:
     """The text of a function or model with blanks for its head, its end and what it declares."""
-    text = SIZED.sub(lambda m: " " * len(m[0]), text)
+    text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
+    if "~" in text:
+        for lines in (MACRO, OPERATOR, LISTED):
+            text = lines.sub(lambda m: " " * len(m[0]), text)
     if not HEADER.search(text):
         return text
     for lines in (HEADER, DECLARED):
@@ -44,13 +68,21 @@ def without_declarations(text: str) -> str:
     return text
 
 
+PROSE = re.compile(
+    r"^(?!\s*(?:if|for|while|else|elseif|elif|switch|case|otherwise|do|until|end|function|return"
+    r"|global|def|class|import|from|when)\b)[ \t]*[^\W\d_]\w*"
+    r"(?:[ ,\-\u2019'\"(]+[^\W\d_]\w*[).:]*){2,}[ .:;!?)]*$",
+    re.MULTILINE,
+)
+"""A line of words alone, which are no factors: With theta measured from the horizontal:"""
+
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
-    text = RATE.sub("der ", text)
+    text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)
     text = barred(without_declarations(text))

@@ -18,7 +18,7 @@ from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.nodes import Nodes
-from mechanics.claims.text.prepare import prepared
+from mechanics.claims.text.prepare import operators, prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
 
 BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
@@ -28,6 +28,8 @@ VALUE = re.compile(
 """The value of a parameter with its unit."""
 ARRAYS = re.compile(r"\b(?:as)?array\s*\(")
 """Of NumPy, which multiplies entry by entry."""
+TAKEN_APART = re.compile(r"^[ \t]*\w+[ \t]*=[ \t]*S\(\d\)[ \t]*;?[ \t\r]*$", re.MULTILINE)
+"""A state that is called S, which is SymPy's for a number elsewhere."""
 ENDS = ("end", "endfunction")
 TAG = re.compile(r"(?:[%#]|^[ \t]{2,})\s*(\([\w.']{1,12}\))")
 
@@ -115,9 +117,12 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             continue
         notes: list[str] = []
         arrays = ARRAYS.search(text) is not None
-        nodes = Nodes(naming, offset, notes, arrays=arrays)
+        state = TAKEN_APART.search(text) is not None
+        rates = operators(text)
+        nodes = Nodes(naming, offset, notes, arrays=arrays, state=state, operators=rates)
         sides = nodes.sides(statement)
-        other = Nodes(naming, offset, [], False, arrays).sides(statement) if nodes.slash else ()
+        shorter = Nodes(naming, offset, [], False, arrays, state, rates)
+        other = shorter.sides(statement) if nodes.slash else ()
         others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
         rest = text[end:].split("\n", 1)[0]

@@ -12,13 +12,16 @@ from lark import Token
 
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.names import Naming
+from mechanics.claims.text.letters import plain
 
 BESIDE = "BESIDE"
-ENDS = frozenset(("NUMBER", "NAME", "RPAR", "PRIME", "SUPERSCRIPT", "CLOSING"))
-STARTS = frozenset(("NUMBER", "NAME", "LPAR", "FUNCTION", "RAISED", "OPENING"))
+ENDS = frozenset(("NUMBER", "NAME", "RPAR", "PRIME", "SUPERSCRIPT", "CLOSING", "LEIBNIZ"))
+STARTS = frozenset(("NUMBER", "NAME", "LPAR", "FUNCTION", "RAISED", "OPENING", "LEIBNIZ"))
 ALONE = frozenset((("NAME", "LPAR"), ("PRIME", "LPAR"), ("NUMBER", "NUMBER")))
 """f(x) is a call or a product; x'(t) is neither, and 2 3 is a misprint."""
 FREE = ("FUNCTION", "RAISED")
+PERIODIC = ("sin", "cos", "tan", "sqrt")
+"""What may stand in a word without a bracket: mglcos(theta)."""
 OPEN, CLOSED = ("LPAR", "LSQB"), ("RPAR", "RSQB")
 WORDS = frozenset((
     "function", "model", "end", "if", "else", "elseif", "for", "while", "return", "in", "is", "the",
@@ -26,7 +29,9 @@ WORDS = frozenset((
     "from", "Real", "Integer", "Boolean", "parameter", "constant",
 ))  # fmt: skip
 """Of a language: what stands beside them is no factor."""
-LETTER = re.compile(r"[^\W\d_](?:_?\d{1,2})?")
+BEGINS = re.compile(r"[^\W\d_]")
+"""Of a factor: no factor begins with a number, or with a dot above a letter."""
+LONGEST = 40
 DEFINED = re.compile(r"(\w+)[ \t]*(?:\(t\)[ \t]*)?=")
 
 
@@ -108,11 +113,24 @@ def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
     def letters(word: str) -> list[str]:
         if word in FUNCTIONS or word in defined or word in naming.own or naming.knows(word):
             return [word]
-        last = next((f for f in ("sin", "cos", "tan", "sqrt") if word.endswith(f)), "")
-        parts = LETTER.findall(word.removesuffix(last))
-        whole = "".join(parts) == word.removesuffix(last) and parts
-        if not whole or not all(naming.knows(p) or p in naming.own for p in parts):
-            return [word]
-        return [*parts, last] if last else parts
+        return _fewest(word, means) or [word]
+
+    def means(part: str) -> bool:
+        name, _ = plain(part)
+        return name in PERIODIC or naming.knows(name) or name in naming.own
 
     return letters
+
+
+def _fewest(word: str, means: Callable[[str], bool]) -> list[str]:
+    """The fewest names that a word is made of, the last of which is no function of nothing."""
+    if len(word) > LONGEST:
+        return []
+    starts = [i for i in range(len(word)) if BEGINS.match(word, i)]
+    best: dict[int, list[str]] = {len(word): []}
+    for start in reversed(starts):
+        ends = [end for end in (*starts, len(word)) if end > start and end in best]
+        found = [[word[start:end], *best[end]] for end in ends if means(word[start:end])]
+        if found:
+            best[start] = min(found, key=len)
+    return best.get(0, [])

@@ -1,0 +1,64 @@
+"""Coordinates that are the length of a spring: where they are positive nothing is lost.
+
+    |r e(theta)| = |r|        r e(theta) = (-r) e(theta + pi)
+
+A person writes r for the length of the spring. Each place that a negative r names is named by a
+positive one, too, at an angle that is half a turn further; so what is compared has r, as for r > 0.
+"""
+
+from dataclasses import replace
+
+from sympy import Expr, Matrix, Symbol, pi, simplify
+
+from mechanics.scene import Scene
+from mechanics.scene.loads import Load, Spring
+
+
+def with_positive_radii(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
+    """The scene with springs along their radius, and what is to be said of each.
+
+    Parameters
+    ----------
+    scene : Scene
+    """
+    loads: list[Load] = []
+    told: list[str] = []
+    for load in scene.loads:
+        found = _radius(scene, load) if isinstance(load, Spring) else None
+        if found is not None and isinstance(load, Spring):
+            radius, angle = found
+            place = list(scene.q).index(radius)
+            span = load.second.pos_from(load.first)
+            load = replace(load, along=span / scene.coordinates[place])
+            told.append(
+                f"{radius} is the length of {load.name}, and positive: -{radius} at {angle} + pi is"
+                " the same place"
+            )
+        loads.append(load)
+    return (replace(scene, loads=tuple(loads)) if told else scene), tuple(told)
+
+
+def _radius(scene: Scene, load: Spring) -> tuple[Symbol, Symbol] | None:
+    """The coordinate that is the length of a spring but for its sign, and its angle."""
+    if load.along is not None:
+        return None
+    span = scene.position(load.second) - scene.position(load.first)
+    square = sum(entry**2 for entry in span)
+    for radius in sorted(square.free_symbols & {*scene.q}, key=str):
+        if simplify(square - radius**2) != 0 or scene.example.get(radius.name, 1) < 0:
+            continue
+        for angle in scene.q:
+            if angle != radius and _same_places(scene, {radius: -radius, angle: angle + pi}):
+                return radius, angle
+    return None
+
+
+def _same_places(scene: Scene, change: dict[Symbol, Expr]) -> bool:
+    """Whether all bodies are where they were, and turned as they were."""
+
+    def same(entry: Matrix) -> bool:
+        return all(e.subs(change, simultaneous=True).expand() == e.expand() for e in entry)
+
+    return all(same(scene.position(body.centre)) for body in scene.bodies) and all(
+        same(scene.rotation(body.frame)) for body in scene.bodies if hasattr(body, "frame")
+    )
