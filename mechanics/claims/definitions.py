@@ -209,7 +209,10 @@ def _named(first: Node, side: Node, naming: Naming, once: Container[str]) -> boo
         return not any(name in ENERGY_NAMES for name in unknown)
     if isinstance(side, Call):  # p = dL/dq'
         return _momentum_of(first, side, naming)
-    return isinstance(first, Name) and _is_law(ENERGY_NAMES.get(first.name, ""), side)
+    energy = ENERGY_NAMES.get(first.name, "") if isinstance(first, Name) else ""
+    if energy == "Hamiltonian" and not naming.vocabulary.scene.explicit_time:
+        energy = "energy"
+    return _is_law(energy, side)
 
 
 def _is_law(energy: str, side: Node) -> bool:

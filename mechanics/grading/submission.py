@@ -69,8 +69,26 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
     own = [
         n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
     ]
+    if not own:
+        names, own = _methods(path, names)
     chosen = function or (own[-1] if own else "")
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
     return names[chosen]
+
+
+def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """Methods of the last class, of an object that is made without arguments."""
+    classes = [v for v in names.values() if isinstance(v, type) and v.__module__ == "submission"]
+    if not classes:
+        return names, []
+    own = [n for n, v in vars(classes[-1]).items() if isinstance(v, FunctionType) and n[0] != "_"]
+    if not own:
+        return names, []
+    try:
+        made = classes[-1]()
+    except Exception as error:
+        words = f"{classes[-1].__name__}() ends in {type(error).__name__}: {error}"
+        raise InputError(f"file {path}: {words}: have a function, or values for all") from None
+    return {name: getattr(made, name) for name in own}, own

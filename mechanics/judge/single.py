@@ -16,9 +16,10 @@ from mechanics.errors import ExpressionError, InputError, SceneError, SingularEr
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases, has_guard, with_case
 from mechanics.judge.definedness import where_defined
+from mechanics.judge.force_potentials import right_with_potentials
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
-from mechanics.judge.vacuous import with_content
+from mechanics.judge.vacuous import as_step, with_content
 from mechanics.kernel import Finding, Verdict, refuted, undecided
 from mechanics.scene import Scene
 from mechanics.scene.dimensions import BY_DIMENSION, MixedDimensions
@@ -45,6 +46,7 @@ def by_dimension(subject: str, mixed: MixedDimensions) -> Finding:
 
 def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement as far as what was written has values."""
+    statement = as_step(statement)
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
         return undecided(subject, statement.doubt)
@@ -71,8 +73,15 @@ def _of_row(truth: Equations, demands: tuple[Demand, ...], row: Published) -> Fi
     if not found.shown:
         found = _first(limited(truth, row), found)
     if found.verdict is Verdict.REFUTED:
+        counted = right_with_potentials(truth.scene, row, partial(_plain, truth))
+        found = _first(counted, found)
+    if found.verdict is Verdict.REFUTED:
         found = _first(on_principal_range(row, found, partial(_of_row, truth, demands)), found)
     return found
+
+
+def _plain(truth: Equations, row: Published) -> Finding:
+    return check_row(truth.scene, row, truth)
 
 
 def _first(one: Finding | None, other: Finding) -> Finding:

@@ -3,13 +3,17 @@
 0 = 0        m = m        sin(q)^2 + cos(q)^2 = 1        not:  omega = theta_dot
 """
 
+from collections.abc import Container
+from dataclasses import replace
+
 from sympy.matrices import MatrixBase
 
+from mechanics.claims.about import ENERGY_NAMES
 from mechanics.claims.partials import PARTIAL
 from mechanics.claims.statement import Statement
-from mechanics.claims.tree import Call, Name
+from mechanics.claims.tree import Call, Name, Node, Product, Rate
 from mechanics.kernel import Finding, undecided
-from mechanics.scene.quantities import Identity
+from mechanics.scene.quantities import EquationOfMotion, Identity
 from mechanics.symbolic import is_zero
 
 WORDS = "it is true whatever moves, so it says nothing about the scene"
@@ -36,6 +40,33 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
     return finding
 
 
+def derives(statement: Statement) -> bool:
+    """Whether a side is the derivative of an energy that the person wrote: a step."""
+    written = statement.written
+    own = dict(written.definitions) if written is not None else {}
+    return written is not None and any(_of_energy(side, own) for side in written.sides)
+
+
+def _of_energy(node: Node, own: Container[str]) -> bool:
+    match node:
+        case Call(function=function, arguments=(Name(name=name), _)) if function == PARTIAL:
+            return name in own and name in ENERGY_NAMES
+        case Rate(of=inner) | Product(factors=(_, inner)):
+            return _of_energy(inner, own)
+    return False
+
+
+def as_step(statement: Statement) -> Statement:
+    """A step that holds whatever moves, as the identity that it is: d/dt dL/dq' = m q''."""
+    row = statement.row
+    if row is None or not isinstance(row.quantity, EquationOfMotion) or not derives(statement):
+        return statement
+    first, *others = row.sides
+    if not others or not all(is_zero(first - side) for side in others):
+        return statement
+    return replace(statement, row=replace(row, quantity=Identity()))
+
+
 def _names(statement: Statement) -> bool:
     """Whether a side is a name of the person's own, or every side a name; no two are the same.
 
@@ -50,6 +81,6 @@ def _names(statement: Statement) -> bool:
     if len(set(named)) < len(named):
         return False
     partial = any(isinstance(s, Call) and s.function == PARTIAL for s in written.sides)
-    if partial and len(named) == 1:
+    if (partial and len(named) == 1) or derives(statement):
         return True  # q' = dH/dp says something about H
     return len(named) == len(written.sides) or any(name in own for name, _ in named)

@@ -12,6 +12,7 @@ Fields of a class are arguments of its functions, so that what is judged holds f
 """
 
 import re
+from collections.abc import Sequence
 
 from mechanics.errors import ExpressionError
 
@@ -19,7 +20,7 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 
 WORDS = (
     (r"#\s*include\s*(?:<cmath>|[<\"]Arduino\.h[>\"])", "#include <math.h>"),
-    (r"#\s*include\s*<\w+>", ""),
+    (r"#\s*include\s*<[\w/.]+>", ""),
     (r"#\s*pragma\s+once", ""),
     (r"\busing\s+[^;{}]*;", ""),
     (r"\bstd\s*::\s*", ""),
@@ -61,8 +62,11 @@ def in_c(text: str, origin: str) -> str:
     ExpressionError
         For classes in classes, or what is no number in one.
     """
+    text = CALLED.sub("rhs(", _with_aliases(text))
     for pattern, words in WORDS:
         text = re.sub(pattern, words, text)
+    if not re.search(r"\bt\b", text):
+        text = UNNAMED.sub(r"\1 t", text, count=1)
     text = _globals_passed(_referred(_returned(_filled(BINDING.sub(_bound, text)))))
     for found in reversed([m for m in CLASS.finditer(text) if FUNCTION.search(_inside(text, m))]):
         inside = _inside(text, found)
@@ -133,12 +137,36 @@ def _referred(text: str) -> str:
     return text
 
 
+def with_variables_passed(text: str, names: Sequence[str]) -> str:
+    """Functions of C that read variables without a value, with these as arguments."""
+    return _plain(text, "", GLOBAL, names)
+
+
 def _globals_passed(text: str) -> str:
     """Variables of the file without a value, which its function reads, as its arguments."""
     outside = [m for m in GLOBAL.finditer(text) if _depth(text, m.start()) == 0]
     if not outside or len(FUNCTION.findall(text)) != 1 or CLASS.search(text):
         return text
     return _plain(text, "", GLOBAL)
+
+
+ALIAS = re.compile(
+    r"\busing\s+(?P<new>\w+)\s*=\s*(?P<kind>[\w:]+\s*<[^;]*>)\s*;"
+    r"|\btypedef\s+(?P<old>[\w:]+\s*<[^;]*>)\s*(?P<name>\w+)\s*;"
+)
+UNNAMED = re.compile(r"(,\s*(?:const\s+)?(?:double|float))\s*(?=\))")
+"""The time, which integrators pass last and the function does not read."""
+CALLED = re.compile(r"\boperator\s*\(\s*\)\s*\(")
+"""The function that an object is called as."""
+
+
+def _with_aliases(text: str) -> str:
+    """The text with types in place of the names that it gives to them."""
+    for found in ALIAS.finditer(text):
+        name, kind = found["new"] or found["name"], found["kind"] or found["old"]
+        text = text.replace(found[0], _gone(found[0]))
+        text = re.sub(rf"\b{name}\b", kind, text)
+    return text
 
 
 def _bound(match: re.Match[str]) -> str:
@@ -188,13 +216,15 @@ def _inside(text: str, opening: re.Match[str]) -> str:
     return ""
 
 
-def _plain(inside: str, name: str, declared: re.Pattern[str] = FIELD) -> str:
+def _plain(
+    inside: str, name: str, declared: re.Pattern[str] = FIELD, known: Sequence[str] = ()
+) -> str:
     """Functions of a class, with its fields as arguments; of a file, with its variables."""
     inside = ACCESS.sub(lambda m: _gone(m[0]), inside)
     if name:
         made = re.compile(rf"\b(?:explicit\s+)?{name}\s*\([^{{}};]*\)\s*(?::[^;]*?)?\{{[^{{}}]*\}}")
         inside = made.sub(lambda m: _gone(m[0]), inside)
-    fields: list[str] = []
+    fields = list(known)
 
     def field(match: re.Match[str]) -> str:
         if "{" in inside[: match.start()] and _depth(inside, match.start()):
@@ -203,7 +233,7 @@ def _plain(inside: str, name: str, declared: re.Pattern[str] = FIELD) -> str:
         fields.extend(part.split("=")[0].strip() for part in names)
         return _gone(match[0])
 
-    inside = declared.sub(field, inside)
+    inside = inside if known else declared.sub(field, inside)
     functions = [m[2] for m in FUNCTION.finditer(inside)]
     passed = "".join(f", {name}" for name in fields)
 

@@ -37,7 +37,8 @@ def _typed(text: str, parameter: re.Match[str], origin: str) -> str:
     body = text[start:end]
     cast = rf"\(\s*{KIND}\s*\*\s*\)\s*{name}\b"
     kinds = {" ".join(m["kind"].removeprefix("const").split()) for m in re.finditer(cast, body)}
-    if end > start and len(kinds) != 1:
+    used = kinds or re.search(rf"\b{name}\b", body)
+    if end > start and used and len(kinds) != 1:
         before = text[: parameter.start()].split("\n")
         what = f"cast to {' and '.join(sorted(kinds))}" if kinds else "cast to nothing"
         raise ExpressionError(

@@ -21,6 +21,7 @@ from mechanics.claims.code.c_constants import with_constants
 from mechanics.claims.code.c_flat import flat
 from mechanics.claims.code.c_library import with_library
 from mechanics.claims.code.c_macros import without_macros
+from mechanics.claims.code.c_parameters import with_parameters
 from mechanics.claims.code.c_person import defaults, known_meaning, of_the_header, without_comments
 from mechanics.claims.code.c_place import placed
 from mechanics.claims.code.c_plain import plain
@@ -184,6 +185,7 @@ def read_c(
     try:
         if origin.endswith(CPP):
             text = in_plain_c(without_comments(text), origin)
+        text, valued = with_parameters(without_comments(text), Vocabulary(scene))
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = with_constants(of_the_header(without_macros(text, origin)), origin)
@@ -197,7 +199,7 @@ def read_c(
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
-            notes = (*outputs.notes, *written.notes, *taken)
+            notes = (*outputs.notes, *written.notes, *taken, *valued)
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}

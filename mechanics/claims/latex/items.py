@@ -257,7 +257,7 @@ class Items:
         if (pieces := partial(above, below)) is not None:
             return self._partial(*pieces, at)
         if differential(self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming):
-            raise Refused(at, "a derivative by something else than the time is not known here")
+            return self._by_a_name(self.of(pieces_of(above)), self.of(pieces_of(below)), at)
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))
 
@@ -266,6 +266,15 @@ class Items:
         if not of:
             return Item("rate", at, name)
         return Item("node", at, partial_of(self.naming, self.fold(self.of(of), at), name, at))
+
+    def _by_a_name(self, above: list[Item], below: list[Item], at: int) -> Item:
+        """dV/dx of one name by another; nothing else is told from a fraction."""
+        of, by = self.fold(above[1:], at) if len(above) == 2 else None, below[-1].node
+        if len(below) == 1 and isinstance(by, Name):
+            by = ended(Name(by.at + 1, by.name[1:], by.order), by.end)
+        if len(below) > 2 or not isinstance(of, Name) or not isinstance(by, Name):
+            raise Refused(at, "a derivative by something else than the time is not known here")
+        return Item("node", at, partial_of(self.naming, of, by, at))
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:
         """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""

@@ -14,6 +14,7 @@ MARKS = re.compile(
     r"\\(boxed|fbox|framebox|underbrace|overbrace|underline|shove(?:left|right)|smash|math[rl]lap|"
     r"ensuremath|[hv]?phantom|color|(?:textcolor|colorbox)\s*\{[^{}]{0,40}\})\s*\{"
 )
+BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 LABEL = re.compile(r"\s*[_^]\s*\{")
 
 
@@ -25,7 +26,7 @@ def prepared(text: str) -> str:
     Refused
         Where it is not known what is printed.
     """
-    text = on_one_line(without_hidden(text))
+    text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     marks = list(MARKS.finditer(text))
     if not marks:
         return text

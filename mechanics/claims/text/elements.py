@@ -60,7 +60,7 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     lines = [_of_own(line, own) for line in lines]
     arrays = _arrays(lines)
     if not arrays:
-        return list(lines), ()
+        return _of_one_freedom(lines, naming)
     tables = {name: line for name, line in own.items() if isinstance(line.sides[1], Table)}
     lines = _with_locals(lines, naming, (*arrays, *tables))
     returned = _returned(lines, tables, size)
@@ -102,6 +102,22 @@ def _named_result(line: Entry, size: int) -> Entry:
     if rows * columns != size or size < 2 or rows == columns:
         return line
     return replace(line, sides=(ended(Name(side.at, RESULT), side.at), side))
+
+
+def _of_one_freedom(
+    lines: Sequence[Entry], naming: Naming
+) -> tuple[list[Entry], tuple[Match, ...]]:
+    """``[v, a]`` of arguments by name: the rates of the only coordinate and its speed."""
+    scene = naming.vocabulary.scene
+    if len(scene.q) != 1 or scene.speeds:
+        return list(lines), ()
+    found = {f"{RESULT}({i})": (scene.q[0].name + DOTS[i], WHY) for i in (1, 2)}
+    arrays = {RESULT: {1, 2}}
+    expanded = [_expanded(line, {RESULT: RESULT}, found, arrays, (), 2) for line in lines]
+    if expanded == list(lines):
+        return expanded, ()
+    matches = tuple(Match(name, base, why) for name, (base, why) in found.items())
+    return [_told(line, naming, found, ()) for line in expanded], matches
 
 
 def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> str:

@@ -331,6 +331,8 @@ class Nodes:
         """A function of the whitelist, a function of time, or a product."""
         token, *rest = tree.children
         name, order = plain(str(token))
+        if name.isupper() and name.lower() in FUNCTIONS and not self.naming.knows(name):
+            name = name.lower()  # Fortran's
         given = list(rest[0].children) if rest else []
         if name in FUNCTIONS and not self.naming.knows(name):
             least, most, _ = FUNCTIONS[name]

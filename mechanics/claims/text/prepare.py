@@ -42,7 +42,7 @@ OPERATOR = re.compile(
     r"\b(\w+)[ \t]*=[ \t]*(?:Differential\([ \t]*t[ \t]*\)|(\w+)\^2)(?=[ \t;]*$|;)", re.MULTILINE
 )
 """Of ModelingToolkit: D = Differential(t); D2 = D^2."""
-LISTED = re.compile(r"\b\w+[ \t]*=[ \t]*\[(?=[^\[\]]*~)|^[ \t]*\](?=[ \t;]*$)", re.MULTILINE)
+LISTED = re.compile(r"(\b\w+[ \t]*=[ \t]*\[)([^\[\]~]*~[^\[\]]*)\]")
 
 
 def operators(text: str) -> dict[str, int]:
@@ -59,8 +59,9 @@ def without_declarations(text: str) -> str:
     """The text of a function or model with blanks for its head, its end and what it declares."""
     text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
     if "~" in text:
-        for lines in (MACRO, OPERATOR, LISTED):
+        for lines in (MACRO, OPERATOR):
             text = lines.sub(lambda m: " " * len(m[0]), text)
+        text = LISTED.sub(lambda m: f"{' ' * len(m[1])}{m[2]} ", text)
     if not HEADER.search(text):
         return text
     for lines in (HEADER, DECLARED):
@@ -68,6 +69,14 @@ def without_declarations(text: str) -> str:
     return text
 
 
+ANONYMOUS = re.compile(r"(?<==)[ \t]*@\([\w, ~]*\)")
+"""The head of a function without a name."""
+BRACES = re.compile(
+    r"^[ \t]*function\b[^\n]*\{[ \t]*$|^[ \t]*\}[ \t;]*$|^[ \t]*(?:let|const|var)\b(?=[^\n]*=)"
+    r"|\bMath\.(?=[a-z])|[ \t]//[^\n]*(?=\n|\Z)(?<=[;} \w])",
+    re.MULTILINE,
+)
+"""What JavaScript has around formulas."""
 PROSE = re.compile(
     r"^(?!\s*(?:if|for|while|else|elseif|elif|switch|case|otherwise|do|until|end|function|return"
     r"|global|def|class|import|from|when)\b)[ \t]*[^\W\d_]\w*"
@@ -82,6 +91,8 @@ RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
+    for words in (ANONYMOUS, BRACES):
+        text = words.sub(lambda m: " " * len(m[0]), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)

@@ -17,9 +17,11 @@ from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_cons
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.grammar import PARSER
+from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import Nodes
 from mechanics.claims.text.prepare import operators, prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
+from mechanics.claims.tree import Name, ended
 
 BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
 VALUE = re.compile(
@@ -28,7 +30,7 @@ VALUE = re.compile(
 """The value of a parameter with its unit."""
 ARRAYS = re.compile(r"\b(?:as)?array\s*\(")
 """Of NumPy, which multiplies entry by entry."""
-TAKEN_APART = re.compile(r"^[ \t]*\w+[ \t]*=[ \t]*S\(\d\)[ \t]*;?[ \t\r]*$", re.MULTILINE)
+TAKEN_APART = re.compile(r"\b\w+[ \t]*=[ \t]*S\(\d\)[ \t]*(?:;|[\r\n])")
 """A state that is called S, which is SymPy's for a number elsewhere."""
 ENDS = ("end", "endfunction")
 TAG = re.compile(r"(?:[%#]|^[ \t]{2,})\s*(\([\w.']{1,12}\))")
@@ -115,6 +117,9 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             words = "the end of a MATLAB function: keep its equations only, one a line"
             found.append(Unread("end", located(text, at, words, origin), at))
             continue
+        if statement.children[0].data == "unpacked":
+            found += _unpacked(statement.children[0], offset, naming)
+            continue
         notes: list[str] = []
         arrays = ARRAYS.search(text) is not None
         state = TAKEN_APART.search(text) is not None
@@ -132,6 +137,22 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         told = VALUE.fullmatch(source)
         given = is_constant(told[1], naming) if told else gives_constants(line, naming)
         found.append(value(source, start) if given else line)
+    return found
+
+
+def _unpacked(tree: Tree, offset: int, naming: Naming) -> list[Entry]:
+    """``a, v = u``: each name an entry; of parameters it says nothing."""
+    *parts, array = tree.children
+    source = f"{', '.join(parts)} = {array}"
+    at = offset + int(tree.meta.start_pos)
+    if all(is_constant(plain(part)[0], naming) for part in parts):
+        return [value(source, at)]
+    found: list[Entry] = []
+    for i, part in enumerate(parts, 1):
+        name = Name(offset + int(part.start_pos or 0), *plain(part))
+        entry = Name(offset + int(array.start_pos or 0), f"{plain(array)[0]}[{i}]")
+        ended(name, offset + int(part.end_pos or 0))
+        found.append(Line((name, entry), "", at, source))
     return found
 
 

@@ -1,0 +1,66 @@
+"""Numbers in C that have the name of a parameter of the scene: what is judged holds for all values.
+
+    #define g 9.81            double f(double x) { return -g*x; }
+    ->                        double f(double x, double g) { return -g*x; }
+
+As everywhere, a value that a person gives to a parameter is not used. A name that is a parameter's
+but for capitals is that parameter, where the scene has no other.
+"""
+
+import re
+
+from mechanics.claims.code.c_plus_plus import with_variables_passed
+from mechanics.claims.names import Vocabulary
+
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
+DEFINED = re.compile(
+    rf"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?({NUMBER})\)?[ \t]*\r?$", re.MULTILINE
+)
+ONE = rf"(\w+)\s*=\s*({NUMBER})"
+DECLARED = re.compile(
+    rf"\b(?:(?:static|const)\s+)*(?:double|float)\s+(?:const\s+)?({ONE}(?:\s*,\s*{ONE})*)\s*;"
+)
+FUNCTION = re.compile(r"\b(?:double|float|void|int)\s+\w+\s*\([^(){};]*\)\s*\{")
+
+
+def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, ...]]:
+    """The text, without comments, with such names as arguments, and what is to be said of them.
+
+    Parameters
+    ----------
+    text : str
+    vocabulary : Vocabulary
+    """
+    if not FUNCTION.search(text):
+        return text, ()
+    notes: dict[str, str] = {}
+
+    def passed(match: re.Match[str], pairs: list[tuple[str, str]]) -> str:
+        meanings = [_parameter(name, vocabulary) for name, _ in pairs]
+        if not all(meanings) or any(_assigned_again(text, name) for name, _ in pairs):
+            return match[0]
+        for (name, number), meaning in zip(pairs, meanings, strict=True):
+            notes[name] = f"{name} = {number} is read as {meaning}: values in the code are not used"
+        return re.sub(r"[^\n]", " ", match[0])
+
+    found = DEFINED.sub(lambda m: passed(m, [(m[1], m[2])]), text)
+    found = DECLARED.sub(lambda m: passed(m, re.findall(ONE, m[1])), found)
+    if not notes:
+        return text, ()
+    return with_variables_passed(found, list(notes)), tuple(notes.values())
+
+
+def _parameter(name: str, vocabulary: Vocabulary) -> str:
+    """The parameter of the scene that a name is; empty for none."""
+    exact = vocabulary.lookup(name)
+    if exact is not None:
+        return exact[0] if exact[0] in vocabulary.constants and exact[1] == 0 else ""
+    alike = [one for one in vocabulary.constants if one.lower() == name.lower()]
+    return alike[0] if len(alike) == 1 else ""
+
+
+def _assigned_again(text: str, name: str) -> bool:
+    """Whether it is assigned more than once, or is an argument somewhere."""
+    changes = re.findall(rf"\b{name}\s*(?:[-+*/]?=(?!=)|\+\+|--)|(?:\+\+|--|&)\s*{name}\b", text)
+    argument = re.search(rf"\b(?:double|float)\s+{name}\s*[,)]", text)
+    return len(changes) > 1 or argument is not None
