@@ -31,6 +31,7 @@ WORDS = (
     (r"\bstatic_cast\s*<\s*(double|float)\s*>", r"(\1)"),
     (r"\bconst\s+auto\b|\bauto\s+const\b", "const double"),
     (r"\bauto\b", "double"),
+    (r"\bconst\s+array\s*<\s*(double|float)\s*,\s*(\d+)\s*>\s*&\s*(\w+)", r"const \1 \3[\2]"),
     (r"\bconst\s+(?:array|vector)\s*<\s*(double|float)\s*(?:,\s*\w+\s*)?>\s*&\s*", r"const \1 *"),
     (r"\b(?:array|vector)\s*<\s*(double|float)\s*(?:,\s*\w+\s*)?>\s*&\s*", r"\1 *"),
     (r"\bconst\s+(double|float)\s*&\s*", r"const \1 "),
@@ -105,7 +106,7 @@ def _filled(text: str) -> str:
             continue
         body = inside[: local.start()] + _gone(local[0]) + inside[local.end() : last.start()]
         body = _entries(name, body)
-        arrays = "|".join([name, *re.findall(r"\*\s*(\w+)", given)])
+        arrays = "|".join([name, *re.findall(r"(?:\*\s*|\bdouble )(\w+)(?=\[|\s*[,)]|$)", given)])
         body = re.sub(rf"\b({arrays})\s*\(\s*(\d+)\s*\)", r"\1[\2]", body)
         arguments = ", ".join(filter(None, (given, f"double {name}[{size}]")))
         head = f"void {found['name']}({arguments}) {{"

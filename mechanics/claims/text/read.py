@@ -100,7 +100,11 @@ def _tokens(text: str) -> tuple[Token, ...]:
 
 def _tree(clean: str, text: str, naming: Naming) -> Tree:
     parser = PARSER.parse_interactive()
-    for token in with_products(_tokens(clean), letters_of(naming, text)):
+
+    def constant(name: str) -> bool:
+        return naming.is_function(name) is False
+
+    for token in with_products(_tokens(clean), letters_of(naming, text), constant):
         parser.feed_token(token)
     return parser.feed_eof()
 

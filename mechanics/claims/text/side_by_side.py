@@ -35,7 +35,9 @@ LONGEST = 40
 DEFINED = re.compile(r"(\w+)[ \t]*(?:\(t\)[ \t]*)?=")
 
 
-def with_products(tokens: Sequence[Token], letters: Callable[[str], list[str]]) -> list[Token]:
+def with_products(
+    tokens: Sequence[Token], letters: Callable[[str], list[str]], constant: Callable[[str], bool]
+) -> list[Token]:
     """The tokens, a `BESIDE` between operands, and runs of letters apart.
 
     Parameters
@@ -44,13 +46,16 @@ def with_products(tokens: Sequence[Token], letters: Callable[[str], list[str]]) 
         Of the text grammar.
     letters : callable
         The names that a word is made of: one, or those of a product.
+    constant : callable
+        Whether a name is that of a constant, which is no function of what stands behind it.
     """
     apart = list(_apart(tokens, letters))
     found: list[Token] = []
     depth, free = 0, -1  # at which depth a function without brackets takes what stands beside it
     for i, token in enumerate(apart):
         before = apart[i - 1] if i else None
-        if before is not None and _meet(apart, i) and not (free == depth and token.type != "LPAR"):
+        meet = before is not None and (_meet(apart, i) or _below(apart, i, constant))
+        if meet and not (free == depth and token.type != "LPAR"):
             at = token.start_pos
             found.append(
                 Token(BESIDE, "", at, token.line, token.column, token.line, token.column, at)
@@ -97,6 +102,13 @@ def _meet(tokens: Sequence[Token], i: int) -> bool:
         raised = above[-1:] == ["POWER"] or above == ["POWER", "PLUS"]
         return raised or before.end_pos != token.start_pos
     return (before.type, token.type) not in ALONE
+
+
+def _below(tokens: Sequence[Token], i: int, constant: Callable[[str], bool]) -> bool:
+    """Whether a bracket stands behind a constant that a slash divides by: k/m (r - l)."""
+    if i < 2 or tokens[i].type != "LPAR" or tokens[i - 1].type != "NAME":
+        return False
+    return tokens[i - 2] == "/" and constant(plain(str(tokens[i - 1]))[0])
 
 
 def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
