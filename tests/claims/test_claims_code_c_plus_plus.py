@@ -85,7 +85,7 @@ def test_files(tmp_path: Path, name: str) -> None:
 
 
 def test_void_that_is_cast_to_nothing_is_refused_by_its_place(tmp_path: Path) -> None:
-    (tmp_path / "a.c").write_text("double f(double x, void *p)\n{\n return x;\n}\n")
+    (tmp_path / "a.c").write_text("double f(double x, void *p)\n{\n return p ? x : -x;\n}\n")
     with pytest.raises(InputError, match=r"line 1, column 20: argument p is void"):
         mechanics.check(ROD, tmp_path / "a.c")
 

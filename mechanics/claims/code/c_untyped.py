@@ -37,8 +37,9 @@ def _typed(text: str, parameter: re.Match[str], origin: str) -> str:
     body = text[start:end]
     cast = rf"\(\s*{KIND}\s*\*\s*\)\s*{name}\b"
     kinds = {" ".join(m["kind"].removeprefix("const").split()) for m in re.finditer(cast, body)}
-    used = kinds or re.search(rf"\b{name}\b", body)
-    if end > start and used and len(kinds) != 1:
+    if end > start and not kinds and not re.search(rf"\b{name}\b", body):
+        return _without(text, parameter)
+    if end > start and len(kinds) != 1:
         before = text[: parameter.start()].split("\n")
         what = f"cast to {' and '.join(sorted(kinds))}" if kinds else "cast to nothing"
         raise ExpressionError(
@@ -61,6 +62,14 @@ def _typed(text: str, parameter: re.Match[str], origin: str) -> str:
     body = re.sub(rf"\(\s*{cast}\s*\)|{cast}", own, body)
     head = text[parameter.end() : start]
     return f"{text[: parameter.start()]}const {kind} *{own}{head}{body}{text[end:]}"
+
+
+def _without(text: str, parameter: re.Match[str]) -> str:
+    """The text without an argument that is not used."""
+    before, after = text[: parameter.start()], text[parameter.end() :]
+    if before.rstrip().endswith(","):
+        return before.rstrip()[:-1] + after
+    return before + re.sub(r"^\s*,\s*", "", after)
 
 
 def _body(text: str, at: int) -> tuple[int, int]:

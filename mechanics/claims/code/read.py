@@ -185,7 +185,8 @@ def read_c(
     try:
         if origin.endswith(CPP):
             text = in_plain_c(without_comments(text), origin)
-        text, valued = with_parameters(without_comments(text), Vocabulary(scene))
+        passed, valued = with_parameters(without_comments(text), Vocabulary(scene))
+        text = passed if valued else text
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = with_constants(of_the_header(without_macros(text, origin)), origin)

@@ -272,7 +272,8 @@ class Items:
         of, by = self.fold(above[1:], at) if len(above) == 2 else None, below[-1].node
         if len(below) == 1 and isinstance(by, Name):
             by = ended(Name(by.at + 1, by.name[1:], by.order), by.end)
-        if len(below) > 2 or not isinstance(of, Name) or not isinstance(by, Name):
+        plain = isinstance(of, Name) and self.naming.lookup(of.name) is None and len(below) < 3
+        if of is None or not isinstance(by, Name) or not plain:
             raise Refused(at, "a derivative by something else than the time is not known here")
         return Item("node", at, partial_of(self.naming, of, by, at))
 
