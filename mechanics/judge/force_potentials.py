@@ -10,13 +10,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import combinations
 
-from sympy import Expr, Integral, S, integrate, simplify
+from sympy import Expr, Integral, S, integrate
 from sympy.matrices import MatrixBase
 
 from mechanics.kernel import Finding
 from mechanics.scene import Force, Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
+from mechanics.symbolic import canonical, is_zero
 
 SIGNS = {PotentialEnergy: -1, TotalEnergy: -1, Hamiltonian: -1, Lagrangian: 1}
 """What makes of an energy with a potential the one without it."""
@@ -59,7 +60,7 @@ def _potentials(scene: Scene) -> Iterator[tuple[str, Expr]]:
         force, place = scene.vector(load.vector, load.name), scene.position(load.at)
         if not (force.free_symbols | place.free_symbols) <= constants:
             continue
-        forces = [simplify(force.dot(place.diff(q))) for q in scene.q]
+        forces = [canonical(force.dot(place.diff(q))) for q in scene.q]
         if all(Q.count_ops() <= LARGEST for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
@@ -70,10 +71,8 @@ def _potential(scene: Scene, forces: list[Expr]) -> Expr | None:
     """V with dV/dq = -Q, coordinate by coordinate; None where there is none."""
     found: Expr = S.Zero
     for q, force in zip(scene.q, forces, strict=True):
-        found += integrate(simplify(-force - found.diff(q)), q)
+        found += integrate(canonical(-force - found.diff(q)), q)
     if found.has(Integral):
         return None
-    right = all(
-        simplify(found.diff(q) + force) == 0 for q, force in zip(scene.q, forces, strict=True)
-    )
+    right = all(is_zero(found.diff(q) + force) for q, force in zip(scene.q, forces, strict=True))
     return found if right and found != 0 else None

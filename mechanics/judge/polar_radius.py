@@ -8,10 +8,11 @@ positive one, too, at an angle that is half a turn further; so what is compared 
 
 from dataclasses import replace
 
-from sympy import Expr, Matrix, Symbol, pi, simplify
+from sympy import Expr, Matrix, Symbol, pi
 
 from mechanics.scene import Scene
 from mechanics.scene.loads import Load, Spring
+from mechanics.symbolic import is_zero
 
 
 def with_positive_radii(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
@@ -45,7 +46,7 @@ def _radius(scene: Scene, load: Spring) -> tuple[Symbol, Symbol] | None:
     span = scene.position(load.second) - scene.position(load.first)
     square = sum(entry**2 for entry in span)
     for radius in sorted(square.free_symbols & {*scene.q}, key=str):
-        if simplify(square - radius**2) != 0 or scene.example.get(radius.name, 1) < 0:
+        if not is_zero(square - radius**2) or scene.example.get(radius.name, 1) < 0:
             continue
         for angle in scene.q:
             if angle != radius and _same_places(scene, {radius: -radius, angle: angle + pi}):
