@@ -34,6 +34,8 @@ PUSHED = 96.0
 """Room for the arrow of a force beyond its point, or for a spring before it."""
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
+MARKED = 6
+"""Coordinates up to which they are drawn."""
 CORNER = (160.0, 92.0)
 """Room for axes and gravity, in pixels."""
 
@@ -70,7 +72,7 @@ def _title(scene: Scene) -> str:
 
 def few_of(scene: Scene) -> tuple[Symbol, ...]:
     """The coordinates that are drawn: all, or none of many."""
-    return tuple(scene.q) if len(scene.q) <= FEW else ()
+    return tuple(scene.q) if len(scene.q) <= MARKED else ()
 
 
 def paper_for(views: Sequence[View]) -> Paper:

@@ -142,6 +142,9 @@ def _angular(
     if any(speed):
         lines.append(numbers(rf"\vec{{v}}_{{{letter}}}", speed, f"rate of the place of ${letter}$"))
     cross_name = rf"\vec{{v}}_{{{letter}}} \times \vec{{{momentum}}}"
+    by_hand = _moment(writer, axis, (balance.velocity, balance.momentum))
+    if by_hand != moving:
+        lines.append(numbers(cross_name, by_hand))
     lines.append(numbers(cross_name, moving))
     terms = _loads(writer, found, balance)
     torque = rf"\sum \tau_{{{letter}}}"
@@ -162,7 +165,8 @@ def _moment(writer: Writer, axis: Vector, sides: tuple[Vector, Vector]) -> Expr:
         j, k = (i + 1) % 3, (i + 2) % 3
         for sign, one, other in ((1, arm[j], push[k]), (-1, arm[k], push[j])):
             if along != 0 and one != 0 and other != 0:
-                total.append(Mul(sign * along, one, other, evaluate=False))
+                before = () if sign * along == 1 else (sign * along,)
+                total.append(Mul(*before, one, other, evaluate=False))
     return Add(*total)
 
 
