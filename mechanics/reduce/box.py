@@ -55,11 +55,16 @@ def number(text: str, where: str) -> Fraction:
     turn = TURN.fullmatch(text)
     try:
         if turn is None:
-            return rational(text)
-        sign, factor, divisor = turn.groups()
-        return Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1") * PI
+            found = rational(text)
+        else:
+            sign, factor, divisor = turn.groups()
+            found = Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1") * PI
+        float(found)
+        return found
     except RangeError as error:
         raise InputError(f"{where}: {error}") from None
+    except OverflowError:
+        raise InputError(f"{where}: {text} is beyond 1.8e308") from None
     except (ValueError, ZeroDivisionError):
         raise InputError(f"{where}: {text!r} is no number: write 0.5, 1/3 or pi/2") from None
 

@@ -37,9 +37,9 @@ def record(reduction: Reduction) -> dict[str, Any]:
         "values": {n: str(a) for n, (a, b) in sorted(box.items()) if a == b},
         "operations": {"before": reduction.before, "after": reduction.after},
         "outputs": [
-            {"output": name, "size": float(size), "bound": float(most)}
-            for name, size, most in zip(
-                reduction.outputs, reduction.sizes, reduction.bounds, strict=True
+            {"output": name, "size": float(size), "bound": float(most), "bounded": finite}
+            for name, size, most, finite in zip(
+                reduction.outputs, reduction.sizes, reduction.bounds, reduction.bounded, strict=True
             )
         ],
         "parameters": {"kept": list(kept), "dropped": list(dropped)},
