@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from sympy import Expr, Rational
+from sympy import Expr
 
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.quantities import Quantities
@@ -181,8 +181,3 @@ def check_names(scene: Scene, known: Quantities, box: Mapping[str, Any]) -> None
             near = get_close_matches(name, names, n=1, cutoff=0.7)
             ask = f"did you mean {near[0]!r}?" if near else f"the names are {', '.join(names)}"
             raise InputError(f"{scene.name}: there is no {name!r}: {ask}")
-
-
-def as_expression(value: Fraction) -> Expr:
-    """A rational of SymPy's."""
-    return Rational(value.numerator, value.denominator)

@@ -35,6 +35,7 @@ def record(reduction: Reduction) -> dict[str, Any]:
         "boxes": reduction.boxes,
         "over": {n: [str(a), str(b)] for n, (a, b) in sorted(box.items()) if a < b},
         "values": {n: str(a) for n, (a, b) in sorted(box.items()) if a == b},
+        "domain": [[name, str(low), str(high)] for name, (low, high) in reduction.box.items()],
         "operations": {"before": reduction.before, "after": reduction.after},
         "outputs": [
             {"output": name, "size": float(size), "bound": float(most), "bounded": finite}

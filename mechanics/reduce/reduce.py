@@ -111,8 +111,9 @@ class Reduction:
 
     @property
     def box(self) -> dict[str, tuple[Fraction, Fraction]]:
-        """Ranges of the inputs that have one."""
-        return {name: ends for name, ends in self.start.box.items() if ends[0] < ends[1]}
+        """Ranges of what is not fixed; of a coordinate or input with one value, it twice."""
+        fixed = {symbol.name for symbol in self.fixed}
+        return {name: ends for name, ends in self.start.box.items() if name not in fixed}
 
     @property
     def outputs(self) -> tuple[str, ...]:
