@@ -126,6 +126,8 @@ def _print(console: Console, found: Reduction, out: Path | None) -> None:
         )
     for entry in told["dropped"][:SHOWN]:
         console.print(f"  left out: {entry}", markup=False)
+    if not found.edits:
+        console.print("  nothing is left out: whatever saves operations is beyond the error")
     if len(told["dropped"]) > SHOWN:
         console.print(f"  and {len(told['dropped']) - SHOWN} more, see --json", markup=False)
     if found.unproved:

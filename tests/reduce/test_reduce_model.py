@@ -38,6 +38,7 @@ def test_the_domain_is_a_function_and_a_condition(reduction: Reduction) -> None:
     pairs = dict(zip(order, np.reshape(margins, (-1, 2)).tolist(), strict=True))
     assert pairs["theta"] == pytest.approx([0.3, 0.1])
     assert pairs["theta_dot"] == pytest.approx([1.5, 0.5])
+    assert simulate(model, 0.01, samples=2).ending is Ending.COMPLETE
     inside = simulate(model, 0.05, initial={"theta": 0.05, "x": 0.0}, samples=3)
     assert inside.ending is Ending.COMPLETE
     out = simulate(model, 2.0, initial={"theta": 0.15, "theta_dot": 1.0}, samples=3)
