@@ -25,6 +25,7 @@ from mechanics.reduce.record import record
 
 LISTED = 60
 """Operations up to which a reduced output is printed."""
+UNBOUNDED = ", and may be unbounded in the box"
 SHOWN = 12
 """Things left out that are printed; the others are in the JSON."""
 
@@ -119,11 +120,14 @@ def _print(console: Console, found: Reduction, out: Path | None) -> None:
     for row in told["outputs"]:
         console.print(
             f"  {row['output']}: changes by {row['bound']:.3g} at most;"
-            f" it reaches {row['size']:.3g}",
+            f" it reaches {row['size']:.3g}"
+            f"{'' if row['bounded'] else UNBOUNDED}",
             markup=False,
         )
     for entry in told["dropped"][:SHOWN]:
         console.print(f"  left out: {entry}", markup=False)
+    if not found.edits:
+        console.print("  nothing is left out: whatever saves operations is beyond the error")
     if len(told["dropped"]) > SHOWN:
         console.print(f"  and {len(told['dropped']) - SHOWN} more, see --json", markup=False)
     if found.unproved:

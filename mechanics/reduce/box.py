@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from sympy import Expr, Rational
+from sympy import Expr
 
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.quantities import Quantities
@@ -55,11 +55,16 @@ def number(text: str, where: str) -> Fraction:
     turn = TURN.fullmatch(text)
     try:
         if turn is None:
-            return rational(text)
-        sign, factor, divisor = turn.groups()
-        return Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1") * PI
+            found = rational(text)
+        else:
+            sign, factor, divisor = turn.groups()
+            found = Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1") * PI
+        float(found)
+        return found
     except RangeError as error:
         raise InputError(f"{where}: {error}") from None
+    except OverflowError:
+        raise InputError(f"{where}: {text} is beyond 1.8e308") from None
     except (ValueError, ZeroDivisionError):
         raise InputError(f"{where}: {text!r} is no number: write 0.5, 1/3 or pi/2") from None
 
@@ -176,8 +181,3 @@ def check_names(scene: Scene, known: Quantities, box: Mapping[str, Any]) -> None
             near = get_close_matches(name, names, n=1, cutoff=0.7)
             ask = f"did you mean {near[0]!r}?" if near else f"the names are {', '.join(names)}"
             raise InputError(f"{scene.name}: there is no {name!r}: {ask}")
-
-
-def as_expression(value: Fraction) -> Expr:
-    """A rational of SymPy's."""
-    return Rational(value.numerator, value.denominator)

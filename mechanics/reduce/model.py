@@ -9,6 +9,8 @@ own, for C.
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
+from math import inf
 
 from sympy import Rational
 
@@ -23,6 +25,8 @@ from mechanics.reduce.base import FORWARD
 from mechanics.reduce.record import record_text
 from mechanics.reduce.reduce import Reduction
 from mechanics.scene import Scene, condition
+
+ANYWHERE = -inf, inf
 
 OTHERWISE = "leaves the domain of the reduced model"
 
@@ -86,8 +90,20 @@ def _with_conditions(reduction: Reduction) -> Scene:
     rows = []
     for name, (low, high) in reduction.box.items():
         if name in moving:
-            least, most = (Rational(end.numerator, end.denominator) for end in (low, high))
-            rows.append(condition(f"{name} not below its range", moving[name] >= least, OTHERWISE))
-            rows.append(condition(f"{name} not above its range", moving[name] <= most, OTHERWISE))
+            ends = [Rational(end.numerator, end.denominator) for end in (low, high)]
+            rows.append(
+                condition(f"{name} not below its range", moving[name] >= ends[0], OTHERWISE)
+            )
+            rows.append(
+                condition(f"{name} not above its range", moving[name] <= ends[1], OTHERWISE)
+            )
+    # A motion that starts by default has to start inside.
+    example = dict(scene.example)
+    for symbol in (*scene.q, *scene.u):
+        name, (least, most) = symbol.name, reduction.box.get(symbol.name, ANYWHERE)
+        if not least < example.get(name, 0) < most:
+            example[name] = float((Fraction(least) + Fraction(most)) / 2)
     conditions = (*scene.conditions, *rows)
-    return replace(scene, name=f"{scene.name}, reduced", conditions=conditions)
+    return replace(
+        scene, name=f"{scene.name}, reduced", conditions=conditions, example=example
+    )  # fmt: skip

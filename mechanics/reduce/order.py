@@ -203,7 +203,8 @@ def _moved(
     still = {node_name: np.zeros(STATES) for node_name in whole.inputs if node_name not in inputs}
     table = outputs_at(whole, {**inputs, **still})
     count = len(edits)
-    return table[:-count].reshape(-1, count, STATES) * table[-count:]
+    with np.errstate(all="ignore"):
+        return table[:-count].reshape(-1, count, STATES) * table[-count:]
 
 
 def _change(program: Program, found: Sequence[Node], edit: Edit) -> Node:

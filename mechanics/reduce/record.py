@@ -35,11 +35,12 @@ def record(reduction: Reduction) -> dict[str, Any]:
         "boxes": reduction.boxes,
         "over": {n: [str(a), str(b)] for n, (a, b) in sorted(box.items()) if a < b},
         "values": {n: str(a) for n, (a, b) in sorted(box.items()) if a == b},
+        "domain": [[name, str(low), str(high)] for name, (low, high) in reduction.box.items()],
         "operations": {"before": reduction.before, "after": reduction.after},
         "outputs": [
-            {"output": name, "size": float(size), "bound": float(most)}
-            for name, size, most in zip(
-                reduction.outputs, reduction.sizes, reduction.bounds, strict=True
+            {"output": name, "size": float(size), "bound": float(most), "bounded": finite}
+            for name, size, most, finite in zip(
+                reduction.outputs, reduction.sizes, reduction.bounds, reduction.bounded, strict=True
             )
         ],
         "parameters": {"kept": list(kept), "dropped": list(dropped)},

@@ -21,7 +21,7 @@ from sympy import Expr, Rational, Symbol
 
 from mechanics.compiled.graphs import Graphs, function_inputs
 from mechanics.equations import Equations
-from mechanics.errors import InputError, wanted
+from mechanics.errors import InputError, MechanicsError, ZeroDivisorError, wanted
 from mechanics.kernel import Finding, enclosed
 from mechanics.kernel.balls import precision
 from mechanics.program import Builder, Program
@@ -81,6 +81,9 @@ class Reduction:
     unproved : int
         Edits that are not made though each keeps within the error at the states that were drawn:
         with the others, or at other states, no bound of them is known.
+    bounded : tuple of bool
+        Whether the whole output is known to be bounded in the box. Where it is not, the box may
+        hold a singular state, and a share of its size says little.
     """
 
     equations: Equations
@@ -98,6 +101,7 @@ class Reduction:
     finding: Finding
     before: int
     unproved: int
+    bounded: tuple[bool, ...]
 
     def __repr__(self) -> str:
         return (
@@ -107,8 +111,9 @@ class Reduction:
 
     @property
     def box(self) -> dict[str, tuple[Fraction, Fraction]]:
-        """Ranges of the inputs that have one."""
-        return {name: ends for name, ends in self.start.box.items() if ends[0] < ends[1]}
+        """Ranges of what is not fixed; of a coordinate or input with one value, it twice."""
+        fixed = {symbol.name for symbol in self.fixed}
+        return {name: ends for name, ends in self.start.box.items() if name not in fixed}
 
     @property
     def outputs(self) -> tuple[str, ...]:
@@ -280,17 +285,30 @@ def _starts(asked: _Asked) -> list[tuple[Base, Start, int]]:
     known, rationals = asked.graphs.quantities, _rationals(asked.fixed)
     speeds, numbers = [e.name for e in known.u], {e.name for e in known.p}
     words = f"{asked.of} of {asked.equations.scene.name}"
-    found = []
+    found: list[tuple[int, Base, Start, int]] = []
+    refusals: list[MechanicsError] = []
     for place, plain in enumerate(bases(asked.graphs, asked.of)):
-        base = _with_numbers(plain, asked.fixed)
-        inputs = base.program.inputs
-        moving = [name for name in inputs if name not in rationals]
-        box = complete(moving, known, asked.ranges, words, asked.of == INVERSE)
-        box |= {name: (rationals[name],) * 2 for name in inputs if name in rationals}
-        nodes = [node for node, _ in base.couplings]
-        edits = candidates(base.program, speeds, numbers, nodes)
-        found.append((base, Start(base.program, box, edits), place))
-    return sorted(found, key=lambda row: (operations(row[1].reduced({})), row[2]))
+        try:
+            base = _with_numbers(plain, asked.fixed)
+            inputs = base.program.inputs
+            moving = [name for name in inputs if name not in rationals]
+            box = complete(moving, known, asked.ranges, words, asked.of == INVERSE)
+            box |= {name: (rationals[name],) * 2 for name in inputs if name in rationals}
+            places = [node for node, _ in base.couplings]
+            start = Start(
+                base.program, box, candidates(base.program, speeds, numbers, places)
+            )  # fmt: skip
+            found.append((operations(start.reduced({})), base, start, place))
+        except ZeroDivisorError:
+            refusals.append(
+                InputError(f"{words}: something is divided by zero at these values of parameters")
+            )
+        except InputError as error:
+            # Another form may depend on less.
+            refusals.append(error)
+    if not found:
+        raise refusals[0]
+    return [row[1:] for row in sorted(found, key=lambda row: (row[0], row[3]))]
 
 
 def _error(error: Any) -> Fraction:
@@ -349,6 +367,10 @@ def _reduced(
         other = estimate(start.program, start.box, edits, scale, parts)
         return other if found is None else np.minimum(found, other)
 
+    roots = dict.fromkeys(start.program.roots, Kind.ZERO)
+    most = polynomials.bounds(roots) or [
+        *estimate(start.program, start.box, roots, scale, parts)
+    ]  # fmt: skip
     edits, unproved = (
         sequence(start, scale, share, measure) if known is None else (known, asked.unproved)
     )
@@ -362,7 +384,7 @@ def _reduced(
         edits.pop()
     return Reduction(
         asked.equations, asked.of, error, absolute, boxes, base, start, place, asked.fixed, sizes,
-        bounds, tuple(edits), finding, before, unproved,
+        bounds, tuple(edits), finding, before, unproved, tuple(map(isfinite, most)),
     )  # fmt: skip
 
 

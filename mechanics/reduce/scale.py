@@ -13,6 +13,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.errors import InputError
 from mechanics.kernel.balls import enclose
 from mechanics.kernel.finding import exact
 from mechanics.program import Program
@@ -33,6 +34,11 @@ def scales(program: Program, box: Box) -> tuple[Fraction, ...]:
         Without linear systems.
     box : mapping of str to (Fraction, Fraction)
         Of each input.
+
+    Raises
+    ------
+    InputError
+        If an output has no finite value anywhere.
     """
     names = [name for name in program.inputs if box[name][0] < box[name][1]]
     low, high = (np.array([float(box[name][k]) for name in names]) for k in (0, 1))
@@ -41,6 +47,13 @@ def scales(program: Program, box: Box) -> tuple[Fraction, ...]:
     ends = np.where(draws.random(start.shape) < 0.5, low, high)
     start = np.where(draws.random(start.shape) < 0.5, start, ends)
     sizes = _sizes(program, box, names, start)
+    for (name, k), row in zip(_entries(program), sizes, strict=True):
+        if not (row >= 0).any():
+            raise InputError(
+                f"{name}[{k}] has no finite value at any state that was tried in the box:"
+                " choose a smaller box, or one without singular states"
+            )
+    sizes = np.where(sizes >= 0, sizes, 0)
     return tuple(
         _ascended(program, box, names, start[np.argmax(sizes[i])], i)
         for i in range(len(sizes))
@@ -48,14 +61,18 @@ def scales(program: Program, box: Box) -> tuple[Fraction, ...]:
 
 
 def _sizes(program: Program, box: Box, names: list[str], states: Array) -> Array:
-    """|y_i| at states; what is no number counts as 0."""
+    """|y_i| at states; -1 where it is no number."""
     inputs = {name: np.full(len(states), float(box[name][0])) for name in program.inputs}
     inputs |= {name: states[:, k] for k, name in enumerate(names)}
     with np.errstate(all="ignore"):
         found = interpret(program, Arrays(), inputs)
         flat = [np.broadcast_to(v, len(states)) for entries in found.values() for v in entries]
         sizes = np.abs(np.stack(flat))
-    return np.where(np.isfinite(sizes), sizes, 0)
+    return np.where(np.isfinite(sizes), sizes, -1)
+
+
+def _entries(program: Program) -> list[tuple[str, int]]:
+    return [(name, k) for name, nodes in program.outputs.items() for k in range(len(nodes))]
 
 
 def _ascended(program: Program, box: Box, names: list[str], state: Array, i: int) -> Fraction:

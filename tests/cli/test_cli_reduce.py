@@ -40,8 +40,8 @@ def test_the_command_refuses_in_one_line(run: Any) -> None:
     assert "theta, theta_dot, x" in ran.err
 
 
-def test_a_box_in_which_nothing_is_bounded_is_undecided(run: Any) -> None:
-    """The loads divide by theta: no bound where theta may be 0."""
+def test_bodies_without_mass_are_refused(run: Any) -> None:
+    """Without masses there is nothing to divide by."""
     ran = run(
         "reduce", "elastic_pendulum", "--error", "0.05", *OVER, "--set", "M=0", "--set", "m=0"
     )
@@ -52,3 +52,14 @@ def test_a_box_in_which_nothing_is_bounded_is_undecided(run: Any) -> None:
 def test_values_are_read_or_refused(run: Any, value: str) -> None:
     ran = run("reduce", "elastic_pendulum", "--error", "0.05", "--set", value)
     assert ran.code == 2 and ran.err.count("\n") == 1, ran.err
+
+
+def test_a_box_with_a_singular_state_is_told(run: Any) -> None:
+    """The disc lies flat within the box."""
+    speeds = [
+        word for name in ("u1", "u2", "u3", "yaw") for word in ("--over", f"{name} in [-1, 1]")
+    ]
+    ran = run("reduce", "rolling_disc", "--error", "0.1", "--over", "lean in [-1.7, 1.7]",
+              *speeds, "--boxes", "16")  # fmt: skip
+    assert ran.code in (0, 3), ran.err
+    assert "may be unbounded in the box" in ran.out

@@ -38,11 +38,24 @@ def test_the_domain_is_a_function_and_a_condition(reduction: Reduction) -> None:
     pairs = dict(zip(order, np.reshape(margins, (-1, 2)).tolist(), strict=True))
     assert pairs["theta"] == pytest.approx([0.3, 0.1])
     assert pairs["theta_dot"] == pytest.approx([1.5, 0.5])
+    assert simulate(model, 0.01, samples=2).ending is Ending.COMPLETE
     inside = simulate(model, 0.05, initial={"theta": 0.05, "x": 0.0}, samples=3)
     assert inside.ending is Ending.COMPLETE
     out = simulate(model, 2.0, initial={"theta": 0.15, "theta_dot": 1.0}, samples=3)
     assert out.ending is Ending.LEFT_DOMAIN
     assert "leaves the domain of the reduced model" in out.reason
+
+
+def test_what_has_one_value_is_in_the_domain() -> None:
+    box = {name: ends for name, ends in BOX.items() if name != "x"}
+    equations = derive(elastic_pendulum.scene(), "kane")
+    found = reduce(equations, "0.05", over=box, values={"x": 0})
+    (margins,) = (
+        reduced_model(found, compiler=None).evaluate("domain", q=[0.01, 0.1], u=[0.0, 0.0]).values()
+    )
+    pairs = dict(zip(found.box, np.reshape(margins, (-1, 2)).tolist(), strict=True))
+    assert pairs["x"] == pytest.approx([0.01, -0.01])
+    assert repeat(record_text(found), equations).finding.verdict is Verdict.PROVED
 
 
 def test_a_record_is_repeated_and_another_is_not_it(reduction: Reduction) -> None:
