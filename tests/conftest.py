@@ -6,6 +6,7 @@ the name of a case, so that every run on every machine has the same ones. ``--dr
 random mechanisms a campaign draws.
 """
 
+import gc
 import sys
 from collections import defaultdict
 from collections.abc import Iterable
@@ -14,11 +15,15 @@ from hashlib import sha256
 import pytest
 from hypothesis import settings
 
+from mechanics.cli.app import COLLECTED
 from systems import SEED
 
 # What is drawn is the same in every run, and a busy machine fails nothing.
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.load_profile("fixed")
+
+# As the command does.
+gc.set_threshold(COLLECTED)
 
 OF_THE_SEED = {system.name for system in SEED}
 
