@@ -48,7 +48,12 @@ _MEANINGS: tuple[tuple[str, str, str], ...] = (
     *((f"P_{axis}", f"momentum along {axis}", "") for axis in "xyz"),
     ("S N", "reaction", ""),
     ("J", "angular momentum", "Hamiltonian"),
-    ("omega omega_0 omega_n omega_1 omega_2 w w0 w_0 w_n wn", "frequency", ""),
+    (
+        "omega omega_0 omega_n omega_1 omega_2 omega_3 omega0 omega1 omega2 omega3"
+        " w w0 w1 w2 w_0 w_1 w_2 w_n wn",
+        "frequency",
+        "",
+    ),
     ("f f_0 f_n nu", "turns per second", ""),
 )
 """Letters, what they mean at rank 1, and at rank 2."""

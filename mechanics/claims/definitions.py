@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
-from mechanics.claims.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES
+from mechanics.claims.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES, OF_CONSTANTS
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Naming, column
 from mechanics.claims.partials import undifferentiated
@@ -163,7 +163,8 @@ def _root(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str]
     name, power = left.base, constant(left.exponent)
     if name.order or power is None or power <= 1 or power.denominator != 1:
         return None
-    if naming.target(name.name) is not None or name.name in known:
+    again = name.name in known and not _of_constants(name.name)
+    if naming.target(name.name) is not None or again:
         return None
     if any(name.name == held.name for side in others for held in names(side)):
         return None
@@ -173,6 +174,11 @@ def _root(line: Line, naming: Naming, known: Container[str]) -> tuple[Line, str]
     if power % 2 == 0:
         notes = (*notes, f"{name.name} is the positive root")
     return replace(line, sides=sides, notes=notes), name.name
+
+
+def _of_constants(name: str) -> bool:
+    """Whether a name means a frequency only, of which a text may give several."""
+    return {word for rank in LETTERS.get(name, (("",),)) for word in rank} <= OF_CONSTANTS
 
 
 def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
@@ -370,7 +376,9 @@ def reached(
         if isinstance(line, Line):
             name = names_of.get(id(line))
             if name is None:
-                todo += held(line.sides)
+                left = line.sides[0]
+                again = isinstance(left, Name) and _of_constants(left.name)
+                todo += held(line.sides[again:])
             elif len(line.sides) > 2:
                 todo += held(line.sides[1:])
             elif (name in ENERGY_NAMES and name not in needed) or name in MATRIX_NAMES:

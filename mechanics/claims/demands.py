@@ -141,6 +141,10 @@ def within(expression: Any) -> Iterator[Demand]:
         part, conditions = here
         if isinstance(part, Piecewise):
             todo += _branches(part, conditions)
+            if part.args[-1][1] != S.true:
+                # SymPy gives no value where no case applies.
+                none = ((condition, False) for _, condition in part.args)
+                yield Demand("divide", (S.One, S.Zero)).under((*conditions, *none))
             continue
         if isinstance(part, Pow):
             yield from (demand.under(conditions) for demand in of_power(*part.args))

@@ -35,12 +35,19 @@ _AFTER = (
 
 
 EQUILIBRIUM = re.compile(r"equilibri|stationary (?:point|solution)|fixed point", re.IGNORECASE)
+AWAY = re.compile(
+    r"\b(?:no|not(?: an?| the| in| at)?|never|nor|neither|without|away from|far from|out of|non)"
+    r"[\s-]+(?:[a-z]+\s+){0,2}equilibri"
+    r"|equilibri\w*\s+(?:(?:is|are|does|do|has|have|can)\s+)?(?:not|never|nowhere|cannot|fails?)\b",
+    re.IGNORECASE,
+)
+"""What denies that there is an equilibrium."""
 ENDS = re.compile(r"[.;!?](?=\s)|\n\s*\n")
 """Of sentences."""
 
 
-def of_equilibrium(text: str, at: int) -> bool:
-    """Whether the sentence around a place in a text speaks of an equilibrium.
+def sentence_around(text: str, at: int) -> str:
+    """The sentence around a place in a text.
 
     Parameters
     ----------
@@ -50,7 +57,18 @@ def of_equilibrium(text: str, at: int) -> bool:
     ends = [match.end() for match in ENDS.finditer(text)]
     start = max((end for end in ends if end <= at), default=0)
     end = min((end for end in ends if end > at), default=len(text))
-    return EQUILIBRIUM.search(text, start, end) is not None
+    return text[start:end]
+
+
+def of_equilibrium(text: str, at: int) -> bool:
+    """Whether the sentence around a place in a text speaks of an equilibrium."""
+    return EQUILIBRIUM.search(sentence_around(text, at)) is not None
+
+
+def denies_equilibrium(text: str, at: int) -> str:
+    """How the sentence around a place denies that there is an equilibrium; empty otherwise."""
+    found = AWAY.search(" ".join(sentence_around(text, at).split()))
+    return found[0] if found else ""
 
 
 def said_of(text: str, letter: str) -> str:

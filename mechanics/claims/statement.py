@@ -69,6 +69,9 @@ class Statement:
     taken : tuple of (str, Published)
         Other things that an output of code may be, in words, and the row then; the words are the
         same for all outputs of one call.
+    derived : bool
+        Whether a side of `row` is the scene's own, what was written is compared with: an entry of
+        the mass matrix, what accelerates at an equilibrium. It counts as the scene does.
     """
 
     row: Published | None
@@ -83,6 +86,7 @@ class Statement:
     letter: Letter | None = None
     ways: Mapping[Expr, Written] = field(default_factory=dict)
     taken: tuple[tuple[str, Published], ...] = ()
+    derived: bool = False
 
 
 @dataclass(frozen=True)

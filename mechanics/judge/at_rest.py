@@ -2,31 +2,38 @@
 
     cos(theta_0) = g / (Omega^2 R)    ->    g = Omega^2 R cos(theta_0): then nothing accelerates
 
-The equation is solved for a parameter that it holds in the first degree, which is put into what is
-left of the equation of motion at rest: that has to vanish.
+What is written counts factor by factor, and where a factor is zero nothing may accelerate. A factor
+is solved for a parameter that it holds in the first degree, or for the coordinate; that is put into
+what is left of the equation of motion at rest, which has to vanish.
 """
 
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, Mul, S, factor, solve
 
+from mechanics.claims.convention import Table
 from mechanics.claims.guess import equilibrium_of
-from mechanics.claims.prose import of_equilibrium
-from mechanics.claims.statement import Statement
+from mechanics.claims.prose import denies_equilibrium, of_equilibrium
+from mechanics.claims.statement import NO_DEMANDS, Statement
 from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
+from mechanics.judge.meanings import NO_TABLE
+from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Identity
 from mechanics.symbolic import is_zero
 
 
-def at_rest(truth: Equations, statement: Statement) -> Statement:
+def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> Statement:
     """The statement; one about an equilibrium as what it says of the equation of motion.
 
     Parameters
     ----------
     truth : Equations
     statement : Statement
+    table : mapping of Symbol to Expr
+        The person's symbols in the scene's, where they count otherwise.
     """
     row, written, scene = statement.row, statement.written, truth.scene
     if row is None or written is None or len(scene.q) != 1 or scene.speeds:
@@ -43,7 +50,11 @@ def at_rest(truth: Equations, statement: Statement) -> Statement:
     named = statement.doubt and equilibrium_of(written.naming, value.name) == q.name
     if not named and not (value == q and of_equilibrium(written.text, written.start)):
         return statement
-    for vanishing in _left_over(truth, sides[0] - sides[1], value):
+    if words := denies_equilibrium(written.text, written.start):
+        doubt = f"it is read as an equilibrium, but the text says {words!r}: say what it is"
+        return replace(statement, doubt=doubt)
+    difference = (sides[0] - sides[1]).xreplace({value: q}).xreplace({**table})
+    for vanishing in _left_over(truth, difference):
         note = f"{value} is read as {q} at an equilibrium"
         found = replace(row, sides=(scene.pressed(vanishing), S.Zero))
         return _said(statement, found, note)
@@ -52,21 +63,56 @@ def at_rest(truth: Equations, statement: Statement) -> Statement:
 
 def _said(statement: Statement, row: Published, note: str) -> Statement:
     notes = (*statement.notes, note)
-    return replace(statement, row=row, doubt="", notes=notes, written=None)
+    return replace(
+        statement,
+        row=row,
+        doubt="",
+        notes=notes,
+        written=None,
+        derived=True,
+        demands=NO_DEMANDS,
+    )  # where it has no value, there is no such equilibrium
 
 
-def _left_over(truth: Equations, difference: Expr, value: Symbol) -> Iterator[Expr]:
-    """What accelerates at rest, with a parameter put in that makes a difference vanish."""
+def _left_over(truth: Equations, difference: Expr) -> Iterator[Expr]:
+    """What accelerates at rest where a difference vanishes: of the factor that is worst."""
     scene = truth.scene
-    (q,) = scene.q
     still = dict.fromkeys((*scene.qd, *scene.u, *scene.ud, *scene.input_symbols), S.Zero)
     (force,) = (row.xreplace(still) for row in truth.residual)
     if is_zero(force):
         return  # it rests everywhere, so what is said of one place says nothing
-    for parameter in sorted(difference.free_symbols & {*scene.parameters}, key=str):
-        slope = difference.diff(parameter)
+    powers = (one.as_base_exp() for one in Mul.make_args(factor(difference)))
+    parts = [base for base, exponent in powers if exponent.is_positive and base.free_symbols]
+    found = [list(_where(scene, force, part)) for part in parts]
+    held = [bool(part.free_symbols & {*scene.q}) for part in parts]
+    if not all(some for some, of_place in zip(found, held, strict=True) if of_place):
+        return
+    every = [one for some in found for one in some]
+    yield from [one for one in every if not _vanishes(one)][:1] or every[:1]
+
+
+def _vanishes(expression: Expr) -> bool:
+    try:
+        return bool(is_zero(expression))
+    except ExpressionError:
+        return False
+
+
+def _where(scene: Scene, force: Expr, part: Expr) -> Iterator[Expr]:
+    """What a force is where a factor is zero; nothing where that is not found."""
+    (q,) = scene.q
+    for parameter in sorted(part.free_symbols & {*scene.parameters}, key=str):
+        slope = part.diff(parameter)
         if slope != 0 and not slope.has(parameter):
-            solved = (parameter - difference / slope).cancel().xreplace({value: q})
-            if solved.is_zero:
-                continue  # m theta_0 = 0 says nothing of theta_0 where m vanishes
-            yield force.xreplace({parameter: solved})
+            solved = (parameter - part / slope).cancel()
+            if not solved.is_zero:  # m theta_0 = 0 says nothing of theta_0 where m vanishes
+                yield force.xreplace({parameter: solved})
+                return
+    slope = part.diff(q)
+    if slope != 0 and not slope.has(q):
+        yield force.xreplace({q: q - part / slope})
+    elif part.free_symbols == {q}:
+        try:
+            yield from (force.xreplace({q: root}) for root in solve(part, q))
+        except NotImplementedError:
+            return

@@ -22,6 +22,7 @@ from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.convention_filter import glance
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.rounding import is_rounding
+from mechanics.judge.small_angles import as_said
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
@@ -83,6 +84,29 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
         evidence = "the sides differ by no more than the rounding of numbers that the code computes"
         return undecided(found.subject, f"{evidence}, where {words(values)}")
     return replace(found, evidence=f"{found.evidence}, where {words(values)}")
+
+
+def small_angles_at(
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding], values: Values
+) -> tuple[list[Statement], list[Finding]]:
+    """What a text gives for small angles, judged to first order where parameters have values.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    findings : sequence of Finding
+        Their verdicts as written, where parameters have values.
+    values : mapping of Symbol to Expr
+    """
+    there = [
+        s if s.row is None or not isinstance(s.row.quantity, EquationOfMotion)
+        else replace(s, row=_put(in_plain_symbols(truth.kinematics, s.row), values))
+        for s in statements
+    ]  # fmt: skip
+    judged, found = as_said(fix(truth, values), there, findings)
+    pairs = zip(statements, judged, strict=True)
+    return [replace(s, notes=one.notes) for s, one in pairs], found
 
 
 def as_identity(truth: Equations, row: Published) -> Published:

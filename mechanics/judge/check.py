@@ -18,19 +18,22 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.importers import as_scene
 from mechanics.judge.at_rest import at_rest
-from mechanics.judge.at_values import Values, as_identity, read_values, right_at
+from mechanics.judge.at_values import Values, as_identity, read_values, right_at, small_angles_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.bounded_blame import blamed, declared_only
-from mechanics.judge.complete import determines, redundancy
+from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import judge_under, only_change
 from mechanics.judge.definedness import at_the_bound
+from mechanics.judge.descriptions import contradictions
+from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
-from mechanics.judge.outputs import of_one_order, right_otherwise
+from mechanics.judge.outputs import of_one_order, right_otherwise, under_guessed_orders
 from mechanics.judge.polar_radius import with_positive_radii
+from mechanics.judge.prose import as_told, said_conventions, seen_from_one_side
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
@@ -125,18 +128,35 @@ def check(
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
     every = (s for reading in readings for s in reading.statements)
-    statements = [at_rest(truth, of_one_dimension(truth, s)) for s in every]
-    statements = of_one_order(truth, statements)
+    statements = of_one_order(truth, [of_one_dimension(truth, s) for s in every])
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: of values, a convention and where, give one only")
     known = [match for reading in readings for match in reading.names]
     counted = read_declared([convention] if isinstance(convention, str) else convention, known)
+    said = () if counted or values or where else said_conventions(truth.scene, statements, known)
+    counted = (*counted, *said)
     held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
-    settled = settle(truth, statements, partial(_right, truth, held, bool(counted or region)))
-    judged, told = _judged(truth, [s.statement for s in settled], counted, held, region)
-    judged = tuple(map(_by_letter, judged, settled))
+    if counted:
+        judged, told = judge_under(truth, statements, counted)
+        if said:
+            pairs = zip(judged, statements, strict=True)
+            judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
+    else:
+        plain = [at_rest(truth, statement) for statement in statements]
+        shown = partial(_right, truth, held, bool(region))
+        settled = settle(truth, plain, shown, dimensions=not held)
+        judged, told = _judged(truth, [s.statement for s in settled], held, region)
+        judged = tuple(map(_by_letter, judged, settled))
+    judged = complete_residuals(truth, one_root_each(truth, judged, statements))
+    untold = () if convention else contradictions(truth.scene, statements, known)
+    judged = tuple(
+        as_told(entry, statement, untold)
+        for entry, statement in zip(judged, statements, strict=True)
+    )
+    counts = [len(reading.statements) for reading in readings]
+    judged = under_guessed_orders(judged, counts, [reading.names for reading in readings])
     judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
     if blame:
         judged = _blamed(reference, judged, counted, held)
@@ -145,6 +165,7 @@ def check(
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
+    remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)
@@ -235,6 +256,8 @@ def _blamed(
     truth, statements = reference.truth, [entry.statement for entry in judged]
     if not (counted or values):
         return blamed(reference, judged)
+    if any(e.statement.derived and e.finding.verdict is Verdict.REFUTED for e in judged):
+        return declared_only(judged, "what was written is compared with what the scene counts")
     if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):
         return declared_only(judged, "it holds momenta, a mass matrix or declared speeds")
     if values:
@@ -258,7 +281,7 @@ def _by_letter(entry: Judged, settled: Settled) -> Judged:
     """The entry with what the meaning of its letter says."""
     if settled.finding is not None:
         return replace(entry, finding=settled.finding, right_if=(), open=False)
-    if settled.right_if and entry.finding.verdict is Verdict.REFUTED:
+    if settled.right_if and not entry.finding.shown:
         return replace(entry, right_if=(settled.right_if,), open=True)
     return entry
 
@@ -290,17 +313,15 @@ def _helping(
 
 
 def _judged(
-    truth: Equations, statements: Sequence[Statement], counted: Sequence[Declared], values: Values,
-    where: Sequence[Where],
+    truth: Equations, statements: Sequence[Statement], values: Values, where: Sequence[Where]
 ) -> tuple[tuple[Judged, ...], tuple[str, ...]]:  # fmt: skip
-    """Verdicts; under a declared convention, or beside a refutation the one that would help."""
-    if counted:
-        return judge_under(truth, statements, counted)
+    """Verdicts; beside a refutation the convention that would help."""
     if where:
         found = (Judged(s, judge_where(truth, s, where)) for s in statements)
         return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
+        statements, findings = small_angles_at(truth, statements, findings, values)
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
     statements, findings = as_said(truth, statements, findings)
     if not any(map(_differs, findings)):

@@ -4,6 +4,7 @@ rank of d(lhs - rhs)/du' beside the constraints  -  rank of the constraints    o
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from sympy import Expr, S
@@ -12,6 +13,7 @@ from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
+from mechanics.kernel import undecided
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
 from mechanics.report.answer.judged import Judged
@@ -38,12 +40,39 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
     Fewer equations than freedoms are partial input, which is fine.
     """
     rows, rank, freedoms = determined(truth, judged)
-    if rank == rows:
-        return ""
+    if rank == rows or rows < 2:
+        return ""  # one alone, with a reaction that nothing gives, follows from no other
     return (
         f"{rows} equations of motion, but together they say no more than {rank} of {freedoms}: the"
         " others follow from these"
     )
+
+
+def complete_residuals(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
+    """The entries; residuals of one function that say the same twice determine no motion.
+
+    Parameters
+    ----------
+    truth : Equations
+    judged : sequence of Judged
+    """
+    found = list(judged)
+    titles: dict[str, list[int]] = {}
+    for k, entry in enumerate(judged):
+        title, colon, tag = entry.statement.source.rpartition(": ")
+        if colon and tag.startswith("residual ") and entry.statement.demands.code:
+            titles.setdefault(title, []).append(k)
+    for places in titles.values():
+        group = [judged[k] for k in places]
+        if len(group) < 2 or not all(entry.finding.shown for entry in group):
+            continue
+        rows, rank, freedoms = determined(truth, group)
+        if rank < rows:
+            words = f"each of {rows} residuals is right, but together they say no more than {rank}"
+            for k in places:
+                subject = judged[k].finding.subject
+                found[k] = replace(found[k], finding=undecided(subject, f"{words} of {freedoms}"))
+    return tuple(found)
 
 
 def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int]:

@@ -49,7 +49,7 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
     """
     if not table:
         return row
-    slopes = Matrix([[table.get(q, q).diff(s) for s in scene.q] for q in scene.q])
+    slopes = slopes_of(scene, table)
     momenta = _momenta(scene, slopes)
     there = {**table, **momenta}
     # The rates of the person's coordinates come before they are written in the scene's speeds.
@@ -73,6 +73,18 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
             others = value - share * own
             found = replace(found, sides=tuple((side - others) / share for side in found.sides))
     return found
+
+
+def slopes_of(scene: Scene, table: Table) -> Matrix:
+    """How the person's coordinates grow with the scene's, a row for each of the person's.
+
+    Parameters
+    ----------
+    scene : Scene
+    table : dict of Symbol to Expr
+        The person's symbols in the scene's.
+    """
+    return Matrix([[table.get(q, q).diff(s) for s in scene.q] for q in scene.q])
 
 
 def moves_more(scene: Scene, row: Published) -> bool:

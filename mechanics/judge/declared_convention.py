@@ -14,18 +14,24 @@ from itertools import combinations
 
 from sympy import Symbol
 
+from mechanics.claims.about import ENTRIES
 from mechanics.claims.convention import POINT_MASS, Change, Table
 from mechanics.claims.conventions import combined_table, joints, other_signs
 from mechanics.claims.declared_conventions import Declared, readings
 from mechanics.claims.directions import counted
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
+from mechanics.judge.at_rest import at_rest
 from mechanics.judge.converted_rows import in_plain_symbols, moved, moves_more
+from mechanics.judge.letters import meanings_of, settle
 from mechanics.judge.right_if import targets_of
 from mechanics.judge.single import FAILURES, judge, subject_of
+from mechanics.judge.small_angles import as_said
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+from mechanics.scene.published import Published
+from mechanics.scene.quantities import Identity
 from mechanics.scene.symbols import DOTS
 
 Answer = tuple[tuple[Judged, ...], tuple[str, ...]]
@@ -55,15 +61,18 @@ def judge_under(
         doubt = f"the convention {told} has no meaning for {truth.scene.name}: leave it out"
         findings = [undecided(subject_of(s), s.doubt or doubt) for s in statements]
         return tuple(map(Judged, statements, findings)), (doubt,)
-    table = [[_under(target, s, change) for s in statements] for change, target in changes]
+    both = [_under(target, statements, change) for change, target in changes]
+    meant = [[statement for statement, _ in pairs] for pairs in both]
+    table = [[finding for _, finding in pairs] for pairs in both]
     if len(changes) > 1:
-        return _open(statements, [change for change, _ in changes], table, declared)
+        return _open(meant, [change for change, _ in changes], table, declared)
     ((change, _),), (findings,) = changes, table
+    helping_for, statements = statements, meant[0]
     words = _words(change)
     claimed = [f for s, f in zip(statements, findings, strict=True) if not s.doubt]
     right = all(f.shown for f in claimed)
     remarks = (f"convention: {words}" if right else f"convention: {words}: {NOT_RIGHT}",)
-    helping = () if right else _more(changes[0][1], statements, change)
+    helping = () if right else _more(changes[0][1], helping_for, change)
     entries = [
         Judged(s, _where(f, words), helping if f.verdict is Verdict.REFUTED else ())
         for s, f in zip(statements, findings, strict=True)
@@ -98,19 +107,21 @@ def _more(target: Equations, statements: Sequence[Statement], change: Change) ->
     free = [c for c in every if not touched & c.table.keys()]
     for count in range(1, len(free) + 1):
         for extra in combinations(free, count):
-            if claimed and all(_under(target, s, (*change, *extra)).shown for s in claimed):
+            shown = _under(target, claimed, (*change, *extra))
+            if claimed and all(finding.shown for _, finding in shown):
                 names = ", ".join(c.name for c in extra)
                 return (f"{_words(extra)} as well (--convention {names!r} besides)",)
     return ()
 
 
 def _open(
-    statements: Sequence[Statement], changes: Sequence[Change], table: list[list[Finding]],
+    meant: list[list[Statement]], changes: Sequence[Change], table: list[list[Finding]],
     declared: Sequence[Declared],
 ) -> Answer:  # fmt: skip
     """Verdicts where a declaration leaves several choices open."""
     shown = [[f.shown for f in row] for row in table]
     best = max(range(len(changes)), key=lambda k: sum(shown[k]))
+    statements = meant[best]
     helping = [k for k, row in enumerate(shown) if sum(row) == sum(shown[best])]
     all_right = all(f or s.doubt for s, f in zip(statements, shown[best], strict=True))
     words = [_words(change) for change in changes]
@@ -137,27 +148,62 @@ def _open(
     return tuple(entries), (f"{among}: say which, for example --convention {say!r}",)
 
 
-def _under(target: Equations, statement: Statement, change: Change) -> Finding:
-    row = statement.row
-    if row is None or statement.doubt:
-        return judge(target, statement, {})
+def _under(
+    target: Equations, statements: Sequence[Statement], change: Change
+) -> list[tuple[Statement, Finding]]:
+    """Statements as they were meant, their rows as the person counts, and the findings."""
+    table = combined_table(change)
+    there = [_moved(target, statement, table) for statement in statements]
+    settled = settle(target, there, lambda s: judge(target, s, {}).shown, table)
+    meant = [one.statement for one in settled]
+    findings = [one.finding or judge(target, one.statement, {}) for one in settled]
+    meant, findings = as_said(target, meant, findings, table)
+    return [
+        (replace(one, row=_as_counted(statement, one), written=statement.written), finding)
+        for statement, one, finding in zip(statements, meant, findings, strict=True)
+    ]
+
+
+def _as_counted(statement: Statement, meant: Statement) -> Published | None:
+    """The row in the person's symbols; that of what is the scene's own as it was judged."""
+    if statement.row is None or meant.row is None or meant.derived:
+        return meant.row
+    return replace(statement.row, quantity=meant.row.quantity)
+
+
+def _moved(target: Equations, statement: Statement, table: Table) -> Statement:
+    """A statement as the scene counts."""
+    row, letter = statement.row, statement.letter
+    if row is None:
+        return statement
+    resting = at_rest(target, statement, table)
+    if resting is not statement:
+        return replace(resting, written=statement.written)
     try:
-        there = moved(target.scene, row, combined_table(change))
+        there = moved(target.scene, row, table)
+        if letter is not None:
+            sides = moved(
+                target.scene, replace(row, quantity=Identity(), sides=letter.sides), table
+            )
+            letter = replace(letter, sides=sides.sides)
     except FAILURES as error:
-        return undecided(subject_of(statement), str(error))
-    demands = statement.demands.put(combined_table(change))
-    return judge(target, replace(statement, row=there, demands=demands), {})
+        return replace(statement, doubt=statement.doubt or str(error))
+    return replace(statement, row=there, demands=statement.demands.put(table), letter=letter)
 
 
 def _held(truth: Equations, statements: Sequence[Statement]) -> frozenset[Symbol]:
     """Symbols that matter to statements."""
     scene = truth.scene
-    rows = [s.row for s in statements if s.row is not None and not s.doubt]
-    if any(moves_more(scene, row) for row in rows):
+    some = [s for s in statements if s.row is not None and (not s.doubt or s.letter is not None)]
+    rows = [s.row for s in some if s.row is not None]
+    entries = any(meaning in ENTRIES for s in some for meaning in meanings_of(s))
+    if entries or any(moves_more(scene, row) for row in rows):
         rates = {Symbol(q.name + dots, real=True) for q in scene.q for dots in DOTS}
         return frozenset({*scene.q, *rates, *scene.input_symbols, *scene.parameters})
     sides = (side for row in rows for side in in_plain_symbols(truth.kinematics, row).sides)
-    return frozenset(set().union(*(side.free_symbols for side in sides)))
+    resting = any(at_rest(truth, s) is not s for s in statements)
+    own = {*scene.q} if resting else set[Symbol]()
+    return frozenset(own.union(*(side.free_symbols for side in sides)))
 
 
 def _unused(change: Change, held: frozenset[Symbol]) -> tuple[str, ...]:

@@ -22,6 +22,7 @@ from mechanics.claims.statement import Statement
 from mechanics.closure import with_both_roots
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
+from mechanics.judge.common_factor import demands_of_factors
 from mechanics.kernel import Finding, Range, Verdict, enclose, undecided
 from mechanics.kernel.definedness import (
     BITS,
@@ -73,6 +74,9 @@ def where_defined(
         Parameters that have values.
     """
     demands = statement.demands
+    if finding.shown:
+        factors = demands_of_factors(truth, statement)
+        demands = replace(demands, of=(*demands.of, *factors)) if factors else demands
     if finding.verdict is Verdict.REFUTED or not demands.of:
         return finding
     if never := [d for d in demands.of if d.nowhere and not d.conditions]:

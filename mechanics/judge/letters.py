@@ -15,11 +15,12 @@ from itertools import islice
 from sympy import Add, Symbol
 
 from mechanics.claims.about import LETTERS, QUANTITIES
+from mechanics.claims.convention import Table
 from mechanics.claims.demands import Demands
 from mechanics.claims.statement import NO_DEMANDS, Letter, Statement
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
-from mechanics.judge.meanings import UNITS, Candidate, candidates
+from mechanics.judge.meanings import NO_TABLE, UNITS, Candidate, candidates
 from mechanics.judge.single import by_dimension, subject_of
 from mechanics.kernel import Finding
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
@@ -29,6 +30,8 @@ from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 OWN = "what the scene calls so"
 FORCES = tuple(dimension_of_unit(unit, "") for unit in ("N", "N*m"))
 """Of reactions."""
+MOMENTA = tuple(dimension_of_unit(unit, "") for unit in ("kg*m/s", "kg*m^2/s"))
+"""Of momenta, those of angles among them."""
 
 Shown = Callable[[Statement], bool]
 
@@ -51,7 +54,10 @@ class Settled:
     right_if: str = ""
 
 
-def settle(truth: Equations, statements: Sequence[Statement], shown: Shown) -> list[Settled]:
+def settle(
+    truth: Equations, statements: Sequence[Statement], shown: Shown, table: Table = NO_TABLE,
+    dimensions: bool = True,
+) -> list[Settled]:  # fmt: skip
     """Statements under one meaning of each name on the left.
 
     Parameters
@@ -60,43 +66,57 @@ def settle(truth: Equations, statements: Sequence[Statement], shown: Shown) -> l
     statements : sequence of Statement
     shown : callable
         Whether a statement is right as it is judged.
+    table : mapping of Symbol to Expr
+        The person's coordinates in the scene's, where they count otherwise.
+    dimensions : bool
+        Whether dimensions tell: a number may stand for a parameter that has a value.
     """
     settled = [Settled(statement) for statement in statements]
     groups: dict[str, list[int]] = {}
     for k, statement in enumerate(statements):
         if statement.letter is not None and statement.row is not None:
             groups.setdefault(statement.letter.name, []).append(k)
-    known = known_dimensions(truth) if groups else {}
+    known = known_dimensions(truth) if groups and dimensions else {}
     for places in groups.values():
         group = [statements[k] for k in places]
-        for k, one in zip(places, _settled(truth, group, known, shown), strict=True):
+        for k, one in zip(places, _settled(truth, group, known, shown, table), strict=True):
             settled[k] = one
     return settled
 
 
 def _settled(
     truth: Equations, group: Sequence[Statement],
-    known: Mapping[Symbol, Dimension | None], shown: Shown,
+    known: Mapping[Symbol, Dimension | None], shown: Shown, table: Table,
 ) -> list[Settled]:  # fmt: skip
     letter = _letter(group[0])
     try:
         written = {_dimension(truth, _letter(s), known) for s in group} - {None}
     except MixedDimensions:
         meaning = _of_some_term(truth, letter, known)
-        return [Settled(_first(truth, s, meaning)) for s in group]
+        return [Settled(_first(truth, s, meaning, table)) for s in group]
     one = written.pop() if len(written) == 1 else None
     ranks = _living(truth, letter, one, known)
     if not ranks:
         return [_dead(truth, s, one) for s in group]
     for rank, meanings in enumerate(ranks):
         for meaning in meanings:
-            for found, words_of in _trials(truth, group, meaning):
+            for found, words_of in _trials(truth, group, meaning, table):
                 if all(map(shown, found)):
                     if rank == 0:
                         return [_noted(s, letter, words_of) for s in found]
                     said = f"{letter.name} is {_article(words_of)}"
-                    return [Settled(_first(truth, s, ranks[0][0]), None, said) for s in group]
-    return [_unproved(truth, s, ranks[0][0]) for s in group]
+                    return [
+                        Settled(_first(truth, s, ranks[0][0], table), None, said) for s in group
+                    ]
+    return [_unproved(truth, s, ranks[0][0], table) for s in group]
+
+
+def meanings_of(statement: Statement) -> tuple[str, ...]:
+    """All that the name on the left of a statement may mean."""
+    letter = statement.letter
+    if letter is None:
+        return ()
+    return (letter.said,) if letter.said else tuple(w for r in LETTERS[letter.name] for w in r)
 
 
 def _letter(statement: Statement) -> Letter:
@@ -170,22 +190,26 @@ def _fits(word: str, written: Dimension | None) -> bool:
         return True
     if word == "reaction":
         return written in FORCES
+    if word == "momentum":
+        return written in MOMENTA
     return word not in UNITS or dimension_of_unit(UNITS[word], word) == written
 
 
 def _trials(
-    truth: Equations, group: Sequence[Statement], meaning: str
+    truth: Equations, group: Sequence[Statement], meaning: str, table: Table
 ) -> Iterator[tuple[list[Statement], str]]:
     """The statements under everything in the scene that has a meaning."""
     if meaning == OWN:
         yield list(group), OWN
         return
-    for candidate in candidates(truth, meaning):
+    for candidate in candidates(truth, meaning, table):
+        derived = bool(candidate.before) or candidate.vanishing is not None
         for rows in zip(*(_rows(s, candidate) for s in group), strict=True):
             found = [
-                replace(s, row=row, doubt=_doubt(s), demands=_demands(s, candidate))
+                replace(s, row=row, doubt=_doubt(s), demands=_demands(s, candidate),
+                        derived=derived)
                 for s, row in zip(group, rows, strict=True)
-            ]
+            ]  # fmt: skip
             yield found, candidate.words
 
 
@@ -207,23 +231,25 @@ def _doubt(statement: Statement) -> str:
 UNEXPLAINED = "is defined and never used, so it is NOT checked: say what it means"
 
 
-def _unproved(truth: Equations, statement: Statement, meaning: str) -> Settled:
+def _unproved(truth: Equations, statement: Statement, meaning: str, table: Table) -> Settled:
     """A statement that nothing of that meaning makes right.
 
     In doubt where the scene has no such thing, or several and only prose names it so.
     """
     name = _letter(statement).name
-    some = list(islice(candidates(truth, meaning), 2)) if meaning != OWN else []
+    some = list(islice(candidates(truth, meaning, table), 2)) if meaning != OWN else []
     if meaning == OWN or len(some) == 1 or (some and name in LETTERS):
-        return Settled(_first(truth, statement, meaning))
+        return Settled(_first(truth, statement, meaning, table))
     have = "none of the scene's is that" if some else "the scene has none"
     doubt = f"{name} is read as {_article(meaning)}, and {have}: say what it means"
     return Settled(replace(statement, doubt=statement.doubt or doubt))
 
 
-def _first(truth: Equations, statement: Statement, meaning: str) -> Statement:
+def _first(
+    truth: Equations, statement: Statement, meaning: str, table: Table = NO_TABLE
+) -> Statement:
     """The statement under the first thing that has a meaning; as it is, where nothing has."""
-    return next(_trials(truth, [statement], meaning), ([statement], ""))[0][0]
+    return next(_trials(truth, [statement], meaning, table), ([statement], ""))[0][0]
 
 
 def _noted(statement: Statement, letter: Letter, meaning: str) -> Settled:

@@ -18,7 +18,9 @@ from sympy.physics.vector import ReferenceFrame, Vector
 
 from mechanics.checks.ledger_energy import energy_of
 from mechanics.claims.about import ENTRIES, QUANTITIES, named_quantity
+from mechanics.claims.convention import Table
 from mechanics.equations import Equations
+from mechanics.judge.converted_rows import slopes_of
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
 from mechanics.scene import RigidBody, Scene
@@ -42,6 +44,8 @@ UNITS: dict[str, str] = {
 
 
 ROOT = Symbol("root", real=True)
+NO_TABLE: Table = {}
+OF_COORDINATES = ("momentum", "angular momentum")
 
 
 @dataclass(frozen=True)
@@ -81,7 +85,7 @@ class Candidate:
             yield replace(row, quantity=self.quantity, sides=(*self.before, *meant))
 
 
-def candidates(truth: Equations, words: str) -> Iterator[Candidate]:
+def candidates(truth: Equations, words: str, table: Table = NO_TABLE) -> Iterator[Candidate]:
     """All that a word can be in a scene, the likeliest first.
 
     Parameters
@@ -89,13 +93,19 @@ def candidates(truth: Equations, words: str) -> Iterator[Candidate]:
     truth : Equations
     words : str
         One of `mechanics.claims.about.WORDS`.
+    table : mapping of Symbol to Expr
+        The person's coordinates in the scene's, where they count otherwise.
     """
+    slopes = slopes_of(truth.scene, table)
+    if words in OF_COORDINATES and not slopes.is_diagonal():
+        return  # momenta of coordinates that are mixed: nothing here tells
     if words in QUANTITIES:
         yield Candidate(words, named_quantity(words))
     elif words in ENTRIES:
         mass, (i, j) = truth.kinematics.mass_matrix, ENTRIES[words]
         if max(i, j) < mass.rows:
-            yield Candidate(words, q.Identity(), (mass[i, j],))
+            own = mass if truth.scene.speeds else slopes.inv().T * mass * slopes.inv()
+            yield Candidate(words, q.Identity(), (own[i, j],))
     elif words in SEARCHED:
         yield from SEARCHED[words](truth)
 

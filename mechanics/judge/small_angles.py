@@ -9,20 +9,21 @@ higher order would be called right. It is right where the text says that it is m
 it is wrong, and that is told beside.
 """
 
-import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from mechanics.claims.claim import Written
+from mechanics.claims.convention import Table
 from mechanics.claims.kinds import angular
-from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
-from mechanics.kernel import Finding, Verdict
+from mechanics.judge.converted_rows import slopes_of
+from mechanics.judge.meanings import NO_TABLE
+from mechanics.judge.operating_point import OperatingPoint, operating_point
+from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.scene.symbols import plain_symbol
@@ -30,18 +31,6 @@ from mechanics.symbolic.decide import prove_zero
 
 MOST = 4
 """Speeds up to which this is looked at."""
-
-ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
-SAID = re.compile(
-    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
-    rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
-    r"|lineari[sz]|to first order|linear (?:model|equation|approximation)"
-    r"|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
-    re.IGNORECASE,
-)
-"""What says that equations are meant to first order."""
-DENIED = re.compile(r"\b(?:not?|nor|never|without|before|cannot)\b|n't\b", re.IGNORECASE)
-"""What says that they are not, in the same sentence."""
 
 STEPS = (Piecewise, Abs, Max, Min, Mod, sign)
 
@@ -68,8 +57,9 @@ def right_for_small_angles(
 
 
 def as_said(
-    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
-) -> tuple[list[Statement], list[Finding]]:
+    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding],
+    table: Table = NO_TABLE,
+) -> tuple[list[Statement], list[Finding]]:  # fmt: skip
     """What a text gives for small angles, judged to first order, and said.
 
     Parameters
@@ -78,26 +68,53 @@ def as_said(
     statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts as written.
+    table : mapping of Symbol to Expr
+        The person's coordinates in the scene's, where they count otherwise; rows are the scene's.
     """
     judged, shown = list(statements), list(findings)
-    said = [
-        k for k, (s, f) in enumerate(zip(statements, findings, strict=True))
-        if f.verdict is Verdict.REFUTED and s.written is not None and _said(s.written)
-    ]  # fmt: skip
-    for k, found in zip(said, to_first_order(truth, [judged[k] for k in said]), strict=True):
-        if found is not None and found.shown:
-            note = f"it holds to first order about {_zero(truth.scene)}, as the text says"
-            judged[k] = replace(judged[k], notes=(*judged[k].notes, note))
-            shown[k] = found
+    for k, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
+        if finding.verdict is Verdict.REFUTED and statement.written is not None:
+            meant = operating_point(truth.scene, statement.written)
+            if meant is not None:
+                judged[k], shown[k] = _about(truth, statement, finding, meant, table)
     return judged, shown
 
 
-def _said(written: Written) -> bool:
-    """Whether a sentence up to the statement says so, and does not deny it."""
-    starts = [0, *(match.end() for match in ENDS.finditer(written.text))]
-    sentences = zip(starts, [*starts[1:], len(written.text)], strict=True)
-    said = (written.text[a:b] for a, b in sentences if a <= written.start)
-    return any(SAID.search(one) and not DENIED.search(one) for one in said)
+def _about(
+    truth: Equations, statement: Statement, finding: Finding, meant: OperatingPoint, table: Table
+) -> tuple[Statement, Finding]:
+    """A refuted statement and its finding about the place that the text tells."""
+    place = _in_scene(truth.scene, meant, table)
+    (found,) = to_first_order(truth, [statement], place)
+    if found is None:
+        return statement, finding
+    if meant.place is None:
+        doubt = f"the text says that it is linearized {meant.words!r}, which is not read: say"
+        return statement, undecided(finding.subject, f"{doubt} about which angles, as theta = 0")
+    where = ", ".join(f"{q.name} = {value}" for q, value in meant.place.items())
+    if found.shown and meant.hedge:
+        doubt = f"it holds to first order about {where}, but the text says {meant.hedge!r} beside"
+        return statement, undecided(finding.subject, f"{doubt}: say whether it is meant so")
+    if found.shown:
+        note = f"it holds to first order about {where}, as the text says"
+        return replace(statement, notes=(*statement.notes, note)), found
+    row = statement.row
+    if row is not None and any(meant.place.values()):
+        back = {q: q - value for q, value in meant.place.items()}
+        moved = replace(row, sides=tuple(truth.scene.plain(s).xreplace(back) for s in row.sides))
+        (apart,) = to_first_order(truth, [replace(statement, row=moved)], place)
+        if apart is not None and apart.shown:
+            doubt = f"right to first order if angles are counted from {where} here: say so"
+            return statement, undecided(finding.subject, doubt)
+    return statement, finding
+
+
+def _in_scene(scene: Scene, meant: OperatingPoint, table: Table) -> dict[Symbol, Expr]:
+    """An operating point as the scene counts: q_p = T q + c."""
+    told = meant.place or {}
+    origin = dict.fromkeys(scene.q, S.Zero)
+    moved = Matrix([told.get(q, S.Zero) - table.get(q, q).xreplace(origin) for q in scene.q])
+    return dict(zip(scene.q, slopes_of(scene, table).inv() * moved, strict=True))
 
 
 def _angles(scene: Scene) -> list[Expr]:
@@ -108,15 +125,25 @@ def _zero(scene: Scene) -> str:
     return ", ".join(f"{plain_symbol(q).name} = 0" for q in _angles(scene))
 
 
-def to_first_order(truth: Equations, statements: Sequence[Statement]) -> list[Finding | None]:
-    """Verdicts on equations to first order in the angles; None for what is not linearized."""
+def to_first_order(
+    truth: Equations, statements: Sequence[Statement], place: Mapping[Symbol, Expr] = NO_TABLE
+) -> list[Finding | None]:
+    """Verdicts on equations to first order in the angles; None for what is not linearized.
+
+    Parameters
+    ----------
+    truth : Equations
+    statements : sequence of Statement
+    place : mapping of Symbol to Expr
+        About which angles; zero for those that it does not hold.
+    """
     scene = truth.scene
     angles = _angles(scene)
     unfit = scene.constraints or scene.speeds or truth.multipliers
     if unfit or not statements or not angles or len(scene.u) > MOST:
         return [None] * len(statements)
     orders = [{plain_symbol(q, k) for q in angles} for k in range(3)]
-    small = orders[0] | orders[1]
+    small = {s: _near(s, place.get(s, S.Zero)) for s in orders[0] | orders[1]}
     found: list[Finding | None] = []
     try:
         motion = _motion(truth, small)
@@ -157,7 +184,7 @@ def _linearized(residual: Expr, q: set[Symbol], qd: set[Symbol], qdd: set[Symbol
     return all(bare.diff(a, b) == S.Zero for a in moving for b in moving)
 
 
-def _motion(truth: Equations, small: set[Symbol]) -> tuple[Matrix, Matrix]:
+def _motion(truth: Equations, small: Table) -> tuple[Matrix, Matrix]:
     """Accelerations at angles of zero, and how they grow with the angles."""
     mass, forcing = (_scaled(m, small) for m in (truth.mass, truth.forcing))
     at, force = mass.subs(E, 0), forcing.subs(E, 0)
@@ -168,7 +195,7 @@ def _motion(truth: Equations, small: set[Symbol]) -> tuple[Matrix, Matrix]:
 
 
 def _first_order(
-    scene: Scene, residual: Expr, small: set[Symbol], motion: tuple[Matrix, Matrix]
+    scene: Scene, residual: Expr, small: Table, motion: tuple[Matrix, Matrix]
 ) -> Finding:
     resting, growing = motion
     scaled = _scaled(Matrix([residual]), small)[0]
@@ -180,5 +207,9 @@ def _first_order(
     return prove_zero("to first order", orders, try_normal=False)
 
 
-def _scaled(entries: Matrix, small: set[Symbol]) -> Matrix:
-    return entries.xreplace({symbol: E * symbol for symbol in small})
+def _near(symbol: Symbol, place: Expr) -> Expr:
+    return place + E * (symbol - place)
+
+
+def _scaled(entries: Matrix, small: Table) -> Matrix:
+    return entries.xreplace({**small})

@@ -28,7 +28,7 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
     row, written = statement.row, statement.written
     if row is None or written is None or not isinstance(row.quantity, Identity):
         return finding
-    if written.notation == "code":
+    if written.notation == "code" or statement.derived:
         return finding
     if not finding.shown or _names(statement):
         return finding

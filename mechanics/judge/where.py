@@ -111,7 +111,7 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
     words = " and ".join(one.words for one in where)
     try:
         found = check_row(truth.scene, row, truth, positive)
-        stated = isinstance(row.quantity, Identity)
+        stated = isinstance(row.quantity, Identity) and not statement.derived
         if found.shown and stated and _empty(truth.kinematics, row, where):
             return undecided(everywhere.subject, f"where {words}, {WORDS}")
         if found.verdict is Verdict.UNDECIDED and _free(truth.scene, where):

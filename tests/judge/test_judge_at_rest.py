@@ -29,7 +29,8 @@ def on_hoop(text: str) -> list[str]:
         (r"\cos\theta_0 = 2g/(\omega^2 R)", "REFUTED"),
         (r"\sin\theta_0 = g/(\omega^2 R)", "REFUTED"),
         (r"\cos\theta_0 = \omega^2 R/g", "REFUTED"),
-        (r"g\theta_0 = 0", "UNDECIDED"),
+        (r"g\theta_0 = 0", "PROVED"),
+        (r"g(\theta_0 - 1) = 0", "REFUTED"),
     ],
 )
 def test_equilibria(formula: str, verdict: str) -> None:
@@ -43,6 +44,18 @@ def test_equilibria(formula: str, verdict: str) -> None:
         (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta\cos\theta$.", "PROVED"),
         (r"Equilibria: $\cos\theta = \omega^2 R/g$.", "REFUTED"),
         (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta$.", "REFUTED"),
+        (r"In equilibrium $\theta = \arccos\frac{g}{R\omega^2}$.", "PROVED"),
+        (r"In equilibrium $\theta = -\arccos\frac{g}{R\omega^2}$.", "PROVED"),
+        (r"In equilibrium $\theta = \arcsin\frac{g}{R\omega^2}$.", "REFUTED"),
+        (r"Equilibria satisfy $\sin\theta = 0$.", "PROVED"),
+        (r"Equilibria satisfy $\sin\theta\,(\omega^2\cos\theta - g/R) = 0$.", "PROVED"),
+        (
+            r"Equilibria: $\sin\theta\,(\omega^2\cos\theta - g/R)(\cos\theta - 2/3) = 0$.",
+            "REFUTED",
+        ),
+        (r"No equilibrium has $\cos\theta = \frac{g}{R\omega^2}$.", "UNDECIDED"),
+        (r"There is no equilibrium with $\cos\theta = \frac{g}{R\omega^2}$.", "UNDECIDED"),
+        (r"Away from equilibrium $\cos\theta = \frac{g}{R\omega^2}$.", "UNDECIDED"),
         (r"We look for equilibria. A constraint is $\cos\theta = g/(\omega^2 R)$.", "REFUTED"),
     ],
 )

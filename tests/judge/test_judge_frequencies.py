@@ -7,7 +7,7 @@ import pytest
 import mechanics
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
-from systems import cartpole, cylinder_in_cylinder
+from systems import cartpole, cylinder_in_cylinder, two_mass_chain
 from tests.notation_scenes import judged, verdicts
 
 SWING = r"\[ \ddot\theta = -\frac gl\sin\theta \]"
@@ -78,3 +78,27 @@ def test_a_frequency_about_the_other_equilibrium() -> None:
     found = mechanics.check(truth, hanging, blame=False)
     assert [e.finding.verdict.name for e in found.judged] == ["PROVED"]
     assert any("theta = pi" in note for note in found.judged[0].statement.notes)
+
+
+@cache
+def chain() -> Equations:
+    return derived(two_mass_chain.scene())
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"$\omega_1 = \sqrt{k/m}$, $\omega_2 = \sqrt{k/(6m)}$", ["PROVED", "PROVED"]),
+        ("omega1 = sqrt(k/m)\nomega2 = sqrt(k/(6*m))", ["PROVED", "PROVED"]),
+        (r"$\omega_1 = \sqrt{k/m}$, $\omega_2 = \sqrt{k/m}$", ["UNDECIDED", "UNDECIDED"]),
+        (r"The two are $\omega_1 = \omega_2 = \sqrt{k/m}$.", ["UNDECIDED", "UNDECIDED"]),
+        ("omega^2 = k/m\nomega^2 = k/(6*m)", ["PROVED", "PROVED"]),
+        ("omega = sqrt(k/(7*m))\nomega = sqrt(k/m)", ["REFUTED", "PROVED"]),
+        (r"A frequency is $\omega = \sqrt{k/m}$.", ["PROVED"]),
+        (r"The lowest frequency is $\omega = \sqrt{k/m}$.", ["UNDECIDED"]),
+        (r"The only frequency is $\omega = \sqrt{k/m}$.", ["UNDECIDED"]),
+    ],
+)
+def test_of_several_frequencies_each_is_another_root(text: str, verdict: list[str]) -> None:
+    found = mechanics.check(chain(), text, blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == verdict

@@ -60,6 +60,10 @@ class Arguments:
     matches: tuple[Match, ...]
 
 
+GUESSED_ORDER = "its order a guess"
+"""Of the entries of an argument, where nothing but the scene says it."""
+
+
 def arguments_of(
     naming: Naming,
     names: Sequence[str],
@@ -236,7 +240,7 @@ def _group(
             why = "the usual name of such a vector"
             if words in (INPUTS, PARAMETERS) and not scalar and len(symbols) > 1:
                 order = " ".join(str(symbol) for symbol in symbols)
-                why = f"{why}, its order a guess: --name '{name}={order}' gives it"
+                why = f"{why}, {GUESSED_ORDER}: --name '{name}={order}' gives it"
             return value, why, k
     return None
 

@@ -33,6 +33,10 @@ Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 ACC = re.compile(r"_?acc$")
 """Ends the name of an acceleration; in a text such a name is one of the author's own."""
 
+TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")
+"""What people put before and behind the name of what a function returns."""
+ENERGIES = ("kinetic energy", "potential energy", "Lagrangian", "Hamiltonian")
+
 MOST_ORDERED = 3
 """Outputs whose orders are tried."""
 
@@ -92,6 +96,21 @@ def claims(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def named_by_title(title: str, count: int) -> str | None:
+    """What a function returns by its own name, potential_energy; None where that does not tell.
+
+    Parameters
+    ----------
+    title : str
+    count : int
+        How many numbers it returns.
+    """
+    plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
+    words = TITLE.sub("", plain).strip("_").replace("_", " ")
+    known = {name.lower(): name for name in ENERGIES}
+    return known.get(words) if count == 1 else None
 
 
 def taken_otherwise(

@@ -48,6 +48,7 @@ from mechanics.claims.code.out_arguments import returning
 from mechanics.claims.code.outputs import (
     claims,
     in_order,
+    named_by_title,
     state_of_scalars,
     statement,
     taken_otherwise,
@@ -303,6 +304,7 @@ def _read(
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
+    about = about or named_by_title(title, sum(len(value) for value in outputs.values))
     found = claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)

@@ -147,7 +147,11 @@ class Items:
             if isinstance(script, Token) and script.type == "PRIME":
                 primes += len(script.value)
             elif isinstance(script, Token):
-                sub += bare(script.value[1:])
+                part = bare(script.value[1:])
+                if not part and re.search(r"[-+\u2212*]", script.value):
+                    where = int(script.start_pos or 0)
+                    raise Refused(where, "a sign as a subscript is not known here: write a letter")
+                sub += part
             else:
                 (inside,) = script.children
                 where = inside.start_pos if isinstance(inside, Token) else start_of(inside, script)

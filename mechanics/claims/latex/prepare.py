@@ -6,9 +6,11 @@ No character moves, so that messages name the right place.
 """
 
 import re
+from collections.abc import Iterator
 
 from mechanics.claims.latex.comments import blank, without_hidden
 from mechanics.claims.latex.over_lines import on_one_line
+from mechanics.claims.place import Refused
 
 MARKS = re.compile(
     r"\\(boxed|fbox|framebox|underbrace|overbrace|underline|shove(?:left|right)|smash|math[rl]lap|"
@@ -16,6 +18,10 @@ MARKS = re.compile(
 )
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 LABEL = re.compile(r"\s*[_^]\s*\{")
+BOXES = re.compile(r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box|intertext)\s*\{")
+FORMULA = re.compile(r"(?<!\\)\$(?P<one>[^$]*)\$|\\\((?P<two>[^()]*)\\\)")
+OPERATOR = re.compile(r"\s*(?:[-+*/=^_\u2212]|\\(?:cdot|times|frac|pm)(?![A-Za-z]))")
+WORDS = re.compile(r"\\(?:text(?:rm|it)?|mathrm|mbox)\s*\{[^{}]*\}|[^A-Za-z0-9\\]")
 
 
 def prepared(text: str) -> str:
@@ -48,6 +54,50 @@ def prepared(text: str) -> str:
         below = closed.get(label.end() - 1) if label else None
         if label and below is not None:
             blank(out, label.start(), below + 1)
+    return "".join(out)
+
+
+def labels(text: str) -> Iterator[tuple[int, int]]:
+    r"""Labels of braces that say something of their own: ``\\underbrace{F}_{= 0}``."""
+    text = on_one_line(without_hidden(text))
+    closed = _closed(text)
+    for mark in MARKS.finditer(text):
+        label = LABEL.match(text, closed.get(mark.end() - 1, len(text)) + 1)
+        end = closed.get(label.end() - 1) if label else None
+        if label is None or end is None or not mark[1].endswith("brace"):
+            continue
+        inside = text[label.end() : end]
+        if "=" in inside and WORDS.sub("", inside):
+            yield label.end(), end
+
+
+def without_boxes(text: str, start: int, end: int) -> str:
+    r"""A display in which ``\\mbox{$-F$}``, which is printed as a part of it, is -F.
+
+    Raises
+    ------
+    Refused
+        Where words stand beside a formula with an operator: what it belongs to is not known.
+    """
+    boxes = list(BOXES.finditer(text, start, end))
+    if not any(FORMULA.search(text, box.end(), end) for box in boxes):
+        return text
+    closed = _closed(text)
+    out = list(text)
+    for box in boxes:
+        last = closed.get(box.end() - 1, end)
+        inside = text[box.end() : last]
+        formula = FORMULA.fullmatch(inside.strip())
+        if formula is None:
+            for part in FORMULA.finditer(inside):
+                if OPERATOR.match(part["one"] or part["two"] or ""):
+                    words = "a part of the formula inside words: write it outside of them"
+                    raise Refused(box.end() + part.start(), words)
+            continue
+        name = "one" if formula["one"] is not None else "two"
+        begin = box.end() + len(inside) - len(inside.lstrip())
+        blank(out, box.start(), begin + formula.start(name))
+        blank(out, begin + formula.end(name), last + 1)
     return "".join(out)
 
 

@@ -23,7 +23,7 @@ from mechanics.claims.latex.item import bare
 from mechanics.claims.latex.items import Items
 from mechanics.claims.latex.outside_formulas import stray, within
 from mechanics.claims.latex.pieces import Pieces, is_kind
-from mechanics.claims.latex.prepare import prepared
+from mechanics.claims.latex.prepare import labels, prepared, without_boxes
 from mechanics.claims.latex.rows import rows
 from mechanics.claims.latex.vectors import applied
 from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
@@ -64,11 +64,13 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     for block in spans:
         source = " ".join(text[block.start : block.end].split())
         try:
-            found += _entries(clean, text, block, naming, origin)
+            whole = clean if block.inline else without_boxes(clean, block.start, block.end)
+            found += _entries(whole, text, block, naming, origin)
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
             found.append(Unread(source, words, block.start, _tag_of(source)))
-    for start, end in (*stray(clean, every), *(s for b in spans for s in within(clean, b))):
+    inside = (span for block in spans for span in within(clean, block))
+    for start, end in (*stray(clean, every), *inside, *labels(text)):
         words = located(text, start, STRAY, origin)
         found.append(Unread(" ".join(text[start:end].split()), words, start))
     return sorted(found, key=lambda entry: entry.at)

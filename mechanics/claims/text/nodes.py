@@ -157,6 +157,8 @@ class Nodes:
     def power(self, tree: Tree, at: int) -> Node:
         """base ** exponent."""
         base, sign, exponent = tree.children
+        if sign != "**" and _is_power(exponent):
+            raise Refused(at, "a^b^c: write the brackets: MATLAB takes (a^b)^c, others a^(b^c)")
         below, above = self.node(base), self.node(exponent)
         if (factor := _applied_to(base, below)) is not None:
             return _raised(at, factor, above)
@@ -393,6 +395,13 @@ class Nodes:
         ):
             return Table(node.at, tuple((cell,) for cell in node.rows[0]))
         return node
+
+
+def _is_power(exponent: Tree) -> bool:
+    """Whether an exponent without brackets is a power itself, signs aside."""
+    while exponent.data == "signed":
+        exponent = exponent.children[1]
+    return bool(exponent.data == "power")
 
 
 def _applied_to(tree: Tree, node: Node) -> Product | None:

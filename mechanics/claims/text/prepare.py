@@ -28,8 +28,9 @@ DECLARED = re.compile(
 )
 """Lines of a function or model that say nothing of it."""
 SIZED = re.compile(
-    r"^[ \t]*(?:\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*\([^\n;]*;?"
-    r"|(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?)[ \t\r]*$",
+    r"(?:^|(?<=;))[ \t]*\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*"
+    r"\((?:[^()\n;]|\([^()\n;]*\))*\)[ \t]*(?:;|(?=\r?$))"
+    r"|^[ \t]*(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?[ \t\r]*$",
     re.MULTILINE,
 )
 """The size of an array."""

@@ -16,6 +16,7 @@ from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_constant, value
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.claims.text.assignments import in_sequence
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import Nodes
@@ -59,7 +60,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
         raise refusal(text, reason, origin) from None
     clean = prepared(text)
     try:
-        return _lines(clean, text, 0, naming, origin)
+        return in_sequence(_lines(clean, text, 0, naming, origin), text, naming)
     except Refused as reason:
         whole = reason
     # One line that cannot be read does not spoil the others.
@@ -77,7 +78,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     if not any(isinstance(line, Line) for line in found):
         words = located(text, whole.at, whole.words, origin)
         return [Unread(" ".join(text.split())[:200], words, whole.at)]
-    return found
+    return in_sequence(found, text, naming)
 
 
 def _statements(clean: str) -> Iterator[tuple[str, int]]:

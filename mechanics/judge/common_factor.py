@@ -1,0 +1,53 @@
+"""Where an equation of motion says nothing: a factor of all its terms is zero, or a case holds nil.
+
+    u (theta'' - a) = 0                  says    theta'' = a    except where u = 0
+    theta'' - a if theta > 0 else 0      says    theta'' = a    where theta > 0
+
+It counts as a divisor of what the equation says, as in ``(theta'' - a)/u = 0``.
+"""
+
+from collections.abc import Collection, Iterator
+
+from sympy import Expr, Mul, Piecewise, S, Symbol, factor_terms
+from sympy.matrices import MatrixBase
+
+from mechanics.claims.demands import Demand
+from mechanics.claims.statement import Statement
+from mechanics.equations import Equations
+from mechanics.scene.quantities import EquationOfMotion
+
+
+def demands_of_factors(truth: Equations, statement: Statement) -> tuple[Demand, ...]:
+    """What an equation of motion asks for to say something of accelerations.
+
+    Parameters
+    ----------
+    truth : Equations
+    statement : Statement
+    """
+    row = statement.row
+    if row is None or not isinstance(row.quantity, EquationOfMotion):
+        return ()
+    if len(row.sides) != 2 or any(isinstance(side, MatrixBase) for side in row.sides):
+        return ()
+    difference = row.sides[0] - row.sides[1]
+    divisors = _divisors(difference, set(truth.scene.ud))
+    return tuple(Demand("divide", (S.One, divisor)) for divisor in divisors)
+
+
+def _divisors(difference: Expr, moving: Collection[Symbol]) -> Iterator[Expr]:
+    """What has to be other than zero for a difference to hold accelerations."""
+    if isinstance(difference, Piecewise):
+        says = [(S.One if e.free_symbols & {*moving} else S.Zero, c) for e, c in difference.args]
+        if S.Zero in [value for value, _ in says]:
+            yield Piecewise(*says, (S.Zero, True))
+        return
+    factors = [f.as_base_exp() for f in Mul.make_args(factor_terms(difference))]
+    moves = [base for base, _ in factors if base.free_symbols & {*moving}]
+    if len(moves) != 1:
+        return
+    for base, exponent in factors:
+        if exponent.is_positive and base.free_symbols and base not in moves:
+            yield base
+    if isinstance(moves[0], Piecewise):
+        yield from _divisors(moves[0], moving)

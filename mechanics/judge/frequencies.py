@@ -1,0 +1,102 @@
+r"""What a text says of several frequencies: different names, different roots; the lowest.
+
+omega_1 = sqrt(k/m), omega_2 = sqrt(k/m)    each is a root; both are it only where it is double
+the lowest frequency is sqrt(k/m)           which root it is is not looked at
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sympy import Expr
+
+from mechanics.claims.prose import sentence_around
+from mechanics.claims.statement import Statement
+from mechanics.equations import Equations
+from mechanics.errors import ExpressionError
+from mechanics.judge.letters import meanings_of
+from mechanics.kernel import undecided
+from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
+from mechanics.report.answer.judged import Judged
+from mechanics.symbolic import is_zero
+
+OF_ROOTS = frozenset(("frequency", "turns per second", "period"))
+WHICH = re.compile(
+    r"\b(?:low(?:est|er)|high(?:est|er)|small(?:est|er)|larg(?:est|er)|slow(?:est|er)|fast(?:est|er)"
+    r"|fundamental|only|sole|single|short(?:est|er)|long(?:est|er)|first|second)\s+"
+    r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root)",
+    re.IGNORECASE,
+)
+
+
+def one_root_each(
+    truth: Equations, judged: Sequence[Judged], statements: Sequence[Statement]
+) -> tuple[Judged, ...]:
+    """The entries; frequencies of which more is said than that they are some are UNDECIDED.
+
+    Parameters
+    ----------
+    truth : Equations
+    judged : sequence of Judged
+    statements : sequence of Statement
+        As they were read.
+    """
+    found = list(judged)
+    roots = [
+        k for k, (entry, statement) in enumerate(zip(judged, statements, strict=True))
+        if entry.finding.shown and entry.statement.derived
+        and OF_ROOTS & {*meanings_of(statement)}
+    ]  # fmt: skip
+    if not roots or len(truth.scene.q) < 2:
+        return tuple(found)
+    for k in roots:
+        others = [j for j in roots if j != k and _alike(statements[j], statements[k])]
+        if others and not _double(truth, statements[k]):
+            words = ", ".join(dict.fromkeys(_name(statements[j]) for j in others))
+            found[k] = _left_open(found[k], f"{words} and {_name(statements[k])} are the same one")
+        elif words := _which(statements[k]):
+            found[k] = _left_open(found[k], f"whether it is {words!r} is not looked at")
+    return tuple(found)
+
+
+def _left_open(entry: Judged, words: str) -> Judged:
+    doubt = f"it is a frequency of small oscillations, but the scene has several: {words}"
+    return replace(entry, finding=undecided(entry.finding.subject, doubt))
+
+
+def _which(statement: Statement) -> str:
+    """Which of several it is said to be."""
+    written = statement.written
+    if written is None:
+        return ""
+    found = WHICH.search(" ".join(sentence_around(written.text, written.start).split()))
+    return found[0] if found else ""
+
+
+def _name(statement: Statement) -> str:
+    return statement.letter.name if statement.letter is not None else ""
+
+
+def _square(statement: Statement) -> Expr:
+    assert statement.letter is not None  # of a root
+    return statement.letter.sides[-1] ** 2
+
+
+def _alike(one: Statement, other: Statement) -> bool:
+    """Whether two names are said to be one root."""
+    if _name(one) == _name(other):
+        return False
+    try:
+        return bool(is_zero(_square(one) - _square(other)))
+    except ExpressionError:
+        return False
+
+
+def _double(truth: Equations, statement: Statement) -> bool:
+    """Whether what is written is a root of which there are two."""
+    square = truth.scene.plain(_square(statement))
+    for _, polynomial in characteristic_polynomials(truth):
+        both = (polynomial, polynomial.diff(SQUARE))
+        if all(is_zero(one.xreplace({SQUARE: square})) for one in both):
+            return True
+    return False

@@ -1,0 +1,146 @@
+r"""Whether a text means an equation to first order, and about which angles.
+
+Linearized about $\theta = \pi$    theta = pi        near the upper equilibrium    by the scene
+For small angles                   theta = 0         in contrast to small angles   hedged
+"""
+
+import re
+from dataclasses import dataclass
+
+from sympy import Expr, Integer, Rational, S, Symbol, pi
+
+from mechanics.claims.claim import Written
+from mechanics.claims.directions import Counted, counted
+from mechanics.claims.kinds import angular
+from mechanics.claims.prose import ENDS
+from mechanics.scene import Scene
+
+ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
+SAID = re.compile(
+    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
+    rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
+    r"|lineari[sz]|to first order|linear (?:model|equation|approximation)"
+    r"|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
+    re.IGNORECASE,
+)
+"""What says that equations are meant to first order."""
+DENIED = re.compile(r"\b(?:not?|nor|never|without|before|cannot)\b|n't\b", re.IGNORECASE)
+"""What says that they are not, in the same sentence."""
+HEDGED = re.compile(
+    r"\b(?:unlike|contrast|contrary|fail\w*|beyond|exact\w*|exclud\w+|useless|invalid|large"
+    r"|special case|nowhere|instead|rather|arbitrary|generally|in general|whereas"
+    r"|(?:any|all) angles?)\b",
+    re.IGNORECASE,
+)
+"""What says, beside it, that another equation may be meant so."""
+BEHIND = re.compile(r"(?:\$|\\\]|\\end\{\w+\*?\})\s+(?=[A-Z])")
+"""Where a sentence begins behind a formula without a full stop."""
+
+PLACE = re.compile(
+    r"\b(?:about|around|near|close to|(?:vicinity|neighbou?rhood) of|lineari[sz]\w+ at)\s+"
+    r"(?P<place>(?:[^.;:]|\.(?=\d))+)",
+    re.IGNORECASE,
+)
+UP = re.compile(r"\b(?:up(?:per|right|wards?)|inverted|top|highest|unstable vertical)\b", re.I)
+DOWN = re.compile(r"\b(?:low(?:er|est)|hanging|down(?:wards?)?|bottom|pendent)\b", re.I)
+OTHER = re.compile(
+    r"\b(?:this|that|these|it|other|second|unstable|stable|non-?trivial|non-?zero|tilted|any)\b"
+    r"|operating point",
+    re.IGNORECASE,
+)
+EQUALS = re.compile(
+    r"\\?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:=|\\approx|\\simeq|\\to)\s*(?P<value>[^$,=]+)"
+)
+VALUE = re.compile(
+    r"(?P<sign>[-+]?)(?:\\[dt]?frac)?\{?(?P<times>\d*(?:\.\d+)?)(?P<pi>\\?pi)?\}?(?:/?\{?(?P<by>\d+)\}?)?"
+)
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """About which angles an equation is meant to first order.
+
+    Attributes
+    ----------
+    words : str
+        What the text says of it.
+    place : dict of Symbol to Expr or None
+        Angles as the person counts them; None where the words are not read.
+    hedge : str
+        What stands beside that speaks of another equation; empty otherwise.
+    """
+
+    words: str
+    place: dict[Symbol, Expr] | None
+    hedge: str = ""
+
+
+def operating_point(scene: Scene, written: Written) -> OperatingPoint | None:
+    """What the last sentence up to a statement says that speaks of it; None where none does.
+
+    Parameters
+    ----------
+    scene : Scene
+    written : Written
+    """
+    for sentence in reversed(_sentences(written)):
+        if SAID.search(sentence) and not DENIED.search(sentence):
+            hedge = HEDGED.search(sentence)
+            place, words = _place(scene, written, sentence)
+            return OperatingPoint(words, place, hedge[0] if hedge else "")
+    return None
+
+
+def _sentences(written: Written) -> list[str]:
+    """Up to a statement, and as far as its own goes on behind it."""
+    text, start = written.text, written.start
+    behind = BEHIND.search(text, start)
+    ends = sorted({*(m.end() for m in ENDS.finditer(text)), *([behind.end()] if behind else [])})
+    starts = [0, *ends]
+    pairs = zip(starts, [*ends, len(text)], strict=True)
+    return [text[a:b] for a, b in pairs if a <= start]
+
+
+def _place(scene: Scene, written: Written, sentence: str) -> tuple[dict[Symbol, Expr] | None, str]:
+    zero: dict[Symbol, Expr] = {q: S.Zero for q in scene.q if q in angular(scene)}
+    plain = " ".join(sentence.split())
+    for found in PLACE.finditer(plain):
+        words = found["place"].partition("$$")[0].partition("\\[")[0].strip()
+        if equal := EQUALS.match(words.lstrip("$ (")):
+            name = written.naming.lookup(equal["name"].replace("{", "").replace("}", ""))
+            value = _value(equal["value"])
+            symbol = None if name is None or name[1] else Symbol(name[0], real=True)
+            if value is None or symbol not in zero:
+                return None, found[0].strip()
+            return {**zero, symbol: value}, words
+        for way, quarter in ((UP, 1), (DOWN, 3)):
+            if way.search(words):
+                return _vertical(scene, zero, quarter), found[0].strip()
+        if OTHER.search(words):
+            return None, found[0].strip()
+    return zero, ""
+
+
+def _vertical(scene: Scene, zero: dict[Symbol, Expr], quarter: int) -> dict[Symbol, Expr] | None:
+    """Angles where bodies are above, or below; None where the scene does not tell."""
+    fixed = [one for one in counted(scene) if one.fixed and one.quarter is not None]
+    return {**zero, **{one.symbol: _turned(one, quarter) for one in fixed}} if fixed else None
+
+
+def _turned(one: Counted, quarter: int) -> Expr:
+    if not one.sense:
+        return S.Zero if one.quarter == quarter else pi
+    return pi / 2 * (((quarter - (one.quarter or 0)) * one.sense + 1) % 4 - 1)
+
+
+def _value(text: str) -> Expr | None:
+    """An angle that is a number, or a part of pi."""
+    plain = next(iter(text.split()), "").rstrip("})\\]")
+    found = VALUE.fullmatch(plain)
+    if found is None or not plain or not (found["times"] or found["pi"]):
+        return None
+    by = int(found["by"] or 1)
+    if not by:
+        return None
+    number = Rational(found["times"] or 1) / by
+    return Integer(-1 if found["sign"] == "-" else 1) * number * (pi if found["pi"] else 1)

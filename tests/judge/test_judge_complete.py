@@ -1,0 +1,110 @@
+"""Residuals that say nothing in a case, at rest, or twice, are no equations of motion."""
+
+from functools import cache
+from math import cos, sin
+
+import casadi
+import pytest
+
+from mechanics import check
+from mechanics.equations import Equations
+from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
+from systems import cartpole, rod_pendulum
+
+
+@cache
+def rod() -> Equations:
+    return derived(rod_pendulum.scene())
+
+
+@cache
+def pole() -> Equations:
+    return derived(cartpole.scene())
+
+
+def right(q, qdd, tau, m, l, g):
+    return m * l**2 / 3 * qdd - m * g * l / 2 * sin(q) - tau
+
+
+def whole(q, qd, qdd, tau, m, l, g):
+    return right(q, qdd, tau, m, l, g) if q > 0 else 2 * right(q, qdd, tau, m, l, g)
+
+
+def nil(q, qd, qdd, tau, m, l, g):
+    return right(q, qdd, tau, m, l, g) if q > 0 else 0 * q
+
+
+def limited(q, qd, qdd, tau, m, l, g):
+    return max(0, q) * right(q, qdd, tau, m, l, g)
+
+
+def driven(q, qd, qdd, tau, m, l, g):
+    return tau * right(q, qdd, tau, m, l, g)
+
+
+@pytest.mark.parametrize(
+    ("function", "verdict"),
+    [
+        (whole, Verdict.PROVED),
+        (nil, Verdict.UNDECIDED),
+        (limited, Verdict.UNDECIDED),
+        (driven, Verdict.UNDECIDED),
+    ],
+)
+def test_a_residual_that_says_nothing_somewhere(function: object, verdict: Verdict) -> None:
+    assert check(rod(), function, blame=False).verdict is verdict
+
+
+def rows(theta, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g):
+    across = (mc + mp) * x_ddot + mp * l * (cos(theta) * theta_ddot - theta_dot**2 * sin(theta))
+    turning = mp * l * cos(theta) * x_ddot + 4 * mp * l**2 / 3 * theta_ddot
+    return across - F, turning - mp * g * l * sin(theta)
+
+
+def both(x, theta, x_dot, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g):
+    return rows(theta, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g)
+
+
+def twice(x, theta, x_dot, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g):
+    first, _ = rows(theta, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g)
+    return first, first
+
+
+def pushed(x, theta, x_dot, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g):
+    first, second = rows(theta, theta_dot, x_ddot, theta_ddot, F, mc, mp, l, g)
+    return first, F * second
+
+
+@pytest.mark.parametrize(
+    ("function", "verdict"),
+    [(both, Verdict.PROVED), (twice, Verdict.UNDECIDED), (pushed, Verdict.UNDECIDED)],
+)
+def test_residuals_together(function: object, verdict: Verdict) -> None:
+    assert check(pole(), function, blame=False).verdict is verdict
+
+
+def potential_energy(theta, m, l, g):
+    return -m * g * l * sin(theta / 2) ** 2
+
+
+def kinetic_energy(theta, m, l, g):
+    return -m * g * l * sin(theta / 2) ** 2
+
+
+def test_the_name_of_a_function_says_what_it_returns() -> None:
+    assert check(rod(), potential_energy, blame=False).verdict is Verdict.PROVED
+    assert check(rod(), kinetic_energy, blame=False).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("order", "verdict"), [("g l m", Verdict.PROVED), ("m l g", Verdict.UNDECIDED)]
+)
+def test_a_guessed_order_of_parameters_refutes_nothing(order: str, verdict: Verdict) -> None:
+    state, u, p = casadi.SX.sym("x", 2), casadi.SX.sym("u"), casadi.SX.sym("p", 3)
+    value = dict(zip(order.split(), casadi.vertsplit(p), strict=True))
+    m, l, g = value["m"], value["l"], value["g"]
+    rate = 3 * g / (2 * l) * casadi.sin(state[0]) + 3 * u / (m * l**2)
+    outputs = [casadi.vertcat(state[1], rate)]
+    function = casadi.Function("f", [state, u, p], outputs, ["x", "u", "p"], ["xdot"])
+    assert check(rod(), function, blame=False).verdict is verdict

@@ -1,0 +1,76 @@
+"""About which place a text linearizes, and whether it does."""
+
+from functools import cache
+
+import pytest
+
+from mechanics import check
+from mechanics.equations import Equations
+from mechanics.judge.check import derived
+from systems import bead_on_hoop
+
+BOTTOM = r"$$\ddot\theta = (\omega^2 - g/R)\theta$$"
+TOP = r"$$\ddot\theta = (\omega^2 + g/R)(\theta - \pi)$$"
+APART = r"$$\ddot\theta = (\omega^2 + g/R)\theta$$"
+
+
+@cache
+def hoop() -> Equations:
+    return derived(bead_on_hoop.scene())
+
+
+def verdict(text: str) -> str:
+    (entry,) = check(hoop(), text, blame=False).judged
+    return entry.verdict.name
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Linearized about $\theta=\pi$:",
+        r"For small angles near $\theta = \pi$",
+        "Linearized about the upper equilibrium",
+    ],
+)
+def test_the_place_is_read(words: str) -> None:
+    assert verdict(f"{words} {TOP}") == "CERTIFIED"
+    assert verdict(f"{words} {BOTTOM}") == "REFUTED"
+    assert verdict(f"{words} {APART}") == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    "words", ["For small angles", "Linearized about the lower equilibrium", "To first order"]
+)
+def test_without_a_place_or_below_it_is_the_bottom(words: str) -> None:
+    assert verdict(f"{words} {BOTTOM}") == "CERTIFIED"
+    assert verdict(f"{words} {TOP}") == "REFUTED"
+
+
+@pytest.mark.parametrize("words", ["about a tilted position", "about the unstable equilibrium"])
+def test_a_place_that_is_not_read_leaves_it_open(words: str) -> None:
+    assert verdict(f"Linearized {words}: {BOTTOM}") == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "In contrast to the case of small angles, in general",
+        "The small-angle approximation fails here; exactly,",
+        "For large angles, where the linearized equation is useless,",
+        "This also holds beyond small angles:",
+        "Unlike the linearized equation, the exact equation is",
+        "The full nonlinear equation, of which the linearized one is a special case, is",
+        "Small angles are excluded.",
+    ],
+)
+def test_a_sentence_that_speaks_of_another_equation_shows_nothing(words: str) -> None:
+    assert verdict(f"{words} {BOTTOM}") == "UNDECIDED"
+
+
+def test_a_decimal_is_a_place() -> None:
+    assert verdict(rf"Linearized about $\theta=0.3$: {BOTTOM}") == "REFUTED"
+
+
+def test_a_sentence_behind_the_equation_is_about_another() -> None:
+    assert verdict(f"{BOTTOM} for small angles.") == "CERTIFIED"
+    assert verdict(f"The exact equation: {BOTTOM} It was linearized nowhere.") == "REFUTED"
