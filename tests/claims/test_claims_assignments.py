@@ -58,6 +58,12 @@ def test_the_first_value_proves_nothing(body: str, tmp_path: Path) -> None:
     assert worst(body, tmp_path) is not Verdict.PROVED
 
 
+def test_an_acceleration_is_what_it_is_at_the_end() -> None:
+    text = "thetadd = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);\nthetadd = {}*thetadd;"
+    assert check(truth(), text.format("1"), blame=False).verdict is Verdict.PROVED
+    assert check(truth(), text.format("2"), blame=False).verdict is Verdict.REFUTED
+
+
 @pytest.mark.parametrize(
     "body",
     [

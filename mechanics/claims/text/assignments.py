@@ -29,8 +29,8 @@ ASSIGNS = re.compile(r"(\w+)\s*=(?!=)")
 def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry]:
     """The lines with a name of its own for each value that a name has on the way.
 
-    What a name of the person is worth at the end keeps the name, what a name of the scene is worth
-    at the beginning.
+    What a name is worth at the end keeps the name; of an argument, or the name of an entry, what
+    it is worth at the beginning.
 
     Parameters
     ----------
@@ -55,6 +55,7 @@ def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
     # Which branch assigned a name last is not read.
     anew = set(again) if BRANCH.search(text) else set[str]()
     used = set[str]()
+    given = set[str]()
     found: list[Entry] = []
     for line, name, lost in zip(lines, assigned, unread, strict=True):
         if not isinstance(line, Line):
@@ -73,7 +74,11 @@ def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
             seen[name] += 1
             if _is_array(name, lines):
                 anew.add(name)
-            own = _own(name, seen[name], counts[name], _holds(line, name), naming)
+            if seen[name] == 1 and naming.knows(name) and not OF_ARRAY.match(name):
+                given |= {name} if _holds(line, name) or isinstance(others[0], Name) else set()
+            first = seen[name] == 1 and not _holds(line, name)
+            keeps = first if name in given else seen[name] == counts[name]
+            own = name if keeps else HERE.format(name, seen[name])
             now[name] = own
             left = ended(replace(left, name=own), left.end)
         else:
@@ -90,13 +95,6 @@ def _overwritten(line: Entry, used: Container[str]) -> Entry:
     if not VERSION.search(left.name):
         return line
     return Aside(f"{line.source[:60]}: assigned anew before it is used", line.at)
-
-
-def _own(name: str, number: int, count: int, holds: bool, naming: Naming) -> str:
-    """What the value is called that a name has after its assignment of this number."""
-    if naming.knows(name) and not OF_ARRAY.match(name):
-        return name if number == 1 and not holds else HERE.format(name, number)
-    return name if number == count else HERE.format(name, number)
 
 
 def _assigned(line: Entry, text: str, program: bool) -> str:
