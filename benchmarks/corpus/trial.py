@@ -132,7 +132,16 @@ def _mended_rows(case: Case) -> Rows:
     """What code would say without its mistake, by the tags of its statements."""
     if case.right or case.input not in CODE:
         return {}
-    found = _checked(case, case.text.replace(case.written, case.mended, 1), blame=False)
+    text = case.text
+    parts = [(case.written, case.mended)]
+    if case.written not in text:  # mistakes in several lines
+        parts = list(zip(case.written.split("\n"), case.mended.split("\n"), strict=True))
+    for written, mended in parts:
+        text = text.replace(written, mended, 1)
+    try:
+        found = _checked(case, text, blame=False)
+    except MechanicsError:
+        return {}  # nothing to compare with: an edit has to stand at the mistake
     return {e.statement.tag: e.statement.row.sides for e in found.judged if e.statement.row}
 
 

@@ -25,6 +25,7 @@ from mechanics.judge.single import by_dimension, subject_of
 from mechanics.kernel import Finding
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published
+from mechanics.scene.quantities import ReactionValue
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
 
 OWN = "what the scene calls so"
@@ -202,7 +203,11 @@ def _trials(
     if meaning == OWN:
         yield list(group), OWN
         return
-    for candidate in candidates(truth, meaning, table):
+    letter = _letter(group[0])
+    every = list(candidates(truth, meaning, table))
+    # The scene's own reaction of that name is it, and no other.
+    named = [c for c in every if c.quantity == ReactionValue(letter.name)]
+    for candidate in named or every:
         derived = bool(candidate.before) or candidate.vanishing is not None
         for rows in zip(*(_rows(s, candidate) for s in group), strict=True):
             found = [

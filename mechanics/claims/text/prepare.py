@@ -81,7 +81,7 @@ BRACES = re.compile(
 PROSE = re.compile(
     r"^(?!\s*(?:if|for|while|else|elseif|elif|switch|case|otherwise|do|until|end|function|return"
     r"|global|def|class|import|from|when)\b)[ \t]*[^\W\d_]\w*"
-    r"(?:[ ,\-\u2019'\"(]+[^\W\d_]\w*[).:]*){2,}[ .:;!?)]*$",
+    r"(?:[ ,\-\u2019'\"]+\(?[^\W\d_]\w*[).:]*){2,}[ .:;!?)]*$",
     re.MULTILINE,
 )
 """A line of words alone, which are no factors: With theta measured from the horizontal:"""
