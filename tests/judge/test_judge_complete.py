@@ -7,6 +7,7 @@ import casadi
 import pytest
 
 from mechanics import check
+from mechanics.claims.code.outputs import named_by_title
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
@@ -90,6 +91,19 @@ def potential_energy(theta, m, l, g):
 
 def kinetic_energy(theta, m, l, g):
     return -m * g * l * sin(theta / 2) ** 2
+
+
+@pytest.mark.parametrize(
+    ("title", "meaning"),
+    [
+        ("SimplePendulumEnergy", "energy"),
+        ("compute_kinetic_energy", "kinetic energy"),
+        ("energetic", None),
+    ],
+)
+def test_a_title_ends_with_what_it_names(title: str, meaning: str | None) -> None:
+    assert named_by_title(title, 1) == meaning
+    assert named_by_title(title, 2) is None
 
 
 def test_the_name_of_a_function_says_what_it_returns() -> None:

@@ -35,7 +35,7 @@ ACC = re.compile(r"_?acc$")
 
 TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")
 """What people put before and behind the name of what a function returns."""
-ENERGIES = ("kinetic energy", "potential energy", "Lagrangian", "Hamiltonian")
+ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
 
 MOST_ORDERED = 3
 """Outputs whose orders are tried."""
@@ -109,8 +109,8 @@ def named_by_title(title: str, count: int) -> str | None:
     """
     plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
     words = TITLE.sub("", plain).strip("_").replace("_", " ")
-    known = {name.lower(): name for name in ENERGIES}
-    return known.get(words) if count == 1 else None
+    named = (name for name in ENERGIES if f" {words}".endswith(f" {name.lower()}"))
+    return next(named, None) if count == 1 else None
 
 
 def taken_otherwise(
