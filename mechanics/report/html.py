@@ -41,6 +41,18 @@ def to_html(results: Sequence[SystemResult]) -> str:
     -------
     str
         A whole page.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+    ...     parameters("m g", "kg m/s^2", "2 9.81"))
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+    ...     loads=(gravity(-g * N.z),))
+    >>> result = crosscheck(stone, CrossCheck(("kane", "lagrange"), states=0))
+    >>> to_html([result])[:15]
+    '<!DOCTYPE html>'
     """
     page = environment().get_template("page.html")
     return page.render(
