@@ -28,6 +28,7 @@ from mechanics.report.sections import (
     speeds,
     symbol_rows,
 )
+from mechanics.report.swing import swings
 
 
 def to_html(results: Sequence[SystemResult]) -> str:
@@ -89,6 +90,11 @@ def _section(number: int, result: SystemResult) -> Section:
         witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
         moving=_moving(result),
+        swings=[
+            (caption, Markup(svg))
+            for modes in result.modes
+            for caption, svg in swings(result.scene, modes.swings)
+        ],
         charts=motion_charts(result),
     )
 
