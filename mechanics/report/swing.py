@@ -27,13 +27,12 @@ def swings(scene: Scene, modes: tuple[Swing, ...]) -> list[tuple[str, str]]:
     """Words and a picture for each mode; none where coordinates are too many to be drawn."""
     if not few_of(scene):
         return []
-    return [
-        (
-            f"Mode {mode.number}: {mode.omega / (2 * math.pi):.4g} Hz, a period drawn in {PERIOD:g} s",
-            _picture(scene, mode),
-        )
-        for mode in modes
-    ]
+    return [(_words(mode), _picture(scene, mode)) for mode in modes]
+
+
+def _words(mode: Swing) -> str:
+    frequency = mode.omega / (2 * math.pi)
+    return f"Mode {mode.number}: {frequency:.4g} Hz, a period drawn in {PERIOD:g} s"
 
 
 def _picture(scene: Scene, mode: Swing) -> str:
