@@ -4,14 +4,38 @@ scene --> routes --> Equations --> checks --> report
                          |
                          +--> compile --> Model --> simulate, write_c
 
-Everything below is imported when it is asked for: a command that needs little starts at once.
+Declare: a Scene of Particle and RigidBody; a System adds its source.
+    parameters          names, units and typical values
+    pin slide weld ball universal cylindrical planar free roll rope  joints
+    quaternion euler    rotations of ball and free
+    gravity force torque spring damper torsion_spring                  loads
+    holonomic nonholonomic condition    constraints, conditions of validity
+    reaction reaction_couple            unknown forces and couples
+    position orientation velocity       outputs
+    published           an equation of the source (a row of its ledger)
+    from_sympy from_urdf from_mjcf from_dh from_json    models of others
+Derive and prove: a Finding has a Verdict; when refuted, a Witness.
+    derive              Equations of one of the ROUTES
+    crosscheck          a CrossCheck: all routes, each other and the source
+    check               your own equations; a BlackBox is only called
+    compare             other engines, with the cause where they differ
+    drop_redundant      a scene without constraints that follow from others
+    to_html to_json check_html check_json to_sympy    results, written
+Use: a MechanicsError says what was refused, and why.
+    compile             a Model: mass_matrix, forward_dynamics, energy, ...
+    simulate ensemble   one motion; many; Feedback: an input by the state
+    trim linearize modes damped_modes   rest, steady motions, small motions
+    trade extremes      what accuracy costs; where something breaks
+    write_c write_fmu   C99; a unit of FMI 3.0
+
+help(mechanics.pin) tells more, with an example; docs/ has tutorials.
 """
 
 from __future__ import annotations
 
 import sys
 from importlib import import_module
-from types import ModuleType
+from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -218,7 +242,7 @@ _MODULES = {
     "trade": ("mechanics.trade", "trade"),
     "simulate": ("mechanics.trade.accurate", "simulate"),
 }
-"""Where each public name comes from."""
+"""Where each public name comes from: imported when asked for, what needs little starts at once."""
 
 
 class _Package(ModuleType):
@@ -237,7 +261,16 @@ class _Package(ModuleType):
             super().__setattr__(name, value)
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *__all__})
+        # help() would print each docstring in full, 2,300 lines: it gets this package's own alone.
+        return [] if _pydoc_asks() else sorted({*super().__dir__(), *__all__})
+
+
+def _pydoc_asks() -> bool:
+    """Whether the caller is pydoc, through functions of inspect; it has no other hook."""
+    frame: FrameType | None = sys._getframe(2)
+    while frame and frame.f_globals.get("__name__") == "inspect":
+        frame = frame.f_back
+    return frame is not None and frame.f_globals.get("__name__") == "pydoc"
 
 
 sys.modules[__name__].__class__ = _Package

@@ -2,6 +2,8 @@
 
 import ast
 import inspect
+import pydoc
+import re
 import subprocess
 import sys
 
@@ -41,3 +43,13 @@ def test_a_function_is_not_hidden_by_the_module_of_its_name() -> None:
 def test_a_name_that_is_not_there_is_no_attribute() -> None:
     with pytest.raises(AttributeError, match="nothing"):
         _ = mechanics.nothing
+
+
+def test_help_fits_a_screen_and_names_everything() -> None:
+    page = pydoc.plain(pydoc.render_doc(mechanics))
+    shown, contents = page.split("PACKAGE CONTENTS")
+    assert len(shown.splitlines()) <= 44
+    assert max(map(len, shown.splitlines())) <= 80
+    assert set(mechanics.__all__) <= set(re.findall(r"\w+", shown))
+    # Nothing follows but the list of folders and the file's name.
+    assert re.findall("^[A-Z]+$", contents, re.MULTILINE) == ["FILE"]

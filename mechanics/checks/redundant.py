@@ -41,6 +41,19 @@ def drop_redundant(scene: Scene) -> Scene:
     ------
     SceneError
         Where no state on the constraints is known, or constraints touch or contradict each other.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> (x, y), (m,) = dynamicsymbols("x y"), parameters("m", "kg", "1")
+    >>> P = O.locatenew("P", x * N.x + y * N.y)
+    >>> A, B = (reaction(name, at=P, on="bead", by=None, along=N.y) for name in "AB")
+    >>> rails = holonomic("rail", y, "A"), holonomic("second rail", 2 * y, "B")
+    >>> bead = Particle("bead", P, m)
+    >>> scene = Scene("bead", N, O, (x, y), (bead,), reactions=(A, B), constraints=rails)
+    >>> [constraint.name for constraint in drop_redundant(scene).constraints]
+    ['rail']
     """
     mechanism = lower(scene, Builder())
     anywhere, filter_ = mechanism.filters

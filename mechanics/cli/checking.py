@@ -85,15 +85,6 @@ def check(
 ) -> None:
     """Check your own equations of motion, energies, reactions or mass matrix.
 
-    Each equation gets a verdict; a wrong one the smallest change that makes it right, the
-    differences term by term, and a state at which its sides differ. Names are matched to those of
-    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. LaTeX, text
-    and C are read, never run; `file.py:function` runs that file, so give your own. Exit code: 0
-    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt,
-    2 for bad input.
-
-    Examples
-    --------
     `mechanics check elastic_pendulum equations.tex --report answer.html`
 
     `mechanics check rocker mine.txt --name phi=theta --json -`
@@ -103,6 +94,13 @@ def check(
     `mechanics check acrobot control.c --function accelerations`
 
     `mechanics check rod_pendulum sim.py:step --black-box --value m=1 --step 0.01 --value l=2`
+
+    Each equation gets a verdict; a wrong one the smallest change that makes it right, the
+    differences term by term, and a state at which its sides differ. Names are matched to those of
+    the scene; what was guessed is printed. Rows may be scaled, combined and swapped. LaTeX, text
+    and C are read, never run; `file.py:function` runs that file, so give your own. Exit code: 0
+    when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is in doubt,
+    2 for bad input.
     """
     refuse_unwritable(report, json_file)
     scene = load(system).scene()

@@ -39,15 +39,13 @@ def compare(
 ) -> None:
     """Compare a model with other engines, and name the cause where they differ.
 
-    Mass matrix, bias, inverse and forward dynamics, energies, Jacobians, at drawn states. A file
-    is read by both sides; of a scene the engine's model is made. Exit code: 0 when all agree but
-    for rounding, 1 when something differs, 2 for bad input.
-
-    Examples
-    --------
     `mechanics compare arm_puma560 --against pinocchio,mujoco`
 
     `mechanics compare arm.urdf --against mujoco --json -`
+
+    Mass matrix, bias, inverse and forward dynamics, energies, Jacobians, at drawn states. A file
+    is read by both sides; of a scene the engine's model is made. Exit code: 0 when all agree but
+    for rounding, 1 when something differs, 2 for bad input.
     """
     refuse_unwritable(json_file)
     # The other side takes 1.5708 for what it is.

@@ -32,7 +32,9 @@ LONGEST_EQUATION = 240
 def systems() -> None:
     """List the systems that come with the program.
 
-    Example: `mechanics systems`
+    `mechanics systems`
+
+    `mechanics systems | grep pendulum`
     """
     from systems import GROUPS
 
@@ -81,12 +83,6 @@ def crosscheck(
 ) -> None:
     """Derive systems by four routes and prove that they agree with each other and their source.
 
-    Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
-    UNDECIDED or only SUPPORTED, 2 for bad input. Numbers beside it, which cannot be more than
-    SUPPORTED, count when they are less.
-
-    Examples
-    --------
     `mechanics crosscheck`
 
     `mechanics crosscheck rocker --report rocker.html`
@@ -94,6 +90,10 @@ def crosscheck(
     `mechanics crosscheck 'pendulum_chain(10)' my_system.py --json -`
 
     `mechanics crosscheck elastic_pendulum --coq theorems`
+
+    Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
+    UNDECIDED or only SUPPORTED, 2 for bad input. Numbers beside it, which cannot be more than
+    SUPPORTED, count when they are less.
     """
     chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
     named_routes(chosen)

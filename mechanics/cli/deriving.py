@@ -40,16 +40,14 @@ def derive(
 ) -> None:
     """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
 
-    Those that are too long for one formula are printed line by line: what is used again has a name.
-    In Python they are a function of NumPy arrays then.
-
-    Examples
-    --------
     `mechanics derive rocker --route moving_point`
 
     `mechanics derive elastic_pendulum --route kane --format latex`
 
     `mechanics derive elastic_pendulum --fix m=0 --fix g=9.81`
+
+    Those that are too long for one formula are printed line by line: what is used again has a name.
+    In Python they are a function of NumPy arrays then.
     """
     fixed_values = assignments(fixed or [], "--fix")
     typer.echo(written(derive_by(load(system).scene(), route), form, fixed_values))

@@ -64,15 +64,6 @@ def ensemble(
 ) -> None:
     """Integrate many motions, on one machine or on many; write them to a folder of Parquet.
 
-    All combinations of what is varied are integrated.
-
-    `FOLDER/motions` has a row a motion: what is varied, its last state, how it ended;
-    `FOLDER/samples` a row a motion and time, with `--samples`. Memory does not grow with their
-    number. After a stop the same command goes on. Workers, threads and parts change no bit of the
-    result. Exit code 3 when a motion had to end early.
-
-    Examples
-    --------
     `mechanics ensemble elastic_pendulum --vary theta=2.4:2.6:10000 --out pendulums`
 
     `mechanics ensemble elastic_pendulum --vary theta=2.4:2.6:100 --vary M=1:2:100 --out grid
@@ -80,6 +71,13 @@ def ensemble(
 
     `mechanics ensemble elastic_pendulum --vary theta=0:pi:1000000 --out many
     --cluster tcp://head:8786`
+
+    All combinations of what is varied are integrated.
+
+    `FOLDER/motions` has a row a motion: what is varied, its last state, how it ended;
+    `FOLDER/samples` a row a motion and time, with `--samples`. Memory does not grow with their
+    number. After a stop the same command goes on. Workers, threads and parts change no bit of the
+    result. Exit code 3 when a motion had to end early.
     """
     if (cluster is not None) + (processes is not None) + (threads > 1) > 1:
         raise InputError("--cluster, --processes and --threads: give one of them")

@@ -58,16 +58,14 @@ def extremes(
 ) -> None:
     """Walk out along every parameter, coordinate and speed until something breaks, and say what.
 
-    Errors are measured against enclosed accelerations, in double and in single precision, for every
-    form of forward dynamics. With workers, each takes a system.
-
-    Examples
-    --------
     `mechanics extremes elastic_pendulum --report extremes.html`
 
     `mechanics extremes rolling_disc --plot extremes.svg`
 
     `mechanics extremes 'pendulum_chain(5)' rolling_disc --json -`
+
+    Errors are measured against enclosed accelerations, in double and in single precision, for every
+    form of forward dynamics. With workers, each takes a system.
     """
     if plot is not None:
         writable(plot, (".svg",))

@@ -39,6 +39,10 @@ def fmu(
 ) -> None:
     """Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.
 
+    `mechanics fmu elastic_pendulum -o elastic_pendulum.fmu --set theta=2.5`
+
+    `mechanics fmu rocker -o rocker.fmu --fix g=9.81 && fmpy validate rocker.fmu`
+
     The unit holds its C sources and, where there is a compiler, the library for this machine. What
     is set are start values, which can be set again in the importer; what is fixed is a number for
     good. Outputs are coordinates, speeds, accelerations, reactions, energies, and the margins of
@@ -46,12 +50,6 @@ def fmu(
     functions are read back and compared with the graphs, and these with what was derived, in exact
     arithmetic, before the unit is written; exit code 1, and no file, if one is REFUTED, 3 if one is
     UNDECIDED.
-
-    Examples
-    --------
-    `mechanics fmu elastic_pendulum -o elastic_pendulum.fmu --set theta=2.5`
-
-    `mechanics fmu rocker -o rocker.fmu --fix g=9.81 && fmpy validate rocker.fmu`
     """
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))

@@ -64,6 +64,12 @@ def reduce(
 ) -> None:  # fmt: skip
     """Find what may be left out of an output over a box, with a proved bound of the change.
 
+    `mechanics reduce elastic_pendulum --error 0.05 --over "theta in [-0.2, 0.2]"
+    --over "theta_dot in [-1, 1]" --over "x in [-0.1, 0.1]"`
+
+    `mechanics reduce rocker --error 1e-2 --over "theta in [-0.1, 0.1]"
+    --over "theta_dot in [-1, 1]" --over "f in [-5, 5]" -o rocker_c`
+
     Summands, parameters, couplings of the mass matrix, products of speeds, sines and cosines of
     small angles are left out as long as the output changes by no more than the error at any point
     of the box. Parameters without a range are at their typical values; coordinates, speeds, their
@@ -71,14 +77,6 @@ def reduce(
     inverse dynamics, which are 0.
 
     Exit code: 0 when the bound is PROVED, 3 when it is UNDECIDED, 2 for bad input.
-
-    Examples
-    --------
-    `mechanics reduce elastic_pendulum --error 0.05 --over "theta in [-0.2, 0.2]"
-    --over "theta_dot in [-1, 1]" --over "x in [-0.1, 0.1]"`
-
-    `mechanics reduce rocker --error 1e-2 --over "theta in [-0.1, 0.1]"
-    --over "theta_dot in [-1, 1]" --over "f in [-5, 5]" -o rocker_c`
     """
     refuse_unwritable(json_file)
     loaded = load(system)

@@ -31,15 +31,13 @@ def serve_mcp(
 ) -> None:
     """Serve derive, check, crosscheck, compare, codegen and verify to agents, over stdio.
 
-    No code of the caller's is run: scenes are JSON (docs/scene.schema.json), statements LaTeX, text
-    or C, which are only read. Calls are answered by a process of their own; one that passes a limit
-    is stopped, and its call not judged. It needs the extra `mcp`.
-
-    Examples
-    --------
     `mechanics serve-mcp`
 
     `mechanics serve-mcp --seconds 20 --memory 2`
+
+    No code of the caller's is run: scenes are JSON (docs/scene.schema.json), statements LaTeX, text
+    or C, which are only read. Calls are answered by a process of their own; one that passes a limit
+    is stopped, and its call not judged. It needs the extra `mcp`.
     """
     worker = Worker(seconds, memory)
     made = server(worker)

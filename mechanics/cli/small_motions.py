@@ -55,8 +55,6 @@ SpeedsOption = Annotated[
 def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption = None) -> None:
     """Print the linear equations about rest or a steady motion, which is proved first.
 
-    Examples
-    --------
     `mechanics linearize rocker --at theta=0`
 
     `mechanics linearize rolling_disc --speeds u2=v/R`
@@ -107,15 +105,13 @@ def modes(
 ) -> None:
     """Print frequencies and shapes about rest or a steady motion, or poles over a parameter.
 
-    Natural frequencies are exact where they factor. With damping, or in motion: poles, frequencies,
-    damping ratios and shapes at the typical values. A shape has a size and a phase for each
-    coordinate. With --over: the poles over a parameter or a speed, and where stability changes.
-
-    Examples
-    --------
     `mechanics modes two_mass_chain`
 
     `mechanics modes rolling_disc --over u2 --from 0 --to 8 --plot poles.svg`
+
+    Natural frequencies are exact where they factor. With damping, or in motion: poles, frequencies,
+    damping ratios and shapes at the typical values. A shape has a size and a phase for each
+    coordinate. With --over: the poles over a parameter or a speed, and where stability changes.
     """
     if over is None:
         if (start, end, plot, json_file) != (None,) * 4:

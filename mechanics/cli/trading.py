@@ -54,17 +54,15 @@ def trade(
 ) -> None:
     """Measure what each integrator, precision, form, compiler setting and model costs and loses.
 
-    Errors are measured against a reference with thirty digits, times side by side in one process.
-    For each target the cheapest choice is picked that also meets it on states that are like the
-    example. The last table says how little of a model is enough.
-
-    Examples
-    --------
     `mechanics trade elastic_pendulum --target 1e-6 --report trade.html`
 
     `mechanics trade elastic_pendulum --set theta=0.5 --horizon 100 --json -`
 
     `mechanics trade elastic_pendulum --plot work_precision.svg`
+
+    Errors are measured against a reference with thirty digits, times side by side in one process.
+    For each target the cheapest choice is picked that also meets it on states that are like the
+    example. The last table says how little of a model is enough.
     """
     _checked(report, json_file, plot)
     scene = load(system).scene()

@@ -57,6 +57,16 @@ def simulate(
 ) -> None:
     """Integrate the equations of motion; write the samples, or draw the motion.
 
+    `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
+
+    `mechanics simulate elastic_pendulum --duration 5 --animate motion.svg`
+
+    `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
+
+    `mechanics simulate elastic_pendulum --reactions --out motion.csv`
+
+    `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
+
     Values that are not set are the example's and the typical ones. In a scene with constraints the
     initial values are made consistent: what is set is kept, the rest is solved for, and the branch
     is named. Exit code 3 when the motion had to end early; what was integrated is written. It ends
@@ -67,18 +77,6 @@ def simulate(
 
     With `--accuracy`, integrators are measured against a reference first, the cheapest that meets
     it is used, and the error is estimated by a second run with a finer setting.
-
-    Examples
-    --------
-    `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
-
-    `mechanics simulate elastic_pendulum --duration 5 --animate motion.svg`
-
-    `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
-
-    `mechanics simulate elastic_pendulum --reactions --out motion.csv`
-
-    `mechanics simulate four_bar --set q1=0.5 --out motion.parquet --plot motion.svg`
     """
     # Bad file names are refused before the work is done.
     if out is None and animate is None and plot is None:
@@ -163,6 +161,14 @@ def codegen(
 ) -> None:
     """Write the equations as C99: a folder that builds, tests and installs alone.
 
+    `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
+
+    `mechanics codegen elastic_pendulum -o small_c --fix g=9.81 --outputs forward_dynamics,energy`
+
+    `mechanics codegen elastic_pendulum -o chip_c --precision single --no-batch`
+
+    `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
+
     It holds headers with the order and unit of every entry, self-tests, a CMake package, a
     pkg-config file, a Python loader and a manifest. Parameters that are fixed are no longer inputs;
     what a zero multiplies is left out. What an earlier call wrote into the folder is replaced;
@@ -171,16 +177,6 @@ def codegen(
 
     The folder is written when everything is proved: whole, or not at all. Exit code 1, and no
     folder, if something is REFUTED; 3 if something is UNDECIDED.
-
-    Examples
-    --------
-    `mechanics codegen elastic_pendulum -o elastic_pendulum_c`
-
-    `mechanics codegen elastic_pendulum -o small_c --fix g=9.81 --outputs forward_dynamics,energy`
-
-    `mechanics codegen elastic_pendulum -o chip_c --precision single --no-batch`
-
-    `cmake -S elastic_pendulum_c -B build && cmake --build build && ctest --test-dir build`
     """
     loaded = load(system)
     scene = loaded.scene()

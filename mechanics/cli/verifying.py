@@ -52,6 +52,10 @@ def verify(
 ) -> None:
     """Repeat every step from the physics to the machine code, from the files of a folder.
 
+    `mechanics verify elastic_pendulum_c`
+
+    `mechanics verify my_system_c --scene my_system.py`
+
     Derived equations = graph = C text in exact arithmetic, each function and its status; the text
     of the inline sine and cosine by itself; and binaries by every compiler that is found, against
     what correct roundings of the text can give. The equations are derived again from the scene: one
@@ -65,12 +69,6 @@ def verify(
     physics is not known, a file is missing, one that no step looks at was changed, or one that a
     build may read is not in the manifest; 2 for bad input: a file that cannot be read, or no
     manifest.json, equations.json or graphs.json to compare the others with.
-
-    Examples
-    --------
-    `mechanics codegen elastic_pendulum -o DIR && mechanics verify DIR`
-
-    `mechanics verify DIR --scene my_system.py`
     """
     errors = Console(stderr=True)
     with errors.status("reading") as status:

@@ -162,10 +162,12 @@ def compare(
 
     Examples
     --------
+    >>> from math import sin
     >>> from systems import rod_pendulum
-    >>> scene = rod_pendulum.scene()
-    >>> scene.name
-    'rod_pendulum'
+    >>> answers = {"inverse_dynamics": lambda q, v, a: [a[0] / 3 + 5 * sin(q[0])]}
+    >>> comparison = compare(rod_pendulum.scene(), answers)
+    >>> comparison.agree, comparison.causes[0].names
+    (False, ('gravity',))
     """
     wanted(scene, Scene, "compare", "pass what scene() of a system gives")
     ours = of_scene(scene, values)

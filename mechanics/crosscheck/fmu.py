@@ -63,6 +63,13 @@ def write_fmu(
         If the compiler refuses the code.
     RefutedError
         If something is REFUTED: nothing is written then.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> model = compile(rod_pendulum.scene(), compiler=None)
+    >>> write_fmu(model, "pendulum.fmu", inputs={"u": 0}).name
+    'pendulum.fmu'
     """
     wanted(model, Model, "write_fmu", "pass compile(derive(scene, route))")
     start = unit_start(model, initial, parameters, inputs, step, beyond_domain)

@@ -43,6 +43,13 @@ def derive(scene: Any, route: str | Route = "free_body") -> Equations:
         When the scene cannot be right.
     InputError
         For a name that is no route.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> equations = derive(rod_pendulum.scene(), "lagrange")
+    >>> equations.mass, equations.forcing
+    (Matrix([[l**2*m/3]]), Matrix([[g*l*m*sin(theta)/2 + u]]))
     """
     scene = as_scene(scene)
     wanted(scene, Scene, "derive", "pass what scene() of a system gives")

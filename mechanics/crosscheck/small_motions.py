@@ -1,13 +1,19 @@
 """Modes or poles about the rest position, where it is an equilibrium."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.equations import Equations
-from mechanics.errors import MechanicsError
-from mechanics.linear import Linear, damped, damped_modes, linearize, modes, numeric_modes
-from mechanics.report.result import Modes
+import numpy as np
+from numpy.typing import NDArray
 
+from mechanics.equations import Equations
+from mechanics.errors import MechanicsError, ValueMissingError
+from mechanics.linear import Linear, damped, damped_modes, linearize, modes, numeric_modes
+from mechanics.linear.values import with_numbers
+from mechanics.report.result import Modes, Swing
+
+Array = NDArray[Any]
 LARGEST_EXACT = 3
 """Coordinates up to which modes are sought in the parameters: a larger pencil seldom factors."""
 
@@ -40,7 +46,23 @@ def _exact(linear: Linear) -> Modes:
     for i, value in enumerate(found.eigenvalues):
         shape = ", ".join(str(entry) for entry in found.shapes[:, i])
         rows.append((rf"\omega_{{{i + 1}}}^2", value, f"shape ({shape})"))
-    return Modes("Natural modes about q = 0", tuple(rows))
+    try:
+        values = [float(with_numbers(linear.scene, value)) for value in found.eigenvalues]
+        shapes = found.shapes.applyfunc(lambda entry: with_numbers(linear.scene, entry))
+    except ValueMissingError:
+        return Modes("Natural modes about q = 0", tuple(rows))
+    swings = _swings(linear, np.array(values), np.array(shapes.tolist(), dtype=float))
+    return Modes("Natural modes about q = 0", tuple(rows), swings)
+
+
+def _swings(linear: Linear, values: Array, shapes: Array) -> tuple[Swing, ...]:
+    """The modes with a frequency, numbered as in the list of all."""
+    names = [q.name for q in linear.coordinates]
+    return tuple(
+        Swing(i, math.sqrt(value), dict(zip(names, map(float, shape), strict=True)))
+        for i, (value, shape) in enumerate(zip(values, shapes.T, strict=True), 1)
+        if np.isreal(value) and np.isrealobj(shape) and value > 0
+    )
 
 
 def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
@@ -58,7 +80,8 @@ def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
         )
         for i, value in enumerate(found.eigenvalues)
     )
-    return (Modes("Natural modes about q = 0, typical values", rows),), ()
+    swings = _swings(linear, found.eigenvalues, found.shapes)
+    return (Modes("Natural modes about q = 0, typical values", rows, swings),), ()
 
 
 def _damped(linear: Linear) -> Modes:

@@ -108,6 +108,18 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
         When the scene cannot be right.
     SingularError
         When a route does not determine the accelerations.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+    ...     parameters("m g", "kg m/s^2", "2 9.81"))
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+    ...     loads=(gravity(-g * N.z),))
+    >>> result = crosscheck(stone, CrossCheck(("kane", "lagrange"), states=0))
+    >>> result.ok, list(result.routes), result.findings[0].subject
+    (True, ['kane', 'lagrange'], 'kane = lagrange: accelerations')
     """
     options = options or CrossCheck()
     if isinstance(system, System):

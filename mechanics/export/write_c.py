@@ -98,6 +98,14 @@ def write_c(
         If something is REFUTED: nothing is written then.
     SingularError
         If a function has no finite value at any of the states of the self-test.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> model = compile(rod_pendulum.scene(), outputs=["energy"], compiler=None)
+    >>> files = write_c(model, "pendulum_c", batch=False, measure=False)
+    >>> [path.name for path in files if path.suffix == ".c"]
+    ['rod_pendulum.c', 'rod_pendulum_selftest.c']
     """
     wanted(model, Model, "write_c", "pass compile(derive(scene, route))")
     prefix = chosen_prefix(model, name)

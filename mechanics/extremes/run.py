@@ -51,6 +51,18 @@ def extremes(
         If there is no such form, or the equations have no such one.
     ExpressionError
         If an operation of the equations has no enclosure; it is named.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+    ...     parameters("m g", "kg m/s^2", "2 9.81"))
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+    ...     loads=(gravity(-g * N.z),))
+    >>> walked = extremes(derive(stone), paired=0, compiler=None, forms=["fewest"])
+    >>> [axis.name for axis in walked.axes]
+    ['z', 'z_dot', 'g', 'm']
     """
     wanted(equations, Equations, "extremes", "pass derive(scene, route)")
     for rotation in equations.scene.rotations:

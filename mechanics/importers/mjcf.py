@@ -78,6 +78,15 @@ def from_mjcf(
     ------
     InputError
         When MuJoCo is missing or refuses the file, or for what `leave_out` does not name.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> rod = '<geom type="capsule" size="0.02" fromto="0 0 0 0 0 -1" mass="1"/>'
+    >>> body = f'<body name="rod"><joint name="q" axis="0 1 0"/>{rod}</body>'
+    >>> _ = Path("rod.xml").write_text(f"<mujoco><worldbody>{body}</worldbody></mujoco>")
+    >>> from_mjcf("rod.xml", symbolic=()).coordinates
+    (q(t),)
     """
     robot, field, notes = read_mjcf(path, leave_out)
     return assemble(robot, "fixed", symbolic, field, notes)

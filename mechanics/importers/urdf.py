@@ -72,6 +72,7 @@ def from_urdf(
 
     Examples
     --------
+    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> text = '''<robot name="hinge"><link name="wall"/><link name="door"><inertial>
     ...   <origin xyz="0.4 0 0"/><mass value="20"/>

@@ -66,7 +66,7 @@ def check(
     where: Sequence[str] | str = (),
     blame: bool = True,
 ) -> Check:
-    """Check a person's equations of motion, energies, reactions or mass matrix.
+    r"""Check a person's equations of motion, energies, reactions or mass matrix.
 
     Parameters
     ----------
@@ -115,6 +115,15 @@ def check(
         When nothing can be read, by line and column.
     SceneError
         When the scene cannot be right, or what was derived is not what it declares.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> answer = check(rod_pendulum.scene(), r"m l^2/3 \ddot\theta = m g l/2 \sin\theta + u")
+    >>> answer.verdict.name
+    'PROVED'
+    >>> check(rod_pendulum.scene(), "theta'' = g/l*sin(theta)", blame=False).verdict.name
+    'REFUTED'
     """
     reference, untried = _reference(as_scene(scene))
     truth, things = reference.truth, spread(equations)

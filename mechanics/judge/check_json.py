@@ -40,7 +40,15 @@ from mechanics.report.json_report import verdict_json
 
 
 def to_json(found: Check) -> dict[str, Any]:
-    """A result as a tree of dicts, lists, text and numbers that `json.dumps` accepts."""
+    """A result as a tree of dicts, lists, text and numbers that `json.dumps` accepts.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> answer = check(rod_pendulum.scene(), "l*theta'' = 3/2*g*sin(theta) + 3*u/(m*l)")
+    >>> check_json(answer)["verdict"]
+    'PROVED'
+    """
     wanted(found, (Check,), "check_json", "pass check(scene, equations)")
     return {
         "scene": found.scene.name,

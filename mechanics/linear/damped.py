@@ -78,6 +78,14 @@ def damped_modes(linear: Linear, values: Numbers | None = None) -> DampedModes:
         If derivatives of inputs drive the system.
     SingularError
         If M is singular at these values.
+
+    Examples
+    --------
+    >>> from sympy import pi
+    >>> from systems import rod_pendulum
+    >>> hanging = linearize(derive(rod_pendulum.scene()), {"theta": pi}, {"u": 0})
+    >>> print(damped_modes(hanging, {"g": 6, "l": 1}).poles.imag.round(9))
+    [3.]
     """
     wanted(linear, Linear, "damped_modes", "pass linearize(derive(scene, route), at)")
     a, _ = state_space(linear, values)

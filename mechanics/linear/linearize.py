@@ -90,6 +90,13 @@ def linearize(
         If it cannot be told whether it is one.
     SingularError
         If M is singular there: Euler angles of a top that is upright.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> linear = linearize(derive(rod_pendulum.scene()), {"theta": 0}, {"u": 0})
+    >>> linear.mass, linear.stiffness
+    (Matrix([[l**2*m/3]]), Matrix([[-g*l*m/2]]))
     """
     wanted(equations, Equations, "linearize", "pass derive(scene, route)")
     scene = equations.scene

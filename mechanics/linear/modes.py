@@ -73,6 +73,14 @@ def modes(linear: Linear, convention: Convention = Convention.ENGINEERING) -> Mo
         If an order needs a typical value that is missing.
     ExpressionError
         If the characteristic polynomial has a factor that is not linear: use `numeric_modes`.
+
+    Examples
+    --------
+    >>> from sympy import pi
+    >>> from systems import rod_pendulum
+    >>> hanging = linearize(derive(rod_pendulum.scene()), {"theta": pi}, {"u": 0})
+    >>> modes(hanging).eigenvalues
+    (3*g/(2*l),)
     """
     wanted(linear, Linear, "modes", "pass linearize(derive(scene, route), at)")
     found: list[tuple[Expr, Matrix]] = []

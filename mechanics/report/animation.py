@@ -55,14 +55,17 @@ def moving_picture(
     rate: float = COARSE,
     before: str = "",
     attributes: str = "",
+    title: str = "",
 ) -> str:
     """A motion as an SVG element of a page that has the colours of drawings.
 
     `rate` is how many samples a second are drawn; `before` stands under the picture.
+    `title` says what moves; by default the scene and how long.
     """
     duration = float(times[-1])
     count = int(np.clip(rate * duration, FEWEST, MOST)) + 1
-    first = View(scene, {})
+    # The view of the farthest places says how long springs are drawn that the scene leaves out.
+    first = View(scene, {name: float(np.abs(x).max()) for name, x in coordinates.items()})
     views = [
         first.at({name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
         for t in np.linspace(0, duration, count)
@@ -72,7 +75,7 @@ def moving_picture(
     frames = [picture(view, paper, asides) for view in views]
     corner = directions(views[0], paper, [part for frame in frames for part in frame])
     moving = "".join(_moving(part, duration) for part in zip(*frames, strict=True))
-    title = escape(f"{scene.name} in motion, {duration:.3g} s")
+    title = escape(title or f"{scene.name} in motion, {duration:.3g} s")
     return (
         f'<svg{attributes} class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
         f' aria-label="{title}"><title>{title}</title>{before}'

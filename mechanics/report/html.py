@@ -28,6 +28,7 @@ from mechanics.report.sections import (
     speeds,
     symbol_rows,
 )
+from mechanics.report.swing import swings
 
 
 def to_html(results: Sequence[SystemResult]) -> str:
@@ -41,6 +42,18 @@ def to_html(results: Sequence[SystemResult]) -> str:
     -------
     str
         A whole page.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+    ...     parameters("m g", "kg m/s^2", "2 9.81"))
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+    ...     loads=(gravity(-g * N.z),))
+    >>> result = crosscheck(stone, CrossCheck(("kane", "lagrange"), states=0))
+    >>> to_html([result])[:15]
+    '<!DOCTYPE html>'
     """
     page = environment().get_template("page.html")
     return page.render(
@@ -77,6 +90,11 @@ def _section(number: int, result: SystemResult) -> Section:
         witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
         moving=_moving(result),
+        swings=[
+            (caption, Markup(svg))
+            for modes in result.modes
+            for caption, svg in swings(result.scene, modes.swings)
+        ],
         charts=motion_charts(result),
     )
 

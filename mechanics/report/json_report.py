@@ -46,6 +46,12 @@ def to_json(results: Sequence[SystemResult] | Scene | System) -> dict[str, Any]:
     dict
         As the docstring of this module says, or as ``docs/scene.schema.json`` says of a scene,
         which `from_json` reads. Keys are only ever added.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> to_json(rod_pendulum.scene())["coordinates"]
+    ['theta']
     """
     if isinstance(results, Scene | System):
         return scene_json(results)

@@ -35,15 +35,18 @@ class View:
         Values by plain name; what is missing is 0 for coordinates and speeds.
     known : mapping of Symbol to float, optional
         Parameters, where another view of the scene has them already, see `at`.
+    apart : mapping of Point to ndarray, optional
+        The shifts of `slack` that another view has: they are the same at all states of a motion.
     """
 
     scene: Scene
     state: Mapping[str, float]
     known: Mapping[Symbol, float] | None = None
+    apart: Mapping[Point, np.ndarray] | None = None
 
     def at(self, state: Mapping[str, float]) -> "View":
         """The scene at another state."""
-        return View(self.scene, state, self.constants)
+        return View(self.scene, state, self.constants, self.slack)
 
     @cached_property
     def constants(self) -> Mapping[Symbol, float]:
@@ -87,12 +90,14 @@ class View:
         return None
 
     @cached_property
-    def slack(self) -> dict[Point, np.ndarray]:
+    def slack(self) -> Mapping[Point, np.ndarray]:
         """Shifts that give springs between free masses a length where the scene has left it out.
 
         Sources count such displacements from where the springs are slack, and so let all masses
         start at one point.
         """
+        if self.apart is not None:
+            return self.apart
         found: dict[Point, np.ndarray] = {}
         if self.scene.reactions:
             return found

@@ -58,14 +58,25 @@ class ResidualResult:
 
 
 @dataclass(frozen=True)
+class Swing:
+    """A natural mode in numbers: its number, omega in rad/s, amplitudes by coordinate."""
+
+    number: int
+    omega: float
+    shape: Mapping[str, float]
+
+
+@dataclass(frozen=True)
 class Modes:
     """Natural frequencies and shapes about an equilibrium, or poles.
 
-    `rows` are (label, symbolic value or None, number as text).
+    `rows` are (label, symbolic value or None, number as text); `swings` are the modes that
+    oscillate without damping, at typical values.
     """
 
     title: str
     rows: tuple[tuple[str, Any, str], ...]
+    swings: tuple[Swing, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -127,6 +127,7 @@ class Section:
     witnesses: list[Finding]
     residuals: list[ResidualRow]
     moving: Markup
+    swings: list[tuple[str, Markup]]
     charts: list[Chart]
 
     @property

@@ -77,6 +77,12 @@ def condition(name: str, relation: Any, otherwise: str) -> Condition:
     ------
     SceneError
         When the relation is no inequality, or does not depend on anything.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> condition("contact", dynamicsymbols("F_N") > 0, "the wheel has lifted off").relation
+    F_N(t) > 0
     """
     if isinstance(relation, BooleanAtom | bool):
         raise SceneError(

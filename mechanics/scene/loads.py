@@ -152,7 +152,15 @@ CONSERVATIVE = (Gravity, Spring, TorsionSpring)
 
 
 def gravity(field: Vector) -> Gravity:
-    """Uniform gravity, e.g. ``gravity(-g * ground.y)``."""
+    """Uniform gravity, e.g. ``gravity(-g * ground.y)``.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import ReferenceFrame
+    >>> N, (g,) = ReferenceFrame("N"), parameters("g", "m/s^2", "9.81")
+    >>> gravity(-g * N.y).field
+    - g*N.y
+    """
     if not isinstance(field, Vector):
         raise SceneError(f"gravity: {field!r} is no vector: write e.g. gravity(-g * ground.y)")
     return Gravity(field)
@@ -168,7 +176,18 @@ def spring(
     first_on: str | None = None,
     second_on: str | None = None,
 ) -> Spring:
-    """See `Spring`."""
+    """See `Spring`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> s, (k, r) = dynamicsymbols("s"), parameters("k r", "N/m m", "40 1/2")
+    >>> bob = O.locatenew("B", s * N.x)
+    >>> coil = spring("coil", O, bob, k, along=N.x, length=r)
+    >>> coil.stiffness, coil.length
+    (k, r)
+    """
     k = scalar(stiffness, f"load {name}: the stiffness")
     slack = scalar(length, f"load {name}: the length")
     return Spring(name, first, second, k, along, slack, first_on, second_on)
@@ -183,7 +202,17 @@ def damper(
     first_on: str | None = None,
     second_on: str | None = None,
 ) -> Damper:
-    """See `Damper`."""
+    """See `Damper`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> s, (d,) = dynamicsymbols("s"), parameters("d", "N*s/m", "0.5")
+    >>> wheel = O.locatenew("W", s * N.x)
+    >>> damper("strut", O, wheel, d, along=N.x).coefficient
+    d
+    """
     c = scalar(coefficient, f"load {name}: the coefficient")
     return Damper(name, first, second, c, along, first_on, second_on)
 
@@ -191,19 +220,43 @@ def damper(
 def force(
     name: str, at: Point, vector: Vector, on: str | None = None, by: str | None = None
 ) -> Force:
-    """See `Force`."""
+    """See `Force`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> force("thrust", O, dynamicsymbols("f") * N.x, on="cart").vector
+    f(t)*N.x
+    """
     return Force(name, at, vector, on, by)
 
 
 def torque(name: str, vector: Vector, on: str, by: str | None = None) -> Torque:
-    """See `Torque`."""
+    """See `Torque`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, M = ReferenceFrame("N"), dynamicsymbols("M")
+    >>> torque("motor", M * N.z, on="arm").vector
+    M(t)*N.z
+    """
     return Torque(name, vector, on, by)
 
 
 def torsion_spring(
     name: str, angle: Expr, axis: Vector, stiffness: Expr, on: str, by: str | None = None
 ) -> TorsionSpring:
-    """See `TorsionSpring`."""
+    """See `TorsionSpring`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, q, (k,) = ReferenceFrame("N"), dynamicsymbols("q"), parameters("k", "N*m/rad", "3")
+    >>> torsion_spring("coil", q, N.z, k, on="arm").stiffness
+    k
+    """
     turn = scalar(angle, f"load {name}: the angle")
     k = scalar(stiffness, f"load {name}: the stiffness")
     return TorsionSpring(name, turn, axis, k, on, by)

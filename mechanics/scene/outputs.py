@@ -97,6 +97,12 @@ def orientation(frame: ReferenceFrame, *, in_: ReferenceFrame | None = None) -> 
     frame : ReferenceFrame
     in_ : ReferenceFrame, optional
         Of the components v, and of the angular velocity; by default the inertial frame.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import ReferenceFrame
+    >>> orientation(ReferenceFrame("A")).entries[:3]
+    (('_xx', '1'), ('_xy', '1'), ('_xz', '1'))
     """
     _expect("orientation", "frame", frame, ReferenceFrame, "body.frame")
     _basis("orientation", in_)
@@ -119,6 +125,15 @@ def velocity(
         a wheel at its contact. By default that of the point itself.
     in_ : ReferenceFrame, optional
         In whose directions the components are; by default the inertial frame.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> velocity(O).entries
+    (('_x', 'm/s'), ('_y', 'm/s'), ('_z', 'm/s'))
+    >>> velocity(O, along=N.x).entries
+    (('', 'm/s'),)
     """
     _expect("velocity", "point", point, Point, 'origin.locatenew("P", L * frame.x)')
     _basis("velocity", in_)

@@ -92,6 +92,12 @@ def parameters(
     SceneError
         When the numbers of names, units, typical values or meanings differ, a unit is not known,
         or a value is no number.
+
+    Examples
+    --------
+    >>> m, l = parameters("m l", "kg m", "2 1/3", ("mass of the rod", "its length"))
+    >>> m.unit, l.typical
+    ('kg', Fraction(1, 3))
     """
     split = names.split()
     if not split:

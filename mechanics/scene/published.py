@@ -39,5 +39,13 @@ class Published:
 
 
 def published(tag: str, quantity: Quantity, *sides: Any, label: str, note: str = "") -> Published:
-    """One row of a ledger: see `Published`."""
+    """One row of a ledger: see `Published`.
+
+    Examples
+    --------
+    >>> from mechanics.scene.quantities import KineticEnergy
+    >>> from systems.rod_pendulum import l, m, theta
+    >>> published("(3)", KineticEnergy(), m * l**2 * theta.diff() ** 2 / 6, label="energy").sides
+    (l**2*m*Derivative(theta(t), t)**2/6,)
+    """
     return Published(tag, quantity, sides, label, note)

@@ -46,12 +46,28 @@ class Reaction:
 
 
 def reaction(name: str, at: Point, on: str, by: str | None, along: Vector) -> Reaction:
-    """An unknown force component at a point: see `Reaction`."""
+    """An unknown force component at a point: see `Reaction`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> reaction("X", at=O, on="rod", by=None, along=N.x).name
+    'X'
+    """
     return Reaction(name, on, by, along, at)
 
 
 def reaction_couple(name: str, on: str, by: str | None, along: Vector) -> Reaction:
-    """An unknown couple component: see `Reaction`."""
+    """An unknown couple component: see `Reaction`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N = ReferenceFrame("N")
+    >>> reaction_couple("M", on="wheel", by="fork", along=N.x).by
+    'fork'
+    """
     return Reaction(name, on, by, along, None)
 
 
@@ -76,10 +92,27 @@ class Constraint:
 
 
 def holonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
-    """A configuration constraint ``expression(q) = 0``: a closed loop, for example."""
+    """A configuration constraint ``expression(q) = 0``: a closed loop, for example.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> x, y, (l,) = *dynamicsymbols("x y"), parameters("l", "m", "1")
+    >>> holonomic("rod", x**2 + y**2 - l**2, "S").expression
+    -l**2 + x(t)**2 + y(t)**2
+    """
     return Constraint(name, scalar(expression, f"constraint {name}"), reactions, True)
 
 
 def nonholonomic(name: str, expression: Expr, *reactions: str) -> Constraint:
-    """A motion constraint ``expression(q, q') = 0``, linear in the rates: rolling, for example."""
+    """A motion constraint ``expression(q, q') = 0``, linear in the rates: rolling, for example.
+
+    Examples
+    --------
+    >>> from sympy import cos, sin
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> x, y, q = dynamicsymbols("x y q")
+    >>> nonholonomic("skate", y.diff() * cos(q) - x.diff() * sin(q), "N").expression
+    -sin(q(t))*Derivative(x(t), t) + cos(q(t))*Derivative(y(t), t)
+    """
     return Constraint(name, scalar(expression, f"constraint {name}"), reactions, False)

@@ -76,6 +76,14 @@ def simulate(
         `rtol`, `atol` or `method` at the same time.
     OverBudget
         If the motion is too fast for a reference over the duration.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> model = compile(rod_pendulum.scene(), compiler=None)
+    >>> motion = simulate(model, 1.0, initial={"theta": 3.0}, inputs={"u": 0}, samples=3)
+    >>> print(motion.times, list(motion.coordinates))
+    [0.  0.5 1. ] ['theta']
     """
     wanted(model, Model, "simulate", "pass compile(derive(scene, route))")
     given = {"parameters": parameters, "inputs": inputs}

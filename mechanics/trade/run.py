@@ -90,6 +90,19 @@ def trade(
         For a horizon, target or name that is none, or an input that is a function of time.
     OverBudget
         If the motion is too fast for a reference over the horizon.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+    ...     parameters("m g", "kg m/s^2", "2 9.81"))
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+    ...     loads=(gravity(-g * N.z),))
+    >>> from mechanics.simulate.integrators import INTEGRATORS
+    >>> measured = trade(derive(stone), 0.1, members=INTEGRATORS[:1], compiler=None)
+    >>> [pick.target for pick in measured.recommendations]
+    [0.001, 1e-06, 1e-09]
     """
     wanted(equations, Equations, "trade", "pass derive(scene, route)")
     tell = progress or (lambda words, share: None)

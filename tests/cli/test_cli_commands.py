@@ -2,6 +2,8 @@
 
 import csv
 import json
+import re
+import shlex
 import subprocess
 import sys
 from importlib.metadata import version
@@ -17,8 +19,6 @@ from mechanics.cli.app import GROUPS
 from mechanics.cli.app import command as imported
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.symbolic import is_zero
-
-COMMANDS = ("systems", "crosscheck", "derive", "simulate", "codegen", "linearize", "modes")
 
 
 @pytest.mark.sample(3)
@@ -164,11 +164,23 @@ def test_damped_modes_have_frequencies_ratios_and_shapes(run: Any, pendulum: Any
     assert "damping ratio" in ran.out and "rad/s" in ran.out and "shape (1)" in ran.out
 
 
-@pytest.mark.parametrize("command", ["", *COMMANDS])
-def test_help_has_examples(run: Any, command: str) -> None:
-    ran = run(*command.split(), "--help")
+@pytest.mark.parametrize("command", LISTED)
+def test_help_starts_with_what_it_is_for_and_two_examples(
+    run: Any, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    ran = run(command, "--help")
     assert ran.code == 0
-    assert ("mechanics " + command) in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 80
+    usage, purpose, *examples = re.split(r"\n\s*\n", ran.out.strip())
+    assert usage.split()[:3] == ["Usage:", "mechanics", command]
+    assert " ".join(purpose.split()) == LISTED[command][1]
+    told = [" ".join(example.split()) for example in examples[:2]]
+    assert all(f"{example} ".startswith(f"mechanics {command} ") for example in told)
+    assert told[0] != told[1]
+    for example in told:
+        words = re.split(r" [|] | && ", example)[0]
+        assert imported(command).make_context(command, shlex.split(words)[2:])
 
 
 @pytest.mark.campaign

@@ -1,6 +1,5 @@
 """Robots in URDF: what they move like, and what is refused."""
 
-import doctest
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +11,6 @@ import mechanics
 from mechanics.cli.load import is_file, load
 from mechanics.compiled import prove_compiled
 from mechanics.errors import InputError
-from mechanics.importers import dh, urdf
 from mechanics.importers.decimals import Notes, angle, exact
 from mechanics.importers.rotations import from_doubles, roll_pitch_yaw, towards
 
@@ -343,9 +341,3 @@ def test_numbers_stay_exact_in_what_is_compiled(name, route, symbolic):
     scene = mechanics.from_urdf(MODELS / f"{name}.urdf", symbolic=symbolic)
     model = mechanics.compile(mechanics.derive(scene, route), outputs=["jacobians"])
     assert all(finding.shown for finding in prove_compiled(model))
-
-
-@pytest.mark.parametrize("module", [urdf, dh])
-def test_examples_of_docstrings_are_right(module):
-    found = doctest.testmod(module)
-    assert (found.failed, found.attempted > 0) == (0, True)

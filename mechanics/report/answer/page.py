@@ -33,6 +33,13 @@ def check_html(found: Check) -> str:
     -------
     str
         A whole page.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> answer = check(rod_pendulum.scene(), "l*theta'' = 3/2*g*sin(theta) + 3*u/(m*l)")
+    >>> check_html(answer)[:15]
+    '<!DOCTYPE html>'
     """
     wanted(found, (Check,), "check_html", "pass check(scene, equations)")
     made = environment()

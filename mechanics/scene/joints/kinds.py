@@ -96,6 +96,14 @@ def slide(
     onto : (Point, ReferenceFrame), optional
         In place of `distance`, where the joint closes a loop: the child's point that stays on the
         axis, and its frame that stays parallel to that of the axis.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> rail = slide("rail", None, "cart", at=O, axis=N.x, distance=dynamicsymbols("s"))
+    >>> rail.point.pos_from(O)
+    s(t)*N.x
     """
     ends = Ends(name, parent, child, at, arguments("slide", axis, distance, onto))
     line = ends.axis(axis)
@@ -113,7 +121,17 @@ def cylindrical(
     angle: Expr | None = None, distance: Expr | None = None,
     onto: tuple[Point, Vector] | None = None,
 ) -> Joint:  # fmt: skip
-    """A sleeve on a shaft: the child turns about an axis and moves along it; see `pin`, `slide`."""
+    """A sleeve on a shaft: the child turns about an axis and moves along it; see `pin`, `slide`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> q, s = dynamicsymbols("q s")
+    >>> sleeve = cylindrical("sleeve", None, "tube", at=O, axis=N.z, angle=q, distance=s)
+    >>> sleeve.coordinates, [reaction.name for reaction in sleeve.reactions]
+    ((q(t), s(t)), ['sleeve_x', 'sleeve_y', 'sleeve_mx', 'sleeve_my'])
+    """
     ends = Ends(name, parent, child, at, arguments("cylindrical", axis, angle, distance, onto))
     line = ends.axis(axis)
     if onto is not None:
@@ -145,6 +163,14 @@ def universal(
     onto : (Point, Vector), optional
         In place of `angles`, where the joint closes a loop: the child's point that stays at `at`,
         and its axis, about which it turns in the cross; the second of `axes` is of no effect.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> cross = universal("cross", None, "shaft", at=O, frame=N, angles=dynamicsymbols("q1 q2"))
+    >>> [reaction.name for reaction in cross.reactions]
+    ['cross_x', 'cross_y', 'cross_z', 'cross_mz']
     """
     ends = Ends(name, parent, child, at, arguments("universal", frame, axes, angles, onto))
     own = dict(along_axes(ends.frame(frame)))
@@ -189,6 +215,15 @@ def planar(
     onto : (Point, Vector), optional
         In place of these, where the joint closes a loop: the child's point that stays in the plane
         through `at`, and its axis that stays normal to it.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> x, y, q = dynamicsymbols("x y q")
+    >>> table = planar("table", None, "puck", at=O, frame=N, coordinates=(x, y), angle=q)
+    >>> [reaction.name for reaction in table.reactions]
+    ['table_z', 'table_mx', 'table_my']
     """
     ends = Ends(name, parent, child, at, arguments("planar", frame, coordinates, angle, onto))
     first, second, normal = along_axes(ends.frame(frame))
@@ -218,6 +253,15 @@ def ball(
         Of the child against `frame`: `euler(...)`, or `quaternion(...)`, which has no singularity.
     onto : Point, optional
         In place of `rotation`, where the joint closes a loop: the child's point that stays at `at`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> turn = quaternion("e0 e1 e2 e3", "wx wy wz")
+    >>> shoulder = ball("shoulder", None, "arm", at=O, frame=N, rotation=turn)
+    >>> [reaction.name for reaction in shoulder.reactions]
+    ['shoulder_x', 'shoulder_y', 'shoulder_z']
     """
     ends = Ends(name, parent, child, at, arguments("ball", frame, rotation, onto))
     forces = along_axes(ends.frame(frame))
@@ -242,6 +286,14 @@ def weld(
         Of the parent, parallel to the child's.
     onto : (Point, ReferenceFrame), optional
         Where the joint closes a loop: the child's point and frame that are held.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> clamp = weld("clamp", None, "beam", at=O, frame=N)
+    >>> len(clamp.coordinates), len(clamp.reactions)
+    (0, 6)
     """
     ends = Ends(name, parent, child, at, arguments("weld", frame, onto))
     axes = along_axes(ends.frame(frame))
@@ -271,6 +323,14 @@ def free(
         a particle has none.
     onto : None
         Of other joints: what holds nothing closes no loop.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O = ReferenceFrame("N"), Point("O")
+    >>> base = free("base", "ball", at=O, frame=N, coordinates=dynamicsymbols("x y z"))
+    >>> base.coordinates, base.reactions
+    ((x(t), y(t), z(t)), ())
     """
     ends = Ends(name, None, child, at, arguments("free", frame, coordinates, rotation))
     if onto is not None:

@@ -99,6 +99,14 @@ def ensemble(
         For a parameter that has no value.
     ExpressionError
         If ``"taylor"`` is asked for and an operation has no series; it is named.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> model = compile(rod_pendulum.scene())
+    >>> motions = ensemble(model, 1.0, initial={"theta": [2.9, 3.0, 3.1]}, inputs={"u": 0})
+    >>> motions.states.shape
+    (3, 2, 2)
     """
     wanted(model, Model, "ensemble", "pass compile(equations)")
     grid = read_times(duration, times)
