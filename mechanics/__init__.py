@@ -15,7 +15,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mechanics.checks.redundant import drop_redundant
     from mechanics.claims.code.black_box import BlackBox
     from mechanics.compare import compare
     from mechanics.compiled import Model
@@ -104,7 +103,6 @@ __all__ = [
     "damped_modes",
     "damper",
     "derive",
-    "drop_redundant",
     "ensemble",
     "euler",
     "extremes",
@@ -149,7 +147,6 @@ __all__ = [
 ]
 
 _MODULES = {
-    "drop_redundant": ("mechanics.checks.redundant", "drop_redundant"),
     "compare": ("mechanics.compare", "compare"),
     "Model": ("mechanics.compiled", "Model"),
     "compile": ("mechanics.crosscheck.compiling", "compile"),

@@ -6,6 +6,7 @@ Frames, points, bodies and loads are made anew, and all velocities follow from p
 import sympy.physics.mechanics as me
 
 from mechanics.errors import InputError, wanted
+from mechanics.importers import as_scene
 from mechanics.routes.kane_sympy import arguments
 from mechanics.routes.sympy_model import SympyModel
 from mechanics.scene import Scene
@@ -39,6 +40,7 @@ def to_sympy(scene: Scene) -> me.System:
     >>> system.form_eoms().shape
     (2, 1)
     """
+    scene = as_scene(scene)
     wanted(scene, Scene, "to_sympy", "pass what scene() of a system gives")
     if held := frictions(scene):
         raise InputError(
