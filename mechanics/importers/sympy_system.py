@@ -6,11 +6,12 @@ Frames, points, bodies and loads are made anew, and all velocities follow from p
 import sympy.physics.mechanics as me
 
 from mechanics.errors import InputError, wanted
-from mechanics.importers import as_scene
 from mechanics.routes.kane_sympy import arguments
+from mechanics.routes.redundant import without_redundant
 from mechanics.routes.sympy_model import SympyModel
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.scene.declaration import DROP
 
 
 def to_sympy(scene: Scene) -> me.System:
@@ -40,8 +41,9 @@ def to_sympy(scene: Scene) -> me.System:
     >>> system.form_eoms().shape
     (2, 1)
     """
-    scene = as_scene(scene)
     wanted(scene, Scene, "to_sympy", "pass what scene() of a system gives")
+    if scene.redundant == DROP:
+        scene = without_redundant(scene)
     if held := frictions(scene):
         raise InputError(
             f"{scene.name}: load {held[0].name} is friction, which depends on a reaction: SymPy's"
