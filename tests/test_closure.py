@@ -14,6 +14,7 @@ from benchmarks.space.deriving import distinct
 from mechanics.checks.admissible import check_scene
 from mechanics.crosscheck import derive
 from mechanics.errors import SceneError
+from mechanics.judge.check import check
 from mechanics.kernel import enclose
 from mechanics.mechanism import Mechanism, lower, name_of
 from mechanics.program import Builder
@@ -207,6 +208,13 @@ def test_redundant_constraints_are_dropped_where_the_scene_says_so() -> None:
     assert "last_mx, last_my, last_z left out" in left.notes[-1]
     with pytest.raises(SceneError, match="loop: redundant is 'keep': it has to be 'refuse' or 'd"):
         replace(scene, redundant="keep")
+
+
+def test_statements_on_a_loop_of_which_no_exact_point_is_known_are_judged() -> None:
+    scene = replace(loop_in_space(), redundant="drop")
+    assert not lower(derive(scene, "kane").scene, Builder()).closure.values
+    (judged,) = check(scene, "q0'' = 1").judged
+    assert not judged.finding.shown
 
 
 def bead_in_a_plane(*constraints: Expr) -> Scene:
