@@ -39,7 +39,6 @@ from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mechanics.checks.redundant import drop_redundant
     from mechanics.claims.code.black_box import BlackBox
     from mechanics.compare import compare
     from mechanics.compiled import Model
@@ -128,7 +127,6 @@ __all__ = [
     "damped_modes",
     "damper",
     "derive",
-    "drop_redundant",
     "ensemble",
     "euler",
     "extremes",
@@ -173,7 +171,6 @@ __all__ = [
 ]
 
 _MODULES = {
-    "drop_redundant": ("mechanics.checks.redundant", "drop_redundant"),
     "compare": ("mechanics.compare", "compare"),
     "Model": ("mechanics.compiled", "Model"),
     "compile": ("mechanics.crosscheck.compiling", "compile"),

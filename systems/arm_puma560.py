@@ -6,6 +6,14 @@ Source: "A meta-study of PUMA 560 dynamics: a critical appraisal of literature d
 (1995) 253-258, as in Corke's Robotics Toolbox (`mdl_puma560`): lengths, masses, mass centres and
 inertias in the frames of the links, of which the third is none that a body can have. Motors are
 left out.
+
+The source prints parameters, so there are no published rows; torques of gravity and inertias that
+the toolbox prints at two poses are reproduced (`tests/systems/test_systems_published.py`). Of the
+constants of gravity of B. Armstrong, O. Khatib and J. Burdick, "The explicit dynamic model and
+inertial parameters of the PUMA 560 arm" (1986), typed from memory, three are those of this arm:
+37.2, 1.02 and 0.249 N m. The fourth, 8.44 N m, is 8.74 here: Corke's table has the mass centre of
+link 4 beyond the wrist by 0.019 m (y of its frame), Armstrong's before it: with ry4 = -0.019 it is
+8.44, too.
 """
 
 from sympy import pi

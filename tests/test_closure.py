@@ -1,5 +1,6 @@
 """Where constraints hold: closed states, charts of their component, points of the field on them."""
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -11,14 +12,18 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 from benchmarks.space.deriving import distinct
 from mechanics.checks.admissible import check_scene
-from mechanics.checks.redundant import drop_redundant
+from mechanics.crosscheck import derive
 from mechanics.errors import SceneError
+from mechanics.judge.check import check
 from mechanics.kernel import enclose
 from mechanics.mechanism import Mechanism, lower, name_of
 from mechanics.program import Builder
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
+from mechanics.routes.redundant import without_redundant
 from mechanics.scene import Particle, RigidBody, Scene, holonomic, parameters, pin, reaction
+from mechanics.scene.json.read import from_json
+from mechanics.scene.json.write import to_json
 from systems import ALL, four_bar, four_bar_chain, rolling_disc
 
 SCENES: dict[str, Callable[[], Scene]] = {
@@ -154,16 +159,16 @@ def test_redundant_constraints_of_a_parallelogram_are_refused_or_dropped() -> No
     words = "redundant constraints: rods turn equally follow from along x: "
     with pytest.raises(SceneError, match=words):
         check_scene(scene)
-    left = drop_redundant(scene)
+    left = without_redundant(scene)
     assert {c.name for c in scene.constraints} - {c.name for c in left.constraints} == {
         "rods turn equally"
     }
     assert {r.name for r in scene.reactions} - {r.name for r in left.reactions} == {"T"}
-    assert drop_redundant(left) is left
+    assert without_redundant(left) is left
     check_scene(left)
 
 
-def test_a_planar_loop_that_pins_close_in_space_has_three_redundant_constraints() -> None:
+def loop_in_space() -> Scene:
     ground, origin = ReferenceFrame("N"), Point("O")
     (m,) = parameters("m", typical="1")
     joints, bodies, at, axis, carrier = [], [], origin, ground.z, None
@@ -179,19 +184,37 @@ def test_a_planar_loop_that_pins_close_in_space_has_three_redundant_constraints(
     foot = origin.locatenew("D", 2 * ground.x)
     joints.append(pin("last", None, carrier, at=foot, axis=ground.z, onto=(at, axis)))
     example = {"q0": 1.0, "q1": -0.9, "q2": -2.0}
-    scene = Scene(
+    return Scene(
         "loop", ground, origin, bodies=tuple(bodies), joints=tuple(joints), example=example
     )
-    words = (
-        "constraint last_z_closes, last_mx_closes, last_my_closes: it restricts no speed: .* drop_r"
-    )
+
+
+def test_a_planar_loop_that_pins_close_in_space_has_three_redundant_constraints() -> None:
+    scene = loop_in_space()
+    words = "last_z_closes, last_mx_closes, last_my_closes: it restricts no speed: .* redundant="
     with pytest.raises(SceneError, match=words):
         check_scene(scene)
-    left = drop_redundant(scene)
+    left = without_redundant(scene)
     assert [len(s.constraints) for s in (scene, left)] == [5, 2]
     assert len(scene.reactions) - len(left.reactions) == 3
     assert "last_mx, last_my, last_z" in left.notes[0]
     check_scene(left)
+
+
+def test_redundant_constraints_are_dropped_where_the_scene_says_so() -> None:
+    scene = replace(loop_in_space(), redundant="drop")
+    left = derive(from_json(json.dumps(to_json(scene))), "kane").scene
+    assert [len(s.constraints) for s in (scene, left)] == [5, 2]
+    assert "last_mx, last_my, last_z left out" in left.notes[-1]
+    with pytest.raises(SceneError, match="loop: redundant is 'keep': it has to be 'refuse' or 'd"):
+        replace(scene, redundant="keep")
+
+
+def test_statements_on_a_loop_of_which_no_exact_point_is_known_are_judged() -> None:
+    scene = replace(loop_in_space(), redundant="drop")
+    assert not lower(derive(scene, "kane").scene, Builder()).closure.values
+    (judged,) = check(scene, "q0'' = 1").judged
+    assert not judged.finding.shown
 
 
 def bead_in_a_plane(*constraints: Expr) -> Scene:
@@ -218,15 +241,15 @@ def test_constraints_that_touch_are_not_redundant() -> None:
     x, y = dynamicsymbols("x y")
     (k,) = parameters("k")
     scene = bead_in_a_plane(y, y - x**2)
-    assert drop_redundant(scene) is scene
+    assert without_redundant(scene) is scene
     with pytest.raises(SceneError, match="c1 may be redundant at some states only"):
-        drop_redundant(bead_in_a_plane(y, y + (k - 1) * x))
+        without_redundant(bead_in_a_plane(y, y + (k - 1) * x))
 
 
 def test_constraints_that_contradict_each_other_are_not_redundant() -> None:
     y, t = dynamicsymbols("y"), dynamicsymbols._t
     with pytest.raises(SceneError, match="c1: it contradicts the others"):
-        drop_redundant(bead_in_a_plane(y, y - t))
+        without_redundant(bead_in_a_plane(y, y - t))
 
 
 @pytest.mark.parametrize("loops", [1, 2])

@@ -16,7 +16,6 @@ from dataclasses import dataclass
 
 from mechanics.checks.energy import kinetic
 from mechanics.checks.equilibria import check_equilibria
-from mechanics.checks.redundant import independent_beside
 from mechanics.errors import SceneError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
@@ -29,6 +28,7 @@ from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract
 from mechanics.routes.directions import AXES, Directions, used_directions
 from mechanics.routes.lagrange import virtual_power
 from mechanics.routes.loads import Wrench, applied, unit_reactions
+from mechanics.routes.redundant import independent_beside
 from mechanics.routes.rows import coefficients, velocity_forms
 from mechanics.scene import Scene
 
@@ -119,7 +119,7 @@ def _constraint_rows(
     if vacuous:
         raise SceneError(
             f"constraint {', '.join(vacuous)}: it restricts no speed: is it an identity?"
-            " drop_redundant(scene) leaves it out with its reaction, which is then not determined"
+            ' redundant="drop" in the scene leaves it out, with a reaction that is not determined'
         )
     table = [filter_.values(row) for row in coefficients(forms, mechanism.u)]
     kept = _rank(filter_, table, len(mechanism.u))
@@ -133,7 +133,7 @@ def _constraint_rows(
     if len(kept) < len(table):
         raise SceneError(
             f"{mechanism.name}: redundant constraints: {words}:"
-            " their reactions are not determined: remove both, or take drop_redundant(scene)"
+            ' their reactions are not determined: remove both, or give the scene redundant="drop"'
         )
     if len(kept) >= len(mechanism.u):
         raise SceneError(

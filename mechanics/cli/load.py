@@ -16,7 +16,6 @@ from typing import Annotated, Any
 
 import typer
 
-from mechanics.checks.redundant import drop_redundant
 from mechanics.claims.read import file_text
 from mechanics.cli.nearest import meant
 from mechanics.errors import InputError, MechanicsError
@@ -27,6 +26,7 @@ from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
 from mechanics.scene import Scene
+from mechanics.scene.declaration import DROP
 from mechanics.scene.json.read import from_json
 from mechanics.scene.published import Published
 from mechanics.scene.system import System
@@ -78,9 +78,9 @@ def _from_json(path: Path) -> System:
     """A scene, or a system with the equations published for it."""
     made = from_json(file_text(path))
     return (
-        replace(made, name=path.stem)
+        replace(made, name=path.stem, scene=partial(_taken, made.scene, path.stem))
         if isinstance(made, System)
-        else System(path.stem, partial(from_json, file_text(path)))
+        else System(path.stem, partial(_taken, partial(from_json, file_text(path)), path.stem))
     )
 
 
@@ -143,16 +143,10 @@ def _from_model(path: Path, option: str, multiples: bool) -> System:
         told, make = notes.lines(), partial(assemble, robot, root, symbolic)
     else:
         robot, field, told = read_mjcf(path, others)
-        make = partial(_irredundant, partial(assemble, robot, "fixed", symbolic, field))
+        make = partial(assemble, robot, "fixed", symbolic, field, redundant=DROP)
     for line in told:
         typer.echo(f"{path}: {line}", err=True)
-    return System(path.stem, partial(make, notes=told))
-
-
-def _irredundant(make: Callable[..., Scene], notes: tuple[str, ...]) -> Scene:
-    """Loops of a plane that are closed in space: MuJoCo does not mind what follows from others."""
-    scene = make(notes=notes)
-    return drop_redundant(scene) if scene.constraints else scene
+    return System(path.stem, partial(_taken, partial(make, notes=told), path.stem))
 
 
 def run_file(path: Path) -> ModuleType:

@@ -25,6 +25,7 @@ from mechanics.compare.quantities import (
 from mechanics.compare.search import Explanation, Seen, explain
 from mechanics.compare.states import States, draw
 from mechanics.errors import wanted
+from mechanics.importers import as_scene
 from mechanics.kernel import Finding, Verdict, refuted, supported
 from mechanics.scene import Scene
 
@@ -169,6 +170,7 @@ def compare(
     >>> comparison.agree, comparison.causes[0].names
     (False, ('gravity',))
     """
+    scene = as_scene(scene)
     wanted(scene, Scene, "compare", "pass what scene() of a system gives")
     ours = of_scene(scene, values)
     if isinstance(answers, str):

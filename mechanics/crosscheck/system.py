@@ -218,7 +218,7 @@ def _own(
     scene: Scene, made: Any, programs: Programs, stage: Callable[[str], None]
 ) -> tuple[list[Finding], tuple[str, ...]]:
     """SymPy's own equations of the model that a scene is made from, and why there are none."""
-    if made is scene:
+    if isinstance(made, Scene):
         return [], ()
     why_not = "" if is_formed(made) else too_large(programs.mechanism, "kane_sympy")
     if why_not:

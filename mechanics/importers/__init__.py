@@ -5,6 +5,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from mechanics.scene import Scene
+from mechanics.scene.declaration import DROP
+
 if TYPE_CHECKING:
     from mechanics.importers.dh import from_dh
     from mechanics.importers.mjcf import from_mjcf
@@ -30,7 +33,9 @@ def __getattr__(name: str) -> Any:
 
 
 def as_scene(thing: Any, name: str = "") -> Any:
-    """The scene of a model of SymPy's; anything else as it is.
+    """The scene of a model of SymPy's, one that asks for it without its redundant constraints.
+
+    Anything else as it is.
 
     Parameters
     ----------
@@ -42,4 +47,6 @@ def as_scene(thing: Any, name: str = "") -> Any:
 
     if isinstance(thing, (me.System, me.KanesMethod, me.LagrangesMethod)):
         return import_module(f"{__name__}.sympy_scene").from_sympy(thing, name=name)
+    if isinstance(thing, Scene) and thing.redundant == DROP:
+        return import_module("mechanics.routes.redundant").without_redundant(thing)
     return thing

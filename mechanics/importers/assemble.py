@@ -11,6 +11,7 @@ from mechanics.importers.joints import join
 from mechanics.importers.parts import Parts, Spot, identifier, numbered
 from mechanics.importers.robot import Connection, Polynomial, Robot, ordered
 from mechanics.scene import Output, Scene, gravity, orientation, parameters, position
+from mechanics.scene.declaration import REFUSE
 
 SYMBOLIC = ("mass", "com", "inertia", "lengths")
 ROOTS = {"fixed": "fixed", "free": "floating", "planar": "planar"}
@@ -23,6 +24,7 @@ def assemble(
     symbolic: Collection[str] = SYMBOLIC,
     field: tuple[Expr, Expr, Expr] | None = None,
     notes: tuple[str, ...] = (),
+    redundant: str = REFUSE,
 ) -> Scene:
     """The scene of a robot.
 
@@ -38,6 +40,8 @@ def assemble(
         Acceleration of gravity; by default g downwards along z, a parameter.
     notes : tuple of str
         Of the reader.
+    redundant : str
+        As of a scene.
 
     Raises
     ------
@@ -80,6 +84,7 @@ def assemble(
         joints=tuple(parts.joints), loads=tuple(parts.loads), reactions=tuple(parts.reactions),
         constraints=tuple(parts.constraints), conditions=tuple(parts.conditions),
         inputs=tuple(parts.inputs), example=parts.example, outputs=_outputs(parts), notes=notes,
+        redundant=redundant,
     )  # fmt: skip
 
 

@@ -39,6 +39,7 @@ from mechanics.importers.robot import (
 )
 from mechanics.importers.rotations import from_doubles
 from mechanics.scene import Scene, parameters
+from mechanics.scene.declaration import DROP
 
 ROUGH = ("actuators", "armature", "contact", "equality", "fluid", "friction", "gravcomp", "plugins",
          "springs", "tendons")  # fmt: skip
@@ -72,7 +73,8 @@ def from_mjcf(
     Returns
     -------
     Scene
-        Its `notes` tell what was left out, and which turns were taken as multiples of pi/12.
+        Its `notes` tell what was left out, and which turns were taken as multiples of pi/12. It is
+        ``redundant="drop"``: MuJoCo does not mind what follows from other constraints.
 
     Raises
     ------
@@ -89,7 +91,7 @@ def from_mjcf(
     (q(t),)
     """
     robot, field, notes = read_mjcf(path, leave_out)
-    return assemble(robot, "fixed", symbolic, field, notes)
+    return assemble(robot, "fixed", symbolic, field, notes, DROP)
 
 
 def read_mjcf(

@@ -7,9 +7,11 @@ import sympy.physics.mechanics as me
 
 from mechanics.errors import InputError, wanted
 from mechanics.routes.kane_sympy import arguments
+from mechanics.routes.redundant import without_redundant
 from mechanics.routes.sympy_model import SympyModel
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
+from mechanics.scene.declaration import DROP
 
 
 def to_sympy(scene: Scene) -> me.System:
@@ -40,6 +42,8 @@ def to_sympy(scene: Scene) -> me.System:
     (2, 1)
     """
     wanted(scene, Scene, "to_sympy", "pass what scene() of a system gives")
+    if scene.redundant == DROP:
+        scene = without_redundant(scene)
     if held := frictions(scene):
         raise InputError(
             f"{scene.name}: load {held[0].name} is friction, which depends on a reaction: SymPy's"

@@ -193,7 +193,9 @@ def _reference(
     wanted(scene, kinds, "check", "pass a scene, or one of systems.ALL")
     if isinstance(scene, Equations):
         return Reference(scene), ()
-    plain, told = with_positive_radii(scene.scene() if isinstance(scene, System) else scene)
+    plain, told = with_positive_radii(
+        as_scene(scene.scene()) if isinstance(scene, System) else scene
+    )
     truth = derived(plain)
     return Reference(truth), (*told, *verify(truth))
 

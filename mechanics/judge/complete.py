@@ -90,6 +90,9 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     slopes = [gradient(scene, pair) for pair in sides]
     unknown = [[slope(one - two, force) for force in forces] for one, two in sides]
     constraints = closing(truth).tolist()
+    closure = truth.kinematics.mechanism.closure
+    if closure and not closure.values:
+        return len(rows), len(rows), len(scene.ud) - len(constraints)  # no exact state is known
     try:
         held = _rank(truth, constraints)
         both = [[*a, *b] for a, b in zip(slopes, unknown, strict=True)]

@@ -32,6 +32,9 @@ from mechanics.scene.reactions import Constraint, Reaction
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import TIME, by_name, name_of, plain_symbol, plain_table, to_plain
 
+REFUSE, DROP = "refuse", "drop"
+"""What is done about redundant constraints."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Declaration:
@@ -56,6 +59,7 @@ class Declaration:
     plane: Vector | None = None
     outputs: Mapping[str, Output] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    redundant: str = REFUSE
 
     @cached_property
     def q(self) -> tuple[Symbol, ...]:

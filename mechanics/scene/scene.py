@@ -52,6 +52,12 @@ class Scene(Declaration):
     notes : tuple of str
         What a reader of models did beside what stands there: ``"read 1.5708 as pi/2: joint q"``;
         what a source prints that no body can have, which is refused otherwise.
+    redundant : str
+        What is done about constraints that follow from those before them, three of a planar loop
+        that a pin closes in space: ``"refuse"``, or ``"drop"``, which leaves them out with their
+        reactions before equations are derived, and adds a note that names these. Rigid bodies do
+        not determine how such loads are shared; the reactions that remain are right for joints that
+        give way where one was left out.
 
     Raises
     ------

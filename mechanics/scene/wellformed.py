@@ -16,7 +16,7 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 from mechanics.errors import SceneError
 from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
-from mechanics.scene.declaration import Declaration
+from mechanics.scene.declaration import DROP, REFUSE, Declaration
 from mechanics.scene.declared import kind_of
 from mechanics.scene.joints.given import check_given
 from mechanics.scene.joints.joint import Joint
@@ -75,6 +75,10 @@ def check_types(scene: Declaration) -> None:
                 " (dynamic symbol, definition)"
             )
     _expect(f"{scene.name}: plane", scene.plane, Vector | None)
+    if scene.redundant not in (REFUSE, DROP):
+        raise SceneError(
+            f"{scene.name}: redundant is {scene.redundant!r}: it has to be {REFUSE!r} or {DROP!r}"
+        )
     for title in ("definitions", "example", "outputs"):
         _expect(f"{scene.name}: {title}", getattr(scene, title), Mapping)
     for name, output in scene.outputs.items():

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import pytest
 
-from mechanics import drop_redundant
 from mechanics.checks.admissible import check_scene
 from mechanics.checks.agreement import compare_pairs, linear_system
 from mechanics.errors import SceneError
 from mechanics.routes.derivation import ROUTES
+from mechanics.routes.redundant import without_redundant
 from mechanics.scene import Scene
 from tests.spatial_loops import bricard, four_bar, stewart
 
@@ -20,7 +20,7 @@ from tests.spatial_loops import bricard, four_bar, stewart
     ids=["four-bar", "bricard", "stewart"],
 )
 def test_routes_agree_on_loops_in_space(scene: Callable[[], Scene], left: int) -> None:
-    whole = drop_redundant(scene())
+    whole = without_redundant(scene())
     assert len(whole.constraints) == left
     mechanism = check_scene(whole)
     _, closed = mechanism.filters
@@ -33,4 +33,4 @@ def test_routes_agree_on_loops_in_space(scene: Callable[[], Scene], left: int) -
 def test_a_mechanism_that_moves_for_its_angles_alone_is_not_called_rigid() -> None:
     with pytest.raises(SceneError, match="redundant constraints: close_mz_closes follow") as caught:
         check_scene(bricard())
-    assert "drop_redundant(scene)" in str(caught.value)
+    assert 'redundant="drop"' in str(caught.value)

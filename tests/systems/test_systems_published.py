@@ -48,6 +48,42 @@ def test_puma560_weighs_and_moves_as_published() -> None:
     assert np.allclose(inertia[1, 2:5], [0.3509, 0, 0.0024], atol=5e-5)
 
 
+def test_puma560_weighs_and_moves_as_published_where_no_angle_is_special() -> None:
+    """`gravload([1 2 3 4 5 6])` and the upper half of `inertia` there, less its diagonal."""
+    model = compile(derive(arm_puma560.scene(), "kane"), compiler=None)
+    rest, pose = np.zeros(6), np.arange(1.0, 7.0)
+    torques = model.inverse_dynamics(pose, rest, rest, inputs=rest)
+    assert np.allclose(torques, [0, -7.9683, 8.4581, -0.0197, 0.0027, 0], atol=5e-5)
+    inertia = model.mass_matrix(pose, rest, inputs=rest)
+    assert np.allclose(inertia[0, 1:], [-0.6550, -0.0363, 0.0001, 0.0010, 0], atol=5e-5)
+    assert np.allclose(inertia[1, 2:], [0.2953, -0.0008, -0.0017, 0], atol=5e-5)
+    assert np.allclose(inertia[2, 3:], [-0.0009, -0.0006, 0], atol=5e-5)
+
+
+@pytest.mark.parametrize(("centre", "wrist"), [(0.019, 8.74), (-0.019, 8.44)])
+def test_gravity_on_puma560_has_armstrongs_constants(centre: float, wrist: float) -> None:
+    """g_2 = -g1 C2 - g3 S2 + g4 C23 + g2 S23 of Armstrong, Khatib and Burdick, 1986.
+
+    q3 is theirs less pi, and what turns with q5 is taken out. Their mass centre of link 4 lies
+    before the wrist, that of Corke's table beyond it.
+    """
+    model = compile(derive(arm_puma560.scene(), "kane"), compiler=None)
+    p = model.typical.copy()
+    p[[str(entry.symbol) for entry in model.quantities.p].index("ry4")] = centre
+    rest, forms, torques = np.zeros(6), [], []
+    for q2, q3 in [(0, 0), (0, 1), (1, 0), (1, 1), (2, -1)]:
+        ends = [
+            model.inverse_dynamics([0, q2, q3, 0, q5, 0], rest, rest, inputs=rest, p=p)[1]
+            for q5 in (0, np.pi)
+        ]
+        forms.append([np.cos(q2), np.sin(q2), np.cos(q2 + q3), np.sin(q2 + q3)])
+        torques.append(sum(ends) / 2)
+    constants, left, *_ = np.linalg.lstsq(np.array(forms), np.array(torques))
+    assert np.allclose(left, 0, atol=1e-20)
+    half_units = np.array([0.05, 0.005, 0.0005, 0.005])
+    assert (abs(constants - [37.2, -1.02, 0.249, -wrist]) <= half_units).all()
+
+
 def test_an_arm_of_seven_joints_reaches_where_its_maker_says() -> None:
     """The pose called ready holds a hand of 0.1034 m at (0.307, 0, 0.487) m, turned down."""
     model = compile(derive(arm_seven_joints.scene(), "kane"), compiler=None)

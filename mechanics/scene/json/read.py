@@ -17,6 +17,7 @@ from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamics
 
 from mechanics.errors import InputError, MechanicsError
 from mechanics.scene.conditions import Condition, condition
+from mechanics.scene.declaration import REFUSE
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.json.expressions import Names, number, read, refuse, relation
 from mechanics.scene.json.joints import FUNCTIONS, HINTS, arguments_of, required_of
@@ -41,7 +42,7 @@ WORDS = (
 KEYS = (
     "format", "name", "coordinates", "inputs", "speeds", "parameters", "inertial", "origin",
     "frames", "points", *PARTS, "plane", "definitions", "example", "equilibria", "notes",
-    "system", "variables", "published",
+    "redundant", "system", "variables", "published",
 )  # fmt: skip
 ROOTS = {"frames": "inertial", "points": "origin"}
 ENTRIES = {
@@ -177,6 +178,7 @@ def _scene(whole: dict[str, Any]) -> tuple[Scene, "_Reader"]:
             _text(note, f"$.notes[{k}]", 10_000)
             for k, note in enumerate(_list(whole.get("notes", []), "$.notes"))
         ),
+        redundant=_text(whole.get("redundant", REFUSE), "$.redundant"),
         **made,
     )
     return scene, reader

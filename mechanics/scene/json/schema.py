@@ -8,6 +8,7 @@ from sympy import Expr
 from sympy.core.relational import Relational
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
+from mechanics.scene.declaration import DROP, REFUSE
 from mechanics.scene.json.expressions import FUNCTIONS, MANY, RELATIONS
 from mechanics.scene.json.joints import FUNCTIONS as FUNCTIONS_OF_JOINTS
 from mechanics.scene.json.joints import HINTS, arguments_of, required_of
@@ -49,6 +50,7 @@ def schema() -> dict[str, Any]:
         "example": _table({"type": "number"}),
         "equilibria": _list(_table(_to("expression"))),
         "notes": _list({"type": "string"}),
+        "redundant": {"enum": [REFUSE, DROP]},
         "system": TEXT,
         "variables": _list(name),
         "published": _list(_to("published")),

@@ -10,6 +10,7 @@ from sympy.core.relational import Relational
 from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector, dynamicsymbols
 
 from mechanics.errors import InputError, wanted
+from mechanics.scene.declaration import REFUSE
 from mechanics.scene.geometry import (
     components,
     dyadic_matrix,
@@ -86,6 +87,7 @@ def to_json(scene: Scene | System) -> dict[str, Any]:
         "example": {name: _plain(value) for name, value in scene.example.items()},
         "equilibria": later["equilibria"],
         "notes": list(scene.notes),
+        "redundant": None if scene.redundant == REFUSE else scene.redundant,
         **more,
     }
     return {key: value for key, value in whole.items() if value not in ([], {}, None)}

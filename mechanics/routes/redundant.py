@@ -15,9 +15,10 @@ from mechanics.mechanism import Mechanism, lower, name_of
 from mechanics.program.builder import Builder, Node
 from mechanics.routes.rows import coefficients, remainder, velocity_forms
 from mechanics.scene import Scene
+from mechanics.scene.declaration import REFUSE
 
 
-def drop_redundant(scene: Scene) -> Scene:
+def without_redundant(scene: Scene) -> Scene:
     """The scene without the constraints that follow from those before them, and their reactions.
 
     A planar loop that is closed by a pin in space has three of them: two couples and the force
@@ -94,6 +95,7 @@ def drop_redundant(scene: Scene) -> Scene:
     return replace(
         scene,
         notes=(*scene.notes, note),
+        redundant=REFUSE,
         # What a joint still holds stands in the scene; it is no longer a joint of its kind.
         joints=tuple(j for j in scene.joints if not lost & {r.name for r in j.reactions}),
         constraints=tuple(c for c in scene.constraints if c not in gone),
