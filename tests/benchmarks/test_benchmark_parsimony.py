@@ -103,6 +103,7 @@ def test_less_that_is_asked_for_is_less_to_compute(peer: Peer) -> None:
     assert one > all_fixed
 
 
+@pytest.mark.campaign
 def test_the_table_is_printed(compiler: str) -> None:
     lines = list(parsimony.table(PEERS[2], 3, compiler))
     assert len(lines) == 2 + len(list(parsimony.variants(PEERS[2])))

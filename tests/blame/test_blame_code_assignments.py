@@ -166,6 +166,7 @@ def rates(x, th, dx, dth, force, masscart, masspole, length, gravity):
 """
 
 
+@pytest.mark.campaign
 def test_code_is_mended_neither_by_another_output_nor_by_what_it_has_not(tmp_path) -> None:
     (tmp_path / "cart.py").write_text(FORGOTTEN, encoding="utf-8")
     rates = run_file(tmp_path / "cart.py").rates

@@ -149,6 +149,7 @@ def test_two_names_that_are_exchanged_throughout() -> None:
     assert again.finding.shown
 
 
+@pytest.mark.campaign
 def test_an_equation_that_lost_its_only_acceleration() -> None:
     wrong = ROCKER.replace(r"(I_C + \frac{5}{4} M R^2 + M R^2 \cos\theta) \ddot\theta", "")
     (edit,) = repairs("rocker", wrong)[0].edits

@@ -84,6 +84,7 @@ def test_momenta_under_the_authors_names_of_angles(right: str, wrong: str) -> No
     assert verdicts("double", wrong) == ["REFUTED"]
 
 
+@pytest.mark.campaign
 def test_the_mistake_is_mended_where_it_was_written() -> None:
     """Not in what s_2 stands for, which nobody wrote."""
     wrong = ELBOW.replace("+ m_2 l_1 l_2 s_2", "- m_2 l_1 l_2 s_2")

@@ -54,6 +54,7 @@ def test_values_are_read_or_refused(run: Any, value: str) -> None:
     assert ran.code == 2 and ran.err.count("\n") == 1, ran.err
 
 
+@pytest.mark.campaign
 def test_a_box_with_a_singular_state_is_told(run: Any) -> None:
     """The disc lies flat within the box."""
     speeds = [

@@ -152,6 +152,7 @@ def test_a_point_of_which_only_the_velocity_is_said_has_its_integral():
     assert verdicts(method)[0].verdict is Verdict.PROVED
 
 
+@pytest.mark.campaign
 def test_reactions_are_found_that_no_axis_has():
     """A bead on a parabola, and two masses on a rope."""
     N, O = ground()

@@ -377,6 +377,7 @@ def test_a_root_that_no_field_has_is_known_by_congruence_only() -> None:
     assert finding.verdict is Verdict.UNDECIDED
 
 
+@pytest.mark.campaign
 @settings(max_examples=30, deadline=None)
 @given(st.fractions(-4, 4, max_denominator=12), st.fractions(-4, 4, max_denominator=12))
 def test_angles_add_by_the_group_law(m: Fraction, n: Fraction) -> None:

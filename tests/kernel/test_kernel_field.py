@@ -167,6 +167,7 @@ def test_a_trigonometric_falsehood_has_at_most_twice_its_degree_of_zeros() -> No
     assert share([c * s]) == pytest.approx(2 * (2 + 2) / 419, rel=0.01)
 
 
+@pytest.mark.campaign
 def test_what_is_looked_up_counts() -> None:
     """log(x**9) = log(1) wherever x**9 = 1: congruence meets by chance."""
     b = Builder()
@@ -379,6 +380,7 @@ def sizes_of(build) -> Size:
                   x=domain.variable(), y=domain.variable())[0]  # fmt: skip
 
 
+@pytest.mark.campaign
 @given(st.integers(1, 6), st.integers(1, 6), st.integers(1, 6))
 def test_bounds_are_not_below_the_true_degrees_and_heights(i: int, j: int, k: int) -> None:
     def build(x, y):

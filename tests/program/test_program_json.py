@@ -94,6 +94,7 @@ def test_names_have_up_to_two_hundred_characters() -> None:
         read(write(longer))
 
 
+@pytest.mark.campaign
 @settings(max_examples=200)
 @given(st.recursive(st.none() | st.booleans() | st.integers() | st.text(max_size=8),
                     lambda children: st.lists(children, max_size=4), max_leaves=12))  # fmt: skip

@@ -158,6 +158,7 @@ def test_forms_that_are_too_long_to_read_are_refused() -> None:
         expressions(program)
 
 
+@pytest.mark.campaign
 def test_what_is_shared_is_read_once() -> None:
     e = x
     for _ in range(300):

@@ -104,6 +104,7 @@ def test_the_angle_squared_for_its_rate_is_named(truth, edits) -> None:
         assert wrong.startswith(r"\theta") and r"\dot" in right and r"\theta" in right
 
 
+@pytest.mark.campaign
 def test_gravity_of_1983_is_reversed_and_right_in_a_mirror(truth, edits) -> None:
     first, second = mechanics.check(truth("cartpole"), written(g="-g")).judged
     assert [mistake for mistake, _, _ in edits(first)] == ["SIGN"]

@@ -1,5 +1,6 @@
 """do-mpc's double inverted pendulum: its equations are right, its kinetic energy is not."""
 
+import pytest
 from sympy import Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
@@ -70,6 +71,7 @@ def by_lagrange(rotation) -> LagrangesMethod:
     return method
 
 
+@pytest.mark.campaign
 def test_equations_from_that_energy_differ_by_the_published_rows(truth) -> None:
     wrong, right = by_lagrange(lambda one, two: one), by_lagrange(lambda one, two: two)
     (a, b), J2 = dynamicsymbols("theta1 theta2"), symbols("J2")

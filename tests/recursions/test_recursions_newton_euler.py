@@ -85,6 +85,7 @@ def test_arms_cost_no_more_than_symbolic_packages_say() -> None:
     assert second[0] <= 380 and second[1] <= 330
 
 
+@pytest.mark.campaign
 def test_a_chain_costs_no_more_than_its_recursion() -> None:
     mechanism = lower(scenes.chain(10), Builder())
     rows = newton_euler.rows(mechanism, moments(mechanism))

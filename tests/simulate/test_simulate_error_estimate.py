@@ -64,6 +64,7 @@ def test_where_a_motion_is_chaotic_it_says_from_when_nothing_is_right(model_of: 
     assert f"beyond t = {motion.horizon:.3g} s no digit is right" in motion.note
 
 
+@pytest.mark.campaign
 def test_a_hundredth_of_the_tolerance_gains_two_times_the_seconds_of_a_digit(
     model_of: ModelOf,
 ) -> None:
@@ -73,6 +74,7 @@ def test_a_hundredth_of_the_tolerance_gains_two_times_the_seconds_of_a_digit(
     assert fine.horizon - coarse.horizon == pytest.approx(2 * fine.tenfold, rel=0.5)
 
 
+@pytest.mark.campaign
 def test_a_regular_motion_has_no_horizon(model_of: ModelOf) -> None:
     motion = simulate(model_of("two_mass_chain"), 2000, samples=2001)
     assert motion.tenfold is None

@@ -57,6 +57,7 @@ def test_every_system_is_a_member() -> None:
 CONSERVATIVE = [member for member in MEMBERS if member.energy]
 
 
+@pytest.mark.campaign
 def test_what_rubs_loses_energy(model_of: ModelOf) -> None:
     for name in (member.name for member in MEMBERS if not member.energy):
         motion = simulate(model_of(name), 0.05, samples=21, **FINE)

@@ -122,6 +122,7 @@ def test_squares_of_sums(p, q):
     assert prove_equal("square", (p + q) ** 2, p**2 + 2 * p * q + q**2).shown
 
 
+@pytest.mark.campaign
 @settings(max_examples=40, deadline=None)
 @given(POLYNOMIALS, st.integers(1, 10**30))
 def test_a_tiny_difference_is_refuted(p, size):

@@ -44,6 +44,7 @@ def test_the_blame_can_be_left_out() -> None:
     assert "the enclosures at a real state are disjoint" in str(failed.value)
 
 
+@pytest.mark.campaign
 def test_a_convention_has_to_be_declared() -> None:
     other = SEVEN.replace("/3", "/4")
     with pytest.raises(AssertionError, match="right if every rod is a point mass"):
