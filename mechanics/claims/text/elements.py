@@ -57,7 +57,8 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     size = 2 * len(naming.vocabulary.scene.q)
     lines = [_named_result(line, size) for line in lines]
     own = definitions(lines, naming)
-    lines = [_of_own(line, own) for line in lines]
+    spelled = {name: Name(0, name) for name in own} | _spelled_columns(lines)
+    lines = [_of_own(line, spelled) for line in lines]
     arrays = _arrays(lines)
     if not arrays:
         return _of_one_freedom(lines, naming)
@@ -169,7 +170,7 @@ def _with_locals(lines: Sequence[Entry], naming: Naming, arrays: Sequence[str]) 
     ]
 
 
-def _of_own(line: Entry, own: Container[str]) -> Entry:
+def _of_own(line: Entry, own: Mapping[str, Node]) -> Entry:
     r"""The line with entries of what the text defines: qdd(1), where qdd = M \ f."""
     if not isinstance(line, Line):
         return line
@@ -180,10 +181,24 @@ def _of_own(line: Entry, own: Container[str]) -> Entry:
             inside = parts(node)
             new = tuple(map(entry, inside))
             return node if new == inside else ended(with_parts(node, new), node.end)
-        index = Number(node.at, Fraction(int(part["index"]) + (part["open"] == "[")))
-        return ended(Call(node.at, ENTRY, (Name(node.at, part["array"]), index)), node.end)
+        place = int(part["index"]) + (part["open"] == "[")
+        array = own[part["array"]]
+        if isinstance(array, Table) and 0 < place <= len(array.rows):
+            return ended(replace(array.rows[place - 1][0], at=node.at), node.end)
+        array, index = Name(node.at, part["array"]), Number(node.at, Fraction(place))
+        return ended(Call(node.at, ENTRY, (array, index)), node.end)
 
     return replace(line, sides=tuple(map(entry, line.sides)))
+
+
+def _spelled_columns(lines: Sequence[Entry]) -> dict[str, Node]:
+    r"""Columns of the scene's names on a left side, as they are spelled: qdd in qdd = M \ f."""
+    pairs = [line for line in lines if isinstance(line, Line) and len(line.sides) == 2]
+    return {
+        line.source.partition("=")[0].strip(): line.sides[0]
+        for line in pairs
+        if isinstance(line.sides[0], Table) and len(line.sides[0].rows[0]) == 1
+    }
 
 
 def _named_rates(array: str) -> tuple[str, ...]:

@@ -25,6 +25,10 @@ def has_common_form(scene: Scene) -> bool:
     return not scene.constraints and not any(isinstance(load, Coulomb) for load in scene.loads)
 
 
+LARGEST = 400
+"""Operations of a sum up to which it is multiplied out; nobody reads longer ones."""
+
+
 def common_form(equations: Equations) -> tuple[Line, ...]:
     """The equations as lines, numbered E1, E2, ...
 
@@ -87,6 +91,8 @@ def _state(scene: Scene, total: Expr) -> tuple[Term, ...]:
 
 def collected(total: Expr) -> Expr:
     """A coefficient as a textbook writes it, where that is shorter: factors before brackets."""
+    if total.count_ops() > LARGEST:
+        return total
     return min(total, factor_terms(_merged(total)), key=lambda side: side.count_ops())
 
 
@@ -95,6 +101,8 @@ def _merged(total: Expr) -> Expr:
 
     cos a cos b + sin a sin b = cos(a - b),     sin a cos b - cos a sin b = sin(a - b)
     """
+    if total.count_ops() > LARGEST:
+        return total
     terms: dict[Expr, Expr] = {}
     for term in Add.make_args(expand(total)):
         number, product = term.as_coeff_Mul()
