@@ -452,7 +452,12 @@ def _without_names(line: Line, naming: Naming, found: Mapping[str, tuple[str, st
     if len(left.rows) != len(right.rows) or len(left.rows[0]) != 1:
         return line
     kept = [k for k, row in enumerate(left.rows) if not same(row[0], right.rows[k][0])]
-    if not kept:
+    meanings = [
+        [found.get(n.name, ("",))[0] if isinstance(n, Name) else "" for n in (row[0], cell[0])]
+        for row, cell in zip(left.rows, right.rows, strict=True)
+    ]
+    # Beside accelerations by their names, dz(1) = z(3) says only what dz is.
+    if all(meanings[k][0] == meanings[k][1] != "" for k in kept) and len(kept) < len(left.rows):
         return Aside(f"{line.source[:60]}: taken as the names of what is returned", line.at)
     if len(kept) == len(left.rows):
         return line
