@@ -54,7 +54,7 @@ BY_KANES_METHOD = (
         ),
     ),
     *faults_in(
-        "mechanics.routes.pressing",
+        "mechanics.routes.friction_reactions",
         (
             "friction * self.rest).applyfunc",
             "-friction * self.rest).applyfunc",

@@ -14,7 +14,7 @@ from mechanics.blame.derivation import Derivation
 from mechanics.blame.groups import second_rates
 from mechanics.blame.mistakes.catalogue import Mistakes
 from mechanics.blame.mistakes.fault_model import right
-from mechanics.blame.mistakes.turning import wrong_rows
+from mechanics.blame.mistakes.moving_point import wrong_rows
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.search.point import Points
 from mechanics.blame.view import View

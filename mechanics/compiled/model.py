@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mechanics.compiled.calls.arguments import as_doubles
 from mechanics.compiled.calls.checked import checked
 from mechanics.compiled.calls.direct_states import ManyStates
 from mechanics.compiled.calls.functions import Functions
-from mechanics.compiled.calls.given import as_doubles
 from mechanics.compiled.calls.many_states import look_at, written
 from mechanics.compiled.calls.one_state import CALLS, OneState
 from mechanics.compiled.fixed import read_fixed

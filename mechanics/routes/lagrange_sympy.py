@@ -22,7 +22,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.equations import Equations, Matrices
 from mechanics.routes.common import tidied
-from mechanics.routes.pressing import opened, pressed, pressing
+from mechanics.routes.friction_reactions import opened, pressed, pressing
 from mechanics.routes.sympy_model import SympyModel, cramer, plain
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions

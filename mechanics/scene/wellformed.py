@@ -18,7 +18,7 @@ from mechanics.scene.bodies import Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declaration import DROP, REFUSE, Declaration
 from mechanics.scene.declared import kind_of
-from mechanics.scene.joints.given import check_given
+from mechanics.scene.joints.argument_types import check_given
 from mechanics.scene.joints.joint import Joint
 from mechanics.scene.joints.rope import Rope
 from mechanics.scene.loads import Load

@@ -15,8 +15,8 @@ from mechanics.compiled.forms.closed import quotients
 from mechanics.compiled.forms.coefficient import Coefficient, coefficient
 from mechanics.compiled.forms.entries import nested_entries
 from mechanics.compiled.forms.fewest import nested_quotients
+from mechanics.compiled.forms.graph import Written
 from mechanics.compiled.forms.members import FEWEST, preferred
-from mechanics.compiled.forms.written import Written
 from mechanics.compiled.sampling import sample
 from mechanics.kernel.ring import TooLarge
 from mechanics.symbolic import is_zero

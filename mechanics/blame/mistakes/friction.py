@@ -11,8 +11,8 @@ from sympy import Expr, S, Symbol
 
 from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
 from mechanics.blame.pieces import Kind, Piece
+from mechanics.routes.friction_reactions import pressed, pressing
 from mechanics.routes.lagrange_sympy import opened_equations
-from mechanics.routes.pressing import pressed, pressing
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 

@@ -13,15 +13,15 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.edit_and_term import Both
 from mechanics.blame.search.edits import Maker
+from mechanics.blame.search.exact_cover import Several
 from mechanics.blame.search.exchanged_names import exchanged
+from mechanics.blame.search.group_differences import whole
 from mechanics.blame.search.homogeneity_test import Growth, growing
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.probabilistic_check import Problem
-from mechanics.blame.search.several import Several
 from mechanics.blame.search.solved_numbers import numbers
 from mechanics.blame.search.two_terms import Two
-from mechanics.blame.search.whole import whole
 from mechanics.blame.search.words import Words
 from mechanics.claims.statement import Statement
 from mechanics.claims.tree import Name

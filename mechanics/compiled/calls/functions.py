@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
 from mechanics.compiled.c.lanes import SHARED
-from mechanics.compiled.calls.given import given_array, named_parameters
+from mechanics.compiled.calls.arguments import given_array, named_parameters
 from mechanics.compiled.calls.many_states import MANY, look_at, run, shared, written
 from mechanics.compiled.graphs import MATRICES, Graphs
 from mechanics.compiled.jax_functions import JaxFunctions

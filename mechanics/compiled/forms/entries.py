@@ -11,8 +11,8 @@ from functools import lru_cache
 from sympy import ImmutableMatrix
 
 from mechanics.compiled.forms.closed import Polynomial, numbered
+from mechanics.compiled.forms.graph import Decide, Written, search, written
 from mechanics.compiled.forms.nested import ONE, Choice, Nest, Table
-from mechanics.compiled.forms.written import Decide, Written, search, written
 from mechanics.kernel.ring import TooLarge
 from mechanics.symbolic.canonical_poly import reader
 

@@ -47,6 +47,7 @@ from mechanics.program.c.condition import (
     negation,
 )
 from mechanics.program.c.function import BEYOND, Function, Parameter, Target, Written
+from mechanics.program.c.index_polynomials import Whole, divided, plus, times, unknown, whole
 from mechanics.program.c.library import ARITHMETIC, FAR, FUNCTIONS, FUSED, SINCOS
 from mechanics.program.c.literal import literal, rounded
 from mechanics.program.c.parse import UNSIGNED, Source
@@ -67,7 +68,6 @@ from mechanics.program.c.values import (
     of_decision,
     words,
 )
-from mechanics.program.c.whole import Whole, divided, plus, times, unknown, whole
 
 DEEPEST = 8
 """Calls of own functions inside each other."""

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 from mechanics.errors import ExpressionError
 from mechanics.program.c.condition import Choice, Condition, Decision, choice, joined, negation
 from mechanics.program.c.function import Written
+from mechanics.program.c.index_polynomials import Whole, whole
 from mechanics.program.c.types import Type
-from mechanics.program.c.whole import Whole, whole
 
 
 class Real(NamedTuple):

@@ -11,7 +11,7 @@ from mechanics.report import words
 from mechanics.report.answer import typed
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.parted import parted
+from mechanics.report.answer.segments import parted
 from mechanics.report.answer.sentences import counted, order, read_as, two_sided, which
 from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing

@@ -22,7 +22,7 @@ from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.meaning import difference, headline, meaning
-from mechanics.report.answer.parted import spoken
+from mechanics.report.answer.segments import spoken
 from mechanics.report.answer.sentences import (
     COUNTED,
     about,
