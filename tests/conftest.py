@@ -1,9 +1,9 @@
 """Laws with many cases: a fixed sample of them runs by default, the rest is a campaign.
 
 ``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
-the others get the marker ``campaign``, and ``--cases N`` leaves N of them. Both draw by a hash of
-the name of a case, so that every run on every machine has the same ones. ``--draws N`` is how many
-random mechanisms a campaign draws.
+the others get the marker ``campaign``. ``--cases N`` leaves a law N cases of a campaign, unless it
+has the marker ``every_case``. Both draw by a hash of the name of a case, so that every run on every
+machine has the same ones. ``--draws N`` is how many random mechanisms a campaign draws.
 """
 
 import gc
@@ -29,7 +29,7 @@ OF_THE_SEED = {system.name for system in SEED}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    words = "at most N cases of a law beside its sample"
+    words = "of a campaign, at most N cases of a law"
     parser.addoption("--cases", type=int, default=sys.maxsize, metavar="N", help=words)
     words = "mechanisms that the campaign of random ones draws"
     parser.addoption("--draws", type=int, default=8, metavar="N", help=words)
@@ -37,13 +37,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    beyond: set[pytest.Item] = set()
     for cases in by_law(item for item in items if item.get_closest_marker("sample")):
         (most,) = cases[0].get_closest_marker("sample").args
-        others = drawn(case for case in cases if not is_of_the_seed(case))[most:]
-        for case in others:
+        for case in drawn(case for case in cases if not is_of_the_seed(case))[most:]:
             case.add_marker("campaign")
-        beyond.update(others[config.getoption("cases") :])
+    beyond: set[pytest.Item] = set()
+    for cases in by_law(item for item in items if item.get_closest_marker("campaign")):
+        if not cases[0].get_closest_marker("every_case"):
+            beyond.update(drawn(cases)[config.getoption("cases") :])
     config.hook.pytest_deselected(items=list(beyond))
     items[:] = [item for item in items if item not in beyond]
 

@@ -37,6 +37,7 @@ def test_a_case_has_its_verdict(name: str) -> None:
 
 
 @pytest.mark.campaign
+@pytest.mark.every_case
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
 def test_no_verdict_is_false(case: Case) -> None:
     trial = tried(case)
