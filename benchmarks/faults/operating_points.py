@@ -67,7 +67,7 @@ OPERATIONS = {
             {"e0": 0, "e1": 1, "e2": 0, "e3": 0}, {"e0": 0, "e1": 2, "e2": 0, "e3": 0}, poles=False
         ),
     ),
-    "spinning top": (Operation({"a": 0, "b": 0}, {"a": 0, "b": 1}, {"c_dot": TURN}),),
+    "top by Euler angles": (Operation({"a": 0, "b": 0}, {"a": 0, "b": 1}, {"c_dot": TURN}),),
     "cartpole_friction": (
         Operation({"x": 0, "theta": pi}, {"x": 0, "theta": 1}, {"x_dot": SPEED}, {"F": PULL}),
     ),

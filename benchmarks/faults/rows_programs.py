@@ -325,8 +325,8 @@ DERIVED = (
             "programs, free_body: no gyroscopic moment",
         ),
         (
-            "Row(row.body, row.rate - row.applied, dict(row.coefficients))",
-            "Row(row.body, row.rate + row.applied, dict(row.coefficients))",
+            "Row(row.body, row.rate - row.applied, dict(row.coefficients), place)",
+            "Row(row.body, row.rate + row.applied, dict(row.coefficients), place)",
             "programs, free_body: loads with the wrong sign",
         ),
         (
@@ -461,8 +461,8 @@ CHECKED = (
             "laws: forces go up the potential",
         ),
         (
-            "return equal(subject, mechanism, [work], [growth - power])",
-            "return equal(subject, mechanism, [work], [growth + power])",
+            "return work, growth - power",
+            "return work, growth + power",
             "laws: loads take out what they bring in",
         ),
     ),

@@ -21,8 +21,8 @@ GEOMETRY = (
             "a vector given in two frames loses the second",
         ),
         (
-            "path = frame._dict_list(root, 0)",
-            "path = frame._dict_list(root, 0)[:2]",
+            'orient it"\n        )\n    return path',
+            'orient it"\n        )\n    return (path[0], path[-1])',
             "a frame hangs on the inertial one directly",
         ),
     ),

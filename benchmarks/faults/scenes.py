@@ -35,14 +35,7 @@ from mechanics.scene.euler import Euler
 from mechanics.scene.loads import damper, torsion_spring
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.shapes import Disc, Rectangle, Ring, Rod, Semidisc
-from systems import (
-    cartpole_friction,
-    elastic_pendulum,
-    four_bar,
-    rocker,
-    rolling_disc,
-    two_mass_chain,
-)
+from systems import EVERY
 
 
 def plate() -> Scene:
@@ -231,9 +224,9 @@ def quaternion_top() -> Scene:
     return top("quaternion top", rotation, {"e0": 0.95, "e1": 0.3, "wz": 20})
 
 
-def spinning_top() -> Scene:
+def euler_top() -> Scene:
     """A top by angles that are regular where it is upright."""
-    return top("spinning top", euler("xyz", *dynamicsymbols("a b c")), {})
+    return top("top by Euler angles", euler("xyz", *dynamicsymbols("a b c")), {})
 
 
 def leaning_wheel() -> Scene:
@@ -330,14 +323,7 @@ def crane() -> Scene:
     )  # fmt: skip
 
 
-SEED = ("elastic_pendulum", "rocker", "two_mass_chain")
-SCENES: dict[str, Callable[[], Scene]] = {
-    "elastic_pendulum": elastic_pendulum.scene,
-    "rocker": rocker.scene,
-    "two_mass_chain": two_mass_chain.scene,
-    "rolling_disc": rolling_disc.scene,
-    "four_bar": four_bar.scene,
-    "cartpole_friction": cartpole_friction.scene,
+OWN: dict[str, Callable[[], Scene]] = {
     "plate": plate,
     "trammel": trammel,
     "arm": arm,
@@ -346,7 +332,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "hung plate": hung_plate,
     "held block": held_block,
     "quaternion top": quaternion_top,
-    "spinning top": spinning_top,
+    "top by Euler angles": euler_top,
     "leaning wheel": leaning_wheel,
     "unicycle": unicycle,
     "wheels in space": wheels_in_space,
@@ -354,3 +340,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "rolling wheel": partial(rolling_body, True),
     "crane": crane,
 }
+"""Made for faults, of what no shipped system has."""
+SHIPPED: dict[str, Callable[[], Scene]] = {system.name: system.scene for system in EVERY}
+SCENES = {**SHIPPED, **OWN}
+GROUPS = {"shipped": tuple(SHIPPED), "own": tuple(OWN)}

@@ -2,7 +2,8 @@
 
 Reads a request as JSON from standard input, ``{"asked": [[{...} or null, [scene, ...]], ...],
 "clean": {scene: {quantity: digits}} or null}``, and prints one line of JSON for each fault and
-scene. The package is imported once; each process is forked from there, and gets its fault.
+scene; what became of it goes to standard error in words. The package is imported once; each process
+is forked from there, and gets its fault.
 The steps of `crosscheck` that are quick come first, so that most faults need no more; `crosscheck`
 itself has the last word.
 """
@@ -11,9 +12,10 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from cProfile import Profile
 from random import Random
-from types import FrameType
+from types import CodeType
 from typing import Any
 
 from sympy import Abs, cos, sin, sqrt, symbols
@@ -54,16 +56,16 @@ from mechanics.scene import Scene
 from mechanics.scene.potential import potential
 from mechanics.symbolic import prove_equal
 
-PATIENCE = 300
-"""Seconds of processor time for one fault in all scenes."""
+PATIENCE = 600
+"""Seconds of processor time for one fault in one scene."""
 
 Numbers = dict[str, str]
 
 
-def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
+def outcome(name: str, probes: Numbers, clean: Mapping[str, str] | None) -> dict[str, Any]:
     """What became of one scene: ``numbers`` without a fault, else ``changed`` and ``noticed``."""
     try:
-        numbers = verdicts_of_probes()
+        numbers = dict(probes)
         scene = SCENES[name]()
         mechanism = check_scene(scene)
         states, support = drawn_states(scene), None
@@ -108,11 +110,16 @@ def outcome(name: str, clean: Mapping[str, str] | None) -> dict[str, Any]:
         # Whatever is raised is no answer that somebody could take for a right one.
         if clean is None:
             raise
-        return {"changed": True, "noticed": f"{type(error).__name__}: {str(error)[:120]}"}
+        return {"changed": True, "noticed": words_of(error)}
     if result is None or result.ok:
         return {"changed": changed, "noticed": ""}
     first = result.open[0]
     return {"changed": True, "noticed": f"{first.subject}: {first.verdict.name}"}
+
+
+def words_of(error: Exception) -> str:
+    """Its kind and how its message begins."""
+    return f"{type(error).__name__}: {str(error)[:120]}"
 
 
 def unsupported(findings: Iterable[Finding]) -> str:
@@ -211,49 +218,68 @@ def verdicts_of_probes() -> Numbers:
     } | {words: finding.verdict.name for words, _, finding in known_findings()}
 
 
-def calls(name: str) -> tuple[dict[str, Any], set[str]]:
-    """What becomes of a scene without a fault, and the functions that it calls."""
-    found: set[str] = set()
-
-    def note(frame: FrameType, event: str, _: Any) -> None:
-        if event == "call":
-            found.add(place_of(frame.f_code))
-
-    sys.setprofile(note)
-    try:
-        return outcome(name, None), found
-    finally:
-        sys.setprofile(None)
+def calls(name: str, probes: Numbers) -> dict[str, Any]:
+    """What becomes of a scene without a fault, the functions that it calls, and how often."""
+    profile = Profile(builtins=False)
+    clean = profile.runcall(outcome, name, probes, None)
+    called = [entry for entry in profile.getstats() if isinstance(entry.code, CodeType)]
+    places = {place_of(entry.code) for entry in called}
+    return {**clean, "calls": sorted(places), "count": sum(entry.callcount for entry in called)}
 
 
 def answer(fault: Fault | None, scenes: Sequence[str], clean: Mapping[str, Any] | None) -> None:
-    """Plant a fault and print what became of each scene; without one, what was called, too."""
+    """Plant a fault and say what became of each scene; without one, what was called, too."""
     if fault is not None:
         plant(fault)
     clear_cache()
+    try:
+        probes = verdicts_of_probes()
+    except Exception as error:
+        if fault is None:
+            raise
+        for name in scenes:
+            say(fault, name, {"changed": True, "noticed": words_of(error)})
+        return
     for name in scenes:
-        words = fault.what if fault else ""
-        if clean is None:
-            found, places = calls(name)
-            found["calls"] = sorted(places)
-        else:
-            found = outcome(name, clean[name])
-        print(json.dumps({"fault": words, "scene": name, **found}), flush=True)
+        # Each scene has a process of its own: what one keeps, another calls.
+        if in_child(lambda name=name: answer_of(fault, name, probes, clean)):
+            continue
+        if fault is not None:
+            say(fault, name, {"changed": True, "noticed": "no end"})
+
+
+def answer_of(
+    fault: Fault | None, name: str, probes: Numbers, clean: Mapping[str, Any] | None
+) -> None:
+    """Say what became of one scene."""
+    say(fault, name, calls(name, probes) if clean is None else outcome(name, probes, clean[name]))
+
+
+def say(fault: Fault | None, name: str, found: Mapping[str, Any]) -> None:
+    """One line of JSON; and for who waits, in words."""
+    print(json.dumps({"fault": fault.what if fault else "", "scene": name, **found}), flush=True)
+    if fault is not None:
+        state = found["noticed"] or ("UNNOTICED" if found["changed"] else "no number changes")
+        print(f"{name}: {fault.what}: {state}", file=sys.stderr, flush=True)
+
+
+def in_child(work: Callable[[], None]) -> bool:
+    """Whether work that is done in a process of its own comes to an end."""
+    child = os.fork()
+    if child == 0:
+        # What has no end is stopped, and has shown nothing.
+        signal.setitimer(signal.ITIMER_PROF, PATIENCE)
+        work()
+        os._exit(0)
+    return os.waitpid(child, 0)[1] == 0
 
 
 def main() -> None:
     """Answer one request."""
     request = json.load(sys.stdin)
     for row, scenes in request["asked"]:
-        # Without a fault each scene has a process of its own: what one keeps, another calls.
-        for names in [scenes] if row else [[name] for name in scenes]:
-            child = os.fork()
-            if child == 0:
-                # What has no end is stopped, and has shown nothing.
-                signal.setitimer(signal.ITIMER_PROF, PATIENCE)
-                answer(row and Fault(**row), names, request["clean"])
-                os._exit(0)
-            os.waitpid(child, 0)
+        fault = row and Fault(**row)
+        in_child(lambda fault=fault, scenes=scenes: answer(fault, scenes, request["clean"]))
 
 
 if __name__ == "__main__":
