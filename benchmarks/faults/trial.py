@@ -222,6 +222,10 @@ def calls(name: str, probes: Numbers) -> dict[str, Any]:
     """What becomes of a scene without a fault, the functions that it calls, and how often."""
     profile = Profile(builtins=False)
     clean = profile.runcall(outcome, name, probes, None)
+    # What is not shown without a fault either has noticed none.
+    still_open = crosscheck(SCENES[name](), CrossCheck(states=0)).open
+    if still_open:
+        raise RuntimeError(f"{name}, without a fault: {still_open}")
     called = [entry for entry in profile.getstats() if isinstance(entry.code, CodeType)]
     places = {place_of(entry.code) for entry in called}
     return {**clean, "calls": sorted(places), "count": sum(entry.callcount for entry in called)}

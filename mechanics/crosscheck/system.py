@@ -259,6 +259,7 @@ def _without_textbook(
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [
+        *check_canaries(),
         *check_joints(scene, states),
         *(check_program(scene, name, solved(programs, name), states) for name in programs.routes),
     ]

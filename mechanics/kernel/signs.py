@@ -292,7 +292,7 @@ class Forms:
         return product(self.sign(form.above, facts), below)
 
     def sign(self, polynomial: fmpq_mpoly, facts: Facts = (), depth: int = 0) -> int:
-        """Signs of a polynomial where facts hold."""
+        """Signs of a polynomial where facts hold, of the whole or of its factors."""
         direct = self._by_terms(polynomial)
         known = direct != ANY and not (facts and direct & ZERO)
         if known or not len(polynomial) or len(polynomial) > MOST_FACTORED:
@@ -304,7 +304,7 @@ class Forms:
         found = POSITIVE if unit > 0 else NEGATIVE
         for factor, exponent in factors:
             found = product(found, power(self._irreducible(factor, facts, depth), exponent))
-        return found & direct
+        return found & direct & (ANY if depth else self._by_facts(polynomial, facts, depth))
 
     def difference(self, left: int, right: int) -> Quotient | None:
         """The form of one node less another; None where it is too large."""

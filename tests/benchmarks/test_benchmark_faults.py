@@ -9,9 +9,10 @@ import pytest
 from benchmarks.faults.__main__ import campaign, clean_runs
 from benchmarks.faults.fault import Fault, planted
 from benchmarks.faults.plan import LEAST, Plan, plans, stride
-from benchmarks.faults.scenes import GROUPS, SCENES
+from benchmarks.faults.scenes import GROUPS, OWN, SCENES
 from benchmarks.faults.summary import Trial, scenes_table, summary
 from benchmarks.faults.table import FAULTS
+from mechanics.crosscheck import CrossCheck, crosscheck
 from systems import EVERY, SEED
 
 SAMPLE = (
@@ -75,6 +76,12 @@ def test_a_row_whose_text_has_changed_says_so(old: str) -> None:
         LookupError, match=r"^fault 'a row out of date': '.*(drop the row|change one)$"
     ):
         planted(fault)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", OWN)
+def test_without_a_fault_everything_is_shown(name: str) -> None:
+    assert crosscheck(SCENES[name](), CrossCheck(states=0)).open == ()
 
 
 @pytest.mark.campaign

@@ -5,10 +5,12 @@ from typing import Any
 import pytest
 from sympy import Matrix
 
+from benchmarks.faults.scenes import quaternion_top
 from mechanics import kernel
 from mechanics.checks import canaries
 from mechanics.checks import route_canaries as routes
 from mechanics.checks.canaries import check_canaries
+from mechanics.crosscheck import CrossCheck, crosscheck
 from mechanics.kernel import Finding, Verdict, same
 from mechanics.scene.composite import Part
 from mechanics.scene.loads import gravity, spring
@@ -26,6 +28,13 @@ def test_all_are_alive() -> None:
     found = check_canaries()
     assert len(found) == 5
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
+
+
+def test_a_scene_whose_equations_stay_programs_asks_them_too() -> None:
+    result = crosscheck(quaternion_top(), CrossCheck(("free_body",), states=0))
+    assert result.routes["free_body"].equations is None
+    asked = [f.subject for f in result.witnesses if f.subject.startswith("canaries: ")]
+    assert asked == [finding.subject for finding in check_canaries()]
 
 
 @pytest.mark.sample(3)
