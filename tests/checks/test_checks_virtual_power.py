@@ -7,11 +7,17 @@ from typing import Any
 
 import pytest
 from every_route import derive_with
+from flint import arb
 from sympy import Matrix, cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics import CrossCheck
-from mechanics.checks.virtual_power import check_powers, check_virtual_power, drawn_states
+from mechanics.checks.virtual_power import (
+    check_powers,
+    check_virtual_power,
+    drawn_states,
+    tried,
+)
 from mechanics.cli.crosschecking import exit_code
 from mechanics.crosscheck import crosscheck
 from mechanics.kernel import Finding, Verdict
@@ -91,6 +97,19 @@ def test_an_arm_in_space_with_every_kind_of_load_on_a_moving_base() -> None:
     found = witnesses(arm())
     assert len(found) == len(ROUTES) + 2
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
+
+
+def test_a_state_at_which_digits_are_lost_says_nothing_and_another_one_may() -> None:
+    wide, exact = ("x", arb(0, 1), arb(0)), ("x", arb(2), arb(2))
+    draws = drawn_states(elastic_pendulum.scene())[:3]
+    rows = {draws[0].index: wide, draws[1].index: exact, draws[2].index: exact}
+    assert tried("x", draws, lambda state: iter([rows[state.index]])).verdict is Verdict.SUPPORTED
+    lost = tried("x", draws, lambda state: iter([exact, wide]))
+    assert lost.verdict is Verdict.UNDECIDED
+    assert "x: known too badly" in lost.evidence
+    apart = ("y", arb(1), arb(2))
+    wrong = tried("x", draws, lambda state: iter([wide, apart]))
+    assert wrong.verdict is Verdict.REFUTED
 
 
 @pytest.mark.campaign
