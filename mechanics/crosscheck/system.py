@@ -19,6 +19,7 @@ from mechanics.checks.joints import check_joints
 from mechanics.checks.ledger import QUANTITIES, check_row
 from mechanics.checks.ledger_motion import check_complete, gives
 from mechanics.checks.solution import proof_pays
+from mechanics.checks.states import State
 from mechanics.checks.virtual_power import (
     check_powers,
     check_program,
@@ -259,8 +260,7 @@ def _without_textbook(
     stage("the scene as declared")
     states = drawn_states(scene)
     witnesses = [
-        *check_canaries(),
-        *check_joints(scene, states),
+        *_declared(scene, states),
         *(check_program(scene, name, solved(programs, name), states) for name in programs.routes),
     ]
     stage("published equations")
@@ -321,13 +321,18 @@ def _equations(
     return derived, seconds
 
 
-def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
+def _declared(scene: Scene, states: Sequence[State]) -> Iterator[Finding]:
+    """This program, and the joints, loads and reactions of a scene, whatever the routes say."""
     yield from check_canaries()
+    yield from check_joints(scene, states)
+    yield from check_powers(scene, states, potential(scene))
+
+
+def _witnesses(scene: Scene, derived: Mapping[str, Equations]) -> Iterator[Finding]:
     states, support = drawn_states(scene), derived.get("free_body")
     if support is None and frictions(scene):
         support = by_route("free_body", scene)
-    yield from check_joints(scene, states)
-    yield from check_powers(scene, states, potential(scene))
+    yield from _declared(scene, states)
     for equations in derived.values():
         yield check_virtual_power(equations, states, support)
 
