@@ -304,7 +304,7 @@ class Forms:
         found = POSITIVE if unit > 0 else NEGATIVE
         for factor, exponent in factors:
             found = product(found, power(self._irreducible(factor, facts, depth), exponent))
-        return found & direct & (ANY if depth else self._by_facts(polynomial, facts, depth))
+        return found & direct & self._by_facts(polynomial, facts, DEEPEST)
 
     def difference(self, left: int, right: int) -> Quotient | None:
         """The form of one node less another; None where it is too large."""
