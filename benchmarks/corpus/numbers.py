@@ -18,7 +18,7 @@ import sympy as sp
 
 HERE = Path(__file__).parent
 NAME = re.compile(r"(?<![\w.])[A-Za-z]\w*")
-FUNCTIONS = ("sin", "cos", "tan", "acos", "sqrt", "sign", "Abs", "pi")
+FUNCTIONS = ("sin", "cos", "tan", "acos", "atan", "sqrt", "sign", "Abs", "pi")
 DRAWS = 4
 SMALL = 1e-9
 
@@ -126,6 +126,10 @@ def _residuals(of: Truth, row: str) -> list[sp.Expr]:
             ]
         case "rest":  # the motion can stay at this value of the only coordinate
             return [entry.subs(state).subs(of.q[0], typed) for entry in of.motion]
+        case "frequency":  # angular, of a mode about rest at zero: det(K - omega^2 M) = 0
+            zero = state | dict.fromkeys([*of.q, sp.Symbol("t")], 0)
+            stiff = of.motion.jacobian(of.q).subs(zero)
+            return [(stiff - typed**2 * of.mass.subs(zero)).det()]
         case "linear":  # true to the first order about zero
             first = of.motion.jacobian(of.q).subs(state).subs(dict.fromkeys(of.q, 0))
             inertia = of.mass.subs(dict.fromkeys(of.q, 0))

@@ -11,14 +11,16 @@ QUICK = ("taylor_pendulum/tension", "taylor_pendulum/factor", "landau_5/lagrangi
 
 
 def test_cases_have_their_form() -> None:
-    assert len(CASES) >= 300
-    assert len({case.source for case in CASES}) >= 100
+    assert len(CASES) >= 460
+    assert len({case.source for case in CASES}) >= 170
     assert len({case.name for case in CASES}) == len(CASES)
     for case in CASES:
         assert case.input in SUFFIXES, case.name
         if not case.right:
             assert plain(case.written) != plain(case.mended), case.name
-            assert plain(case.written) in plain(case.text), case.name
+            lines = case.written.split("\n")
+            whole = plain(case.written) in plain(case.text)
+            assert whole or all(plain(line) in plain(case.text) for line in lines), case.name
 
 
 @pytest.mark.campaign
