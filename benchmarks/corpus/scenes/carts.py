@@ -1,7 +1,8 @@
 """Carts with one or two rods, with an eccentric rotor on a spring, with a load."""
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
 
 
 def P(text, **more):
@@ -21,14 +22,25 @@ def _cart(x, mass, rods, g, push, *, more=(), inputs=(), order=None):
         axis = -N.z if up * sense > 0 else N.z
         joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
         y = up * joint.frame.y
-        bodies.append(RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia))
+        bodies.append(
+            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
+        )
         joints.append(joint)
         ends[name] = joint.point.locatenew(f"E {name}", length * y)
     loads = [gravity(-g * N.y)] if g != 0 else []
     loads.append(force("push", track.point, push * N.x, on="cart"))
     loads += [make(N, O, track.point) for make in more]
-    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs,
-                 **({"coordinates": order} if order else {}))  # fmt: skip
+    return Scene(
+        "cart",
+        N,
+        O,
+        plane=N.z,
+        bodies=bodies,
+        joints=joints,
+        loads=loads,
+        inputs=inputs,
+        **({"coordinates": order} if order else {}),
+    )
 
 
 def pybrain():
@@ -39,20 +51,36 @@ def pybrain():
 
 
 def two_poles():
-    """Two uniform poles side by side on one cart, of half the lengths LENGTH_1, LENGTH_2; friction MUP in the pins."""
+    """Two uniform poles side by side on one cart, of half the lengths LENGTH_1, LENGTH_2;
+    friction MUP in the pins."""
     x, a, b, F = dynamicsymbols("x theta_1 theta_2 force")
-    M, m1, m2, l1, l2, mu, g = P("MASSCART:kg MASSPOLE_1:kg MASSPOLE_2:kg LENGTH_1:m LENGTH_2:m MUP:N*m*s g:m/s^2")
-    rods = [("one", "cart", a, 1, 1, m1, l1, m1 * l1**2 / 3, 0), ("two", "cart", b, 1, 1, m2, l2, m2 * l2**2 / 3, 0)]
-    return _cart(x, M, rods, g, F, inputs=(F,), more=[
-        lambda N, O, A: torque("friction one", mu * a.diff() * N.z, on="one"),
-        lambda N, O, A: torque("friction two", mu * b.diff() * N.z, on="two"),
-    ])  # fmt: skip
+    M, m1, m2, l1, l2, mu, g = P(
+        "MASSCART:kg MASSPOLE_1:kg MASSPOLE_2:kg LENGTH_1:m LENGTH_2:m MUP:N*m*s g:m/s^2"
+    )
+    rods = [
+        ("one", "cart", a, 1, 1, m1, l1, m1 * l1**2 / 3, 0),
+        ("two", "cart", b, 1, 1, m2, l2, m2 * l2**2 / 3, 0),
+    ]
+    return _cart(
+        x,
+        M,
+        rods,
+        g,
+        F,
+        inputs=(F,),
+        more=[
+            lambda N, O, A: torque("friction one", mu * a.diff() * N.z, on="one"),
+            lambda N, O, A: torque("friction two", mu * b.diff() * N.z, on="two"),
+        ],
+    )
 
 
 def dip():
     """A double rod on a cart, both angles from upright."""
     x, a, b, u = dynamicsymbols("x theta_1 theta_2 u")
-    m0, m1, m2, l1, l2, L1, J1, J2, g = P("m_0:kg m_1:kg m_2:kg l_1:m l_2:m L_1:m J_1:kg*m^2 J_2:kg*m^2 g:m/s^2")
+    m0, m1, m2, l1, l2, L1, J1, J2, g = P(
+        "m_0:kg m_1:kg m_2:kg l_1:m l_2:m L_1:m J_1:kg*m^2 J_2:kg*m^2 g:m/s^2"
+    )
     rods = [("one", "cart", a, 1, 1, m1, l1, J1, L1), ("two", "one", b, 1, 1, m2, l2, J2, 0)]
     return _cart(x, m0, rods, g, u, inputs=(u,))
 
@@ -89,27 +117,51 @@ def feedback_systems():
     """A rod with its top at p - l sin(theta), frictions c and gamma."""
     p, theta, F = dynamicsymbols("p theta F")
     M, m, J, l, c, gamma, g = P("M:kg m:kg J:kg*m^2 l:m c:N*s/m gamma:N*m*s g:m/s^2")
-    return _cart(p, M, [("rod", "cart", theta, 1, -1, m, l, J, 0)], g, F - c * p.diff(), inputs=(F,), more=[
-        lambda N, O, A: torque("friction", -gamma * theta.diff() * N.z, on="rod"),
-    ])  # fmt: skip
+    return _cart(
+        p,
+        M,
+        [("rod", "cart", theta, 1, -1, m, l, J, 0)],
+        g,
+        F - c * p.diff(),
+        inputs=(F,),
+        more=[
+            lambda N, O, A: torque("friction", -gamma * theta.diff() * N.z, on="rod"),
+        ],
+    )
 
 
 def tora():
     """A rotor in a horizontal plane on a platform on a spring."""
     x, theta, u = dynamicsymbols("x_c theta u")
     M, m, L, J, k = P("M:kg m:kg L:m J:kg*m^2 k:N/m")
-    return _cart(x, M, [("rotor", "cart", theta, 1, 1, m, L, J, 0)], 0, -k * x, inputs=(u,), more=[
-        lambda N, O, A: torque("motor", -u * N.z, on="rotor", by="cart"),
-    ])  # fmt: skip
+    return _cart(
+        x,
+        M,
+        [("rotor", "cart", theta, 1, 1, m, L, J, 0)],
+        0,
+        -k * x,
+        inputs=(u,),
+        more=[
+            lambda N, O, A: torque("motor", -u * N.z, on="rotor", by="cart"),
+        ],
+    )
 
 
 def rtac():
     """The same in the symbols of the benchmark, with a disturbance F."""
     q, theta, N_, F = dynamicsymbols("q theta N F")
     M, m, e, I, k = P("M:kg m:kg e:m I:kg*m^2 k:N/m")
-    return _cart(q, M, [("rotor", "cart", theta, 1, 1, m, e, I, 0)], 0, F - k * q, inputs=(N_, F), more=[
-        lambda N, O, A: torque("motor", -N_ * N.z, on="rotor", by="cart"),
-    ])  # fmt: skip
+    return _cart(
+        q,
+        M,
+        [("rotor", "cart", theta, 1, 1, m, e, I, 0)],
+        0,
+        F - k * q,
+        inputs=(N_, F),
+        more=[
+            lambda N, O, A: torque("motor", -N_ * N.z, on="rotor", by="cart"),
+        ],
+    )
 
 
 def rddl():

@@ -1,8 +1,9 @@
 """One particle in frames that turn, or in a trap."""
 
-from mechanics.scene import Particle, Scene, force, parameters, reaction
 from sympy import sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import Particle, Scene, force, parameters, reaction
 
 t = dynamicsymbols._t
 
@@ -20,17 +21,30 @@ def _particle(m, rate, push, *, plane=False):
     A = N if rate == 0 else N.orientnew("A", "Axis", (rate * t, N.z))
     C = O.locatenew("C", x * A.x + y * A.y + (0 if plane else z) * A.z)
     X, Y, Z = push(x, y, z)
-    loads = () if (X, Y, Z) == (0, 0, 0) else (force("push", C, X * A.x + Y * A.y + Z * A.z, on="particle"),)
+    loads = (
+        ()
+        if (X, Y, Z) == (0, 0, 0)
+        else (force("push", C, X * A.x + Y * A.y + Z * A.z, on="particle"),)
+    )
     holds = (reaction("support", at=C, on="particle", by=None, along=A.z),) if plane else ()
-    return Scene("particle", N, O, coordinates=(x, y) if plane else (x, y, z), reactions=holds,
-                 bodies=(Particle("particle", C, m),), loads=loads)  # fmt: skip
+    return Scene(
+        "particle",
+        N,
+        O,
+        coordinates=(x, y) if plane else (x, y, z),
+        reactions=holds,
+        bodies=(Particle("particle", C, m),),
+        loads=loads,
+    )
 
 
 def penning():
     """A charge q in a field B_0 along z and a quadrupole V_0/d^2."""
     m, q, B, V, d = P("m:kg q:C B_0:T V_0:V d:m")
     c = q * V / d**2
-    return _particle(m, 0, lambda x, y, z: (c * x + q * B * y.diff(), c * y - q * B * x.diff(), -2 * c * z))
+    return _particle(
+        m, 0, lambda x, y, z: (c * x + q * B * y.diff(), c * y - q * B * x.diff(), -2 * c * z)
+    )
 
 
 def foucault():
@@ -38,7 +52,9 @@ def foucault():
     m, w, phi, L, g = P("m:kg omega:1/s varphi:1 L:m g:m/s^2")
     n = w * sin(phi)
     # Gravity without the centrifugal force about the vertical, which g contains.
-    return _particle(m, n, lambda x, y, z: (-m * (g / L + n**2) * x, -m * (g / L + n**2) * y, 0), plane=True)
+    return _particle(
+        m, n, lambda x, y, z: (-m * (g / L + n**2) * x, -m * (g / L + n**2) * y, 0), plane=True
+    )
 
 
 def rotating():
@@ -48,7 +64,8 @@ def rotating():
 
 
 def hill():
-    """Near a circular orbit with the mean motion n, gravity to first order; x outwards, y forwards."""
+    """Near a circular orbit with the mean motion n, gravity to first order; x outwards, y
+    forwards."""
     m, n = P("m:kg n:1/s")
     return _particle(m, n, lambda x, y, z: (2 * m * n**2 * x, -m * n**2 * y, -m * n**2 * z))
 

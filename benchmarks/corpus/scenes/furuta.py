@@ -1,7 +1,8 @@
 """Rotary pendulums: an arm that turns about the vertical, a rod that turns about the arm."""
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, torque
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, torque
 
 
 def P(text, **more):
@@ -10,21 +11,35 @@ def P(text, **more):
     return parameters(" ".join(names), units=" ".join(units), **more)
 
 
-def _rotary(arm, rod, reach, arm_inertia, mass, centre, moments, sense, up, g, drive, brake, inputs):
-    """The rod's end goes forward with sense +1; moments of the rod about its hinge, across, along."""
+def _rotary(
+    arm, rod, reach, arm_inertia, mass, centre, moments, sense, up, g, drive, brake, inputs
+):
+    """The rod's end goes forward with sense +1; moments of the rod about its hinge, across,
+    along."""
     N, O = ReferenceFrame("N"), Point("O")
     shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=arm)
     A = shaft.frame
     axis = -A.x if sense * up > 0 else A.x
-    hinge = pin("hinge", "arm", "rod", at=shaft.point.locatenew("E", reach * A.x), axis=axis, angle=rod)
+    hinge = pin(
+        "hinge", "arm", "rod", at=shaft.point.locatenew("E", reach * A.x), axis=axis, angle=rod
+    )
     B = hinge.frame
     C = hinge.point.locatenew("C", up * centre * B.z)
     loads = [gravity(-g * N.z), torque("motor", drive * N.z, on="arm")]
     if brake != 0:
         loads.append(torque("hinge moment", brake * axis, on="rod", by="arm"))
-    return Scene("rotary pendulum", N, O, joints=(shaft, hinge), loads=loads, inputs=inputs,
-                 bodies=(RigidBody("arm", O, A, 0, inertia(A, 0, 0, arm_inertia)),
-                         RigidBody("rod", C, B, mass, inertia(B, *moments))))  # fmt: skip
+    return Scene(
+        "rotary pendulum",
+        N,
+        O,
+        joints=(shaft, hinge),
+        loads=loads,
+        inputs=inputs,
+        bodies=(
+            RigidBody("arm", O, A, 0, inertia(A, 0, 0, arm_inertia)),
+            RigidBody("rod", C, B, mass, inertia(B, *moments)),
+        ),
+    )
 
 
 def rods():
@@ -48,5 +63,18 @@ def adelaide():
     m1, m2, l1, l2, L1, J1, J2, b1, b2, g = P(
         "m_1:kg m_2:kg l_1:m l_2:m L_1:m J_1:kg*m^2 J_2:kg*m^2 b_1:N*m*s b_2:N*m*s g:m/s^2"
     )
-    return _rotary(a, b, L1, J1 + m1 * l1**2, m2, l2, (J2, J2, 0), 1, -1, g,
-                   u - b1 * a.diff(), v - b2 * b.diff(), (u, v))  # fmt: skip
+    return _rotary(
+        a,
+        b,
+        L1,
+        J1 + m1 * l1**2,
+        m2,
+        l2,
+        (J2, J2, 0),
+        1,
+        -1,
+        g,
+        u - b1 * a.diff(),
+        v - b2 * b.diff(),
+        (u, v),
+    )

@@ -1,5 +1,8 @@
 """Pendulums: single, double, winding, on a spring; a leg; a bead on a helix."""
 
+from sympy import pi, sin, sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -12,8 +15,6 @@ from mechanics.scene import (
     slide,
     torque,
 )
-from sympy import pi, sin, sqrt
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 t = dynamicsymbols._t
 
@@ -127,7 +128,8 @@ def simple():
 
 
 def winding():
-    """The string winds on a fixed cylinder of radius a; it is l long where it hangs straight down."""
+    """The string winds on a fixed cylinder of radius a; it is l long where it hangs straight
+    down."""
     theta = dynamicsymbols("theta")
     m, a, l, g = P("m:kg a:m l:m g:m/s^2")
     N, O = ReferenceFrame("N"), Point("O")
@@ -165,7 +167,14 @@ def torsion():
     """A uniform rod with a torsion spring in its pivot."""
     phi = dynamicsymbols("varphi")
     m, l, g, c = P("m:kg l:m g:m/s^2 c_T:N*m")
-    return _one(phi, m, m * l**2 / 12, l / 2, g, [lambda N, C, B: torque("spring", -c * phi * N.z, on="body")])
+    return _one(
+        phi,
+        m,
+        m * l**2 / 12,
+        l / 2,
+        g,
+        [lambda N, C, B: torque("spring", -c * phi * N.z, on="body")],
+    )
 
 
 def physical():
@@ -202,7 +211,10 @@ def spring_damped():
         O,
         coordinates=(theta, r),
         bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, pull * B.y - b * theta.diff() / r * B.x, on="bob")),
+        loads=(
+            gravity(-g * N.y),
+            force("spring", C, pull * B.y - b * theta.diff() / r * B.x, on="bob"),
+        ),
         reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
         example={"r": 2.0, "theta": 0.5},
     )
@@ -243,7 +255,9 @@ def helix():
         loads=(gravity(-g * N.z),),
         reactions=(
             reaction("radial", at=C, on="bead", by=None, along=B.x),
-            reaction("across", at=C, on="bead", by=None, along=(a * B.z - k * B.y) / sqrt(a**2 + k**2)),
+            reaction(
+                "across", at=C, on="bead", by=None, along=(a * B.z - k * B.y) / sqrt(a**2 + k**2)
+            ),
         ),
     )
 
@@ -254,7 +268,8 @@ def usenet():
 
 
 def contact_mechanism():
-    """Crank and rod, x_1 and x_2 from the downward vertical, torques of the ground on both; a slider that touches neither."""
+    """Crank and rod, x_1 and x_2 from the downward vertical, torques of the ground on both; a
+    slider that touches neither."""
     x1, x2, x, T1, T2, F = dynamicsymbols("x_1 x_2 x T_1 T_2 F")
     m1, m2, m, l1, l2, g = P("m_1:kg m_2:kg m:kg l_1:m l_2:m g:m/s^2")
     N, O = ReferenceFrame("N"), Point("O")
@@ -270,7 +285,9 @@ def contact_mechanism():
         joints=(a, b, c),
         inputs=(T1, T2, F),
         bodies=(
-            RigidBody("crank", a.point.locatenew("A", -l1 / 2 * a.frame.y), a.frame, m1, m1 * l1**2 / 12),
+            RigidBody(
+                "crank", a.point.locatenew("A", -l1 / 2 * a.frame.y), a.frame, m1, m1 * l1**2 / 12
+            ),
             RigidBody("rod", end.locatenew("B", -l2 / 2 * b.frame.y), b.frame, m2, m2 * l2**2 / 12),
             RigidBody("slider", c.point, N, m, 0),
         ),
@@ -303,7 +320,8 @@ def motor():
 
 
 def forced_spring():
-    """x, y from the pivot; spring k of length lo, drag c, a torque amp sin(2 pi w t) about the pivot, clockwise."""
+    """x, y from the pivot; spring k of length lo, drag c, a torque amp sin(2 pi w t) about the
+    pivot, clockwise."""
     x, y = dynamicsymbols("x y")
     m, k, c, g, lo, amp, w = P("m:kg k:N/m c:N*s/m g:m/s^2 lo:m amp:N*m w:1/s")
     N, O = ReferenceFrame("N"), Point("O")

@@ -1,8 +1,9 @@
 """A bead on a smooth wire y = a x^2."""
 
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction
 from sympy import sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import Particle, Scene, gravity, parameters, reaction
 
 
 def wire():

@@ -1,8 +1,19 @@
 """Masses on springs, a car's half, an absorber."""
 
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, parameters, pin, slide, torque
 from sympy import sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    force,
+    gravity,
+    parameters,
+    pin,
+    slide,
+    torque,
+)
 
 t = dynamicsymbols._t
 
@@ -14,68 +25,118 @@ def P(text, **more):
 
 
 def hanging():
-    """Two equal masses below each other; x, y down from where the springs (l long) are unextended."""
+    """Two equal masses below each other; x, y down from where the springs (l long) are
+    unextended."""
     x, y = dynamicsymbols("x y")
     m, k, l, g = P("m:kg k:N/m l:m g:m/s^2")
     N, O = ReferenceFrame("N"), Point("O")
     a = slide("a", None, "one", at=O.locatenew("A0", -l * N.y), axis=-N.y, distance=x)
     b = slide("b", None, "two", at=O.locatenew("B0", -2 * l * N.y), axis=-N.y, distance=y)
-    return Scene("two masses below each other", N, O, plane=N.z, joints=(a, b),
-                 bodies=(RigidBody("one", a.point, N, m, 0), RigidBody("two", b.point, N, m, 0)),
-                 loads=(gravity(-g * N.y), force("top", a.point, k * x * N.y, on="one"),
-                        force("middle", b.point, k * (y - x) * N.y, on="two", by="one")))  # fmt: skip
+    return Scene(
+        "two masses below each other",
+        N,
+        O,
+        plane=N.z,
+        joints=(a, b),
+        bodies=(RigidBody("one", a.point, N, m, 0), RigidBody("two", b.point, N, m, 0)),
+        loads=(
+            gravity(-g * N.y),
+            force("top", a.point, k * x * N.y, on="one"),
+            force("middle", b.point, k * (y - x) * N.y, on="two", by="one"),
+        ),
+    )
 
 
 def table():
     """Wall, spring, mass, spring, mass; x and y from rest."""
     x, y = dynamicsymbols("x y")
     m, k = P("m:kg k:N/m")
-    return _line((x, y), (m, m), lambda N, O, A, B: (
-        force("wall", A, -k * x * N.x, on="one"), force("between", B, -k * (y - x) * N.x, on="two", by="one")))  # fmt: skip
+    return _line(
+        (x, y),
+        (m, m),
+        lambda N, O, A, B: (
+            force("wall", A, -k * x * N.x, on="one"),
+            force("between", B, -k * (y - x) * N.x, on="two", by="one"),
+        ),
+    )
 
 
 def absorber():
     """Den Hartog's undamped absorber: M on K, m on k, a force on M."""
     x1, x2 = dynamicsymbols("x_1 x_2")
     M, m, K, k, F, w = P("M:kg m:kg K:N/m k:N/m P_0:N omega:1/s")
-    return _line((x1, x2), (M, m), lambda N, O, A, B: (
-        force("wall", A, (F * sin(w * t) - K * x1) * N.x, on="one"),
-        force("between", B, -k * (x2 - x1) * N.x, on="two", by="one")))  # fmt: skip
+    return _line(
+        (x1, x2),
+        (M, m),
+        lambda N, O, A, B: (
+            force("wall", A, (F * sin(w * t) - K * x1) * N.x, on="one"),
+            force("between", B, -k * (x2 - x1) * N.x, on="two", by="one"),
+        ),
+    )
 
 
 def _line(coordinates, masses, loads):
     N, O = ReferenceFrame("N"), Point("O")
-    joints = [slide(f"track {n}", None, n, at=O, axis=N.x, distance=q) for n, q in zip(("one", "two"), coordinates)]
-    bodies = [RigidBody(n, j.point, N, m, 0) for n, j, m in zip(("one", "two"), joints, masses)]
-    return Scene("masses on a line", N, O, plane=N.z, joints=joints, bodies=bodies,
-                 loads=loads(N, O, joints[0].point, joints[1].point))  # fmt: skip
+    joints = [
+        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
+        for n, q in zip(("one", "two"), coordinates, strict=False)
+    ]
+    bodies = [
+        RigidBody(n, j.point, N, m, 0)
+        for n, j, m in zip(("one", "two"), joints, masses, strict=False)
+    ]
+    return Scene(
+        "masses on a line",
+        N,
+        O,
+        plane=N.z,
+        joints=joints,
+        bodies=bodies,
+        loads=loads(N, O, joints[0].point, joints[1].point),
+    )
 
 
 def half_car():
     """Heave and pitch (small: axles at z_s - a theta, z_s + b theta), two wheels, two roads."""
     z, th, zf, zr, rf, rr = dynamicsymbols("z_s theta z_uf z_ur z_rf z_rr")
     m, I, mf, mr, kf, kr, cf, cr, tf, tr, a, b = P(
-        "m_s:kg I_y:kg*m^2 m_uf:kg m_ur:kg k_sf:N/m k_sr:N/m c_f:N*s/m c_r:N*s/m k_tf:N/m k_tr:N/m a:m b:m"
+        "m_s:kg I_y:kg*m^2 m_uf:kg m_ur:kg "
+        "k_sf:N/m k_sr:N/m c_f:N*s/m c_r:N*s/m k_tf:N/m k_tr:N/m a:m b:m"
     )
     N, O = ReferenceFrame("N"), Point("O")
     A = N.orientnew("A", "Axis", (th, N.z))
     S, U, V = (O.locatenew(n, q * N.y) for n, q in (("S", z), ("U", zf), ("V", zr)))
     f, r = zf - (z - a * th), zr - (z + b * th)
     F, R = kf * f + cf * f.diff(t), kr * r + cr * r.diff(t)
-    return Scene("half car", N, O, coordinates=(z, th, zf, zr), inputs=(rf, rr),
-                 bodies=(RigidBody("body", S, A, m, I), Particle("front", U, mf), Particle("rear", V, mr)),
-                 loads=(force("springs", S, (F + R) * N.y, on="body"), torque("pitch", (b * R - a * F) * N.z, on="body"),
-                        force("front wheel", U, (-F - tf * (zf - rf)) * N.y, on="front"),
-                        force("rear wheel", V, (-R - tr * (zr - rr)) * N.y, on="rear")))  # fmt: skip
+    return Scene(
+        "half car",
+        N,
+        O,
+        coordinates=(z, th, zf, zr),
+        inputs=(rf, rr),
+        bodies=(RigidBody("body", S, A, m, I), Particle("front", U, mf), Particle("rear", V, mr)),
+        loads=(
+            force("springs", S, (F + R) * N.y, on="body"),
+            torque("pitch", (b * R - a * F) * N.z, on="body"),
+            force("front wheel", U, (-F - tf * (zf - rf)) * N.y, on="front"),
+            force("rear wheel", V, (-R - tr * (zr - rr)) * N.y, on="rear"),
+        ),
+    )
 
 
 def plotutils():
     """Two pendulums with small swings, a spring between them; displacements xone, xtwo."""
     x, y = dynamicsymbols("xone xtwo")
     m1, m2, l1, l2, k, g = P("mone:kg mtwo:kg lone:m ltwo:m k:N/m g:m/s^2")
-    return _line((x, y), (m1, m2), lambda N, O, A, B: (
-        force("gravity one", A, -m1 * g * x / l1 * N.x, on="one"), force("gravity two", B, -m2 * g * y / l2 * N.x, on="two"),
-        force("spring", B, -k * (y - x) * N.x, on="two", by="one")))  # fmt: skip
+    return _line(
+        (x, y),
+        (m1, m2),
+        lambda N, O, A, B: (
+            force("gravity one", A, -m1 * g * x / l1 * N.x, on="one"),
+            force("gravity two", B, -m2 * g * y / l2 * N.x, on="two"),
+            force("spring", B, -k * (y - x) * N.x, on="two", by="one"),
+        ),
+    )
 
 
 def shafts():
@@ -83,9 +144,20 @@ def shafts():
     a, b = dynamicsymbols("phi1 phi2")
     J1, J2, c1, c2, d1, d2 = P("J1:kg*m^2 J2:kg*m^2 c1:N*m c2:N*m d1:N*m*s d2:N*m*s")
     N, O = ReferenceFrame("N"), Point("O")
-    one, two = (pin(f"pin{i}", None, n, at=O, axis=N.z, angle=q) for i, n, q in ((1, "one", a), (2, "two", b)))
+    one, two = (
+        pin(f"pin{i}", None, n, at=O, axis=N.z, angle=q)
+        for i, n, q in ((1, "one", a), (2, "two", b))
+    )
     between = c1 * (b - a) + d1 * (b - a).diff(t)
-    return Scene("two discs", N, O, plane=N.z, joints=(one, two),
-                 bodies=(RigidBody("one", O, one.frame, 0, J1), RigidBody("two", O, two.frame, 0, J2)),
-                 loads=(torque("shaft", between * N.z, on="one", by="two"),
-                        torque("ground", -(c2 * b + d2 * b.diff(t)) * N.z, on="two")))  # fmt: skip
+    return Scene(
+        "two discs",
+        N,
+        O,
+        plane=N.z,
+        joints=(one, two),
+        bodies=(RigidBody("one", O, one.frame, 0, J1), RigidBody("two", O, two.frame, 0, J2)),
+        loads=(
+            torque("shaft", between * N.z, on="one", by="two"),
+            torque("ground", -(c2 * b + d2 * b.diff(t)) * N.z, on="two"),
+        ),
+    )
