@@ -53,7 +53,7 @@ from mechanics.claims.sides import (
     shape,
 )
 from mechanics.claims.statement import Letter, Reading, Statement
-from mechanics.claims.tree import Name, Node
+from mechanics.claims.tree import Call, Name, Node
 from mechanics.claims.weight import Weight, weight
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -67,6 +67,9 @@ DEEPEST = 100
 """Levels of a line with its definitions put in."""
 
 MOST_STATEMENTS = 200
+
+SHORT = ("sin", "cos", "tan")
+"""What a name alone is short for, which says nothing where it is not used."""
 
 
 def assemble(
@@ -251,7 +254,8 @@ class _Assembly:
             judge(noted, tag, place, sides, builder)
             rows = [found.row for found in self.statements[before:] if found.row is not None]
             moves = any(not isinstance(row.quantity, Identity) for row in rows)
-        if not unused or moves or gathers(line.sides[1:]):
+        short = all(isinstance(side, Call) and side.function in SHORT for side in line.sides[1:])
+        if not unused or moves or gathers(line.sides[1:]) or short:
             self.remarks.append(f"{name} is taken as defined by: {line.source}")
             return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"

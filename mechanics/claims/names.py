@@ -16,7 +16,7 @@ from sympy.physics.vector import dynamicsymbols
 
 from mechanics.claims.kinds import angular
 from mechanics.claims.spelled_rates import bases, key
-from mechanics.claims.tree import Node
+from mechanics.claims.tree import Call, Name, Node, Table, parts
 from mechanics.errors import InputError
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
@@ -319,6 +319,8 @@ def column(naming: Naming, name: str) -> tuple[str, ...]:
     """
     if naming.knows(name):
         return ()
+    if entries := _listed(naming, naming.own.get(name)):
+        return entries
     for first in FIRST:
         numbered: list[str] = []
         while naming.is_function(entry := f"{name}_{first + len(numbered)}"):
@@ -327,6 +329,17 @@ def column(naming: Naming, name: str) -> tuple[str, ...]:
             return tuple(numbered)
     coordinates = tuple(q.name for q in naming.vocabulary.scene.q)
     return coordinates if name in COORDINATES and len(coordinates) > 1 else ()
+
+
+def _listed(naming: Naming, node: Node | None) -> tuple[str, ...]:
+    """Coordinates or inputs that a column of the person's own is made of; empty for others."""
+    table = parts(node)[0] if isinstance(node, Call) and node.function == "transpose" else node
+    if not isinstance(table, Table) or 1 not in (len(table.rows), len(table.rows[0])):
+        return ()
+    cells = [cell for row in table.rows for cell in row]
+    found = [c.name for c in cells if isinstance(c, Name) and not c.order]
+    every = len(found) == len(cells) > 1 and all(map(naming.is_function, found))
+    return tuple(found) if every else ()
 
 
 def unexplained(scene: Scene, unknown: Sequence[str]) -> str:

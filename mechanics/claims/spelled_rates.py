@@ -15,9 +15,15 @@ NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dot|dd|d)(?P<number>\d
 """The rate of a letter, and then its number: qdot1, thdd2."""
 
 
+VARIANT = re.compile(
+    r"var(?=phi|theta|epsilon|rho|sigma|kappa|pi)|^el(?=l\d*(?:d{1,2}|dot|ddot)?$)"
+)
+"""What stands before a letter in another shape."""
+
+
 def key(name: str) -> str:
-    """What two names have in common when they are the same."""
-    return name.replace("_", "")
+    """What two names have in common when they are the same: varphi_1 is phi1, ell is l."""
+    return VARIANT.sub("", name.replace("_", ""))
 
 
 def bases(name: str) -> Iterator[tuple[str, int]]:

@@ -2,21 +2,22 @@
 
     F = -k (r - l) e_r        V = k (r - l)^2 / 2        dV/dq_i = -F . dr/dq_i
 
-A scene has no potential for such a force, and its energy is right without; a person's energy is
-right with it, too. Forces that hold speeds, inputs or time have none.
+A scene has no potential for such a force or torque, and its energy is right without; a person's
+energy is right with it, too. A part with speeds does no part of it; what holds inputs or time has
+none.
 """
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import combinations
 
-from sympy import Expr, Integral, S, integrate
+from sympy import Expr, Integral, Matrix, S, integrate, zeros
 from sympy.matrices import MatrixBase
 
 from mechanics.kernel import Finding
-from mechanics.scene import Force, Scene
+from mechanics.scene import Force, RigidBody, Scene, Torque
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
+from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import canonical, is_zero
 
 SIGNS = {PotentialEnergy: -1, TotalEnergy: -1, Hamiltonian: -1, Lagrangian: 1}
@@ -41,7 +42,11 @@ def right_with_potentials(
     if sign is None or any(isinstance(side, MatrixBase) for side in row.sides):
         return None
     found = dict(_potentials(scene))
-    for names in (tuple(found), *combinations(found, 1)):
+    # A pull that is the same everywhere may be no part of an energy; one that springs have is.
+    elastic = [
+        n for n, V in found.items() if any(V.diff(q, p) != 0 for q in scene.q for p in scene.q)
+    ]
+    for names in dict.fromkeys((tuple(found), tuple(elastic))):
         if not names:
             continue
         added = sum((found[name] for name in names), S.Zero)
@@ -54,17 +59,47 @@ def right_with_potentials(
 
 def _potentials(scene: Scene) -> Iterator[tuple[str, Expr]]:
     constants = {*scene.q, *scene.parameters}
+    rest = {plain_symbol(q, 1): S.Zero for q in scene.coordinates} | dict.fromkeys(scene.u, S.Zero)
     for load in scene.loads:
-        if not isinstance(load, Force) or load.by is not None:
+        if not isinstance(load, Force | Torque):
             continue
-        force, place = scene.vector(load.vector, load.name), scene.position(load.at)
-        if not (force.free_symbols | place.free_symbols) <= constants:
+        vector = scene.vector(load.vector, load.name).subs(rest)
+        if not vector.free_symbols <= constants:
             continue
-        forces = [canonical(force.dot(place.diff(q))) for q in scene.q]
-        if all(Q.count_ops() <= LARGEST for Q in forces):
+        forces = [canonical(vector.dot(arm)) for arm in _arms(scene, load)]
+        if all(Q.count_ops() <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
                 yield load.name, potential
+
+
+def _arms(scene: Scene, load: Force | Torque) -> list[Matrix]:
+    """What times the load is its generalized force, for each coordinate."""
+    if isinstance(load, Torque):
+        on, by = _turns(scene, load.on), _turns(scene, load.by)
+    else:
+        place = scene.position(load.at)
+        on, by = [place.diff(q) for q in scene.q], _carried(scene, load.by, place)
+    return [one - other for one, other in zip(on, by, strict=True)]
+
+
+def _turns(scene: Scene, name: str | None) -> list[Matrix]:
+    """Partial angular velocities of a body, of W = dR/dq R^T; zero for the ground."""
+    body = None if name is None else scene.body(name)
+    if not isinstance(body, RigidBody):
+        return [zeros(3, 1)] * len(scene.q)
+    rotation = scene.rotation(body.frame)
+    turns = [rotation.diff(q) * rotation.T for q in scene.q]
+    return [Matrix([W[2, 1], W[0, 2], W[1, 0]]) for W in turns]
+
+
+def _carried(scene: Scene, name: str | None, place: Matrix) -> list[Matrix]:
+    """Partial velocities of the point of a body that is at a place; zero for the ground."""
+    if name is None:
+        return [zeros(3, 1)] * len(scene.q)
+    centre = scene.position(scene.body(name).centre)
+    turns = zip(scene.q, _turns(scene, name), strict=True)
+    return [centre.diff(q) + turn.cross(place - centre) for q, turn in turns]
 
 
 def _potential(scene: Scene, forces: list[Expr]) -> Expr | None:

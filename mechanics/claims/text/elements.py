@@ -13,6 +13,7 @@ from fractions import Fraction
 from mechanics.claims.definitions import definitions
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Match, Naming, column
+from mechanics.claims.text.letters import plain
 from mechanics.claims.tree import (
     ENTRY,
     Call,
@@ -58,7 +59,9 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     lines = [_named_result(line, size) for line in lines]
     own = definitions(lines, naming)
     spelled = {name: Name(0, name) for name in own} | _spelled_columns(lines)
-    lines = [_of_own(line, spelled) for line in lines]
+    arrays = _arrays(lines)
+    from_zero = any(0 in indices for indices in arrays.values())
+    lines = [_of_own(line, spelled, from_zero) for line in lines]
     arrays = _arrays(lines)
     if not arrays:
         return _of_one_freedom(lines, naming)
@@ -170,7 +173,7 @@ def _with_locals(lines: Sequence[Entry], naming: Naming, arrays: Sequence[str]) 
     ]
 
 
-def _of_own(line: Entry, own: Mapping[str, Node]) -> Entry:
+def _of_own(line: Entry, own: Mapping[str, Node], from_zero: bool) -> Entry:
     r"""The line with entries of what the text defines: qdd(1), where qdd = M \ f."""
     if not isinstance(line, Line):
         return line
@@ -181,7 +184,7 @@ def _of_own(line: Entry, own: Mapping[str, Node]) -> Entry:
             inside = parts(node)
             new = tuple(map(entry, inside))
             return node if new == inside else ended(with_parts(node, new), node.end)
-        place = int(part["index"]) + (part["open"] == "[")
+        place = int(part["index"]) + (from_zero and part["open"] == "[")
         array = own[part["array"]]
         if isinstance(array, Table) and 0 < place <= len(array.rows):
             return ended(replace(array.rows[place - 1][0], at=node.at), node.end)
@@ -195,7 +198,7 @@ def _spelled_columns(lines: Sequence[Entry]) -> dict[str, Node]:
     r"""Columns of the scene's names on a left side, as they are spelled: qdd in qdd = M \ f."""
     pairs = [line for line in lines if isinstance(line, Line) and len(line.sides) == 2]
     return {
-        line.source.partition("=")[0].strip(): line.sides[0]
+        plain("".join(line.source.partition("=")[0].split()))[0]: line.sides[0]
         for line in pairs
         if isinstance(line.sides[0], Table) and len(line.sides[0].rows[0]) == 1
     }

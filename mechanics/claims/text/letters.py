@@ -20,7 +20,7 @@ def plain(text: str) -> tuple[str, int]:
 
 def _latin(character: str) -> str:
     if ord(character) < 128:
-        return character
+        return unicodedata.normalize("NFKD", character)  # a script l is an l
     words = unicodedata.name(character, "").split()
     # GREEK SMALL LETTER THETA, GREEK CAPITAL LETTER DELTA
     if words[:1] == ["GREEK"] and "LETTER" in words:
@@ -28,4 +28,4 @@ def _latin(character: str) -> str:
         return spelled.capitalize() if "CAPITAL" in words else spelled
     if unicodedata.category(character) == "No":
         return str(unicodedata.digit(character, "")) or character
-    return character
+    return unicodedata.normalize("NFKD", character)  # a script l is an l

@@ -4,7 +4,7 @@ x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two d
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from unicodedata import numeric
 
@@ -20,7 +20,7 @@ from mechanics.claims.partials import partial_of
 from mechanics.claims.place import Refused
 from mechanics.claims.text.elements import element
 from mechanics.claims.text.letters import plain
-from mechanics.claims.text.side_by_side import BESIDE
+from mechanics.claims.text.side_by_side import BESIDE, TOGETHER
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -40,6 +40,8 @@ from mechanics.claims.tree import (
     with_parts,
 )
 
+LONGEST_SPAN = 60
+"""Entries of an array that are taken at once."""
 DEEPEST = 300
 """Nesting of the parser's tree; that of brackets is limited by the nodes themselves."""
 TIMES = ("t", "_t")
@@ -60,9 +62,11 @@ class Nodes:
     def __init__(
         self, naming: Naming, offset: int, notes: list[str], below: bool = True,
         arrays: bool = False, state: bool = False, operators: Mapping[str, int] | None = None,
+        columns: bool = False,
     ) -> None:  # fmt: skip
         self.naming, self.offset, self.notes, self.below = naming, offset, notes, below
         self.arrays, self.state, self.operators = arrays, state, operators or {}
+        self.columns = columns
         self.slash = ""
         self.depth = 0
 
@@ -74,6 +78,16 @@ class Nodes:
                 # A name that holds an equation, as ``eq1 = Eq(...)``, says nothing itself.
                 children = list(child.children)
         return tuple(self.node(child) for child in children)
+
+    def values(self, trees: Sequence[Tree]) -> list[Node] | None:
+        """What ``a, b = c, d`` and ``s, c = sincos(x)`` give to the names; None for one array."""
+        if len(trees) > 1:
+            return [self.node(tree) for tree in trees]
+        (tree,) = trees
+        if tree.data != "call" or str(tree.children[0]) != TOGETHER:
+            return None
+        angle = self.node(tree.children[1].children[0])
+        return [Call(angle.at, name, (angle,)) for name in PERIODIC]
 
     def node(self, tree: Tree) -> Node:
         """The node of a tree."""
@@ -233,7 +247,10 @@ class Nodes:
     def indexed(self, tree: Tree, at: int) -> Node:
         """An entry of an array, ``u[1]``."""
         name, order = plain(str(tree.children[0]))
-        inside = [self.node(part) for part in tree.children[1].children]
+        given = tree.children[1].children
+        if len(given) == 1 and given[0].data == "span" and not order:
+            return self._sliced(name, given[0], "[]", at)
+        inside = [self.node(part) for part in given]
         found = None if order else element(name, inside, "[]")
         if found is None:
             raise Refused(at, f"{name}[...] is no entry that is known here: write its number")
@@ -298,10 +315,14 @@ class Nodes:
             raise Refused(at, "an empty matrix")
         (rows,) = tree.children
         cells = [[self.node(cell) for cell in row.children] for row in rows.children]
+        if len(cells) == len(cells[0]) == 1 and not isinstance(cells[0][0], Name | Number | Table):
+            return cells[0][0]  # MATLAB: [a + b]/[c + d]
         if len(cells) == 1 and all(isinstance(cell, Table) for cell in cells[0]):
             inner = [cell for cell in cells[0] if isinstance(cell, Table)]
             if all(len(table.rows) == 1 for table in inner):
                 return Table(at, tuple(table.rows[0] for table in inner))
+        if self.columns and len(cells) == 1:
+            cells = [[cell] for cell in cells[0]]
         return Table(at, tuple(tuple(row) for row in cells))
 
     def differentiated(self, tree: Tree, at: int) -> Node:
@@ -355,6 +376,8 @@ class Nodes:
             return rate_of(self.node(given[0]), self.operators[name], at)
         if name == MODELICA and len(given) == 1 and not self.naming.knows(name):
             return rate_of(self.node(given[0]), 1, at)
+        if len(given) == 1 and given[0].data == "span":
+            return self._sliced(name, given[0], "()", at)
         entry = None if order or self.naming.is_function(name) is False else (
             element(name, [self.node(part) for part in given])
         )  # fmt: skip
@@ -363,6 +386,24 @@ class Nodes:
         if len(given) != 1:
             raise Refused(at, f"the function {name} is not known here")
         return self._applied(name, order, given[0], at)
+
+    def _sliced(self, name: str, span: Tree, brackets: str, at: int) -> Table:
+        """Entries ``x(1:2)`` as a column, the last one too; of ``x[0:2]`` not."""
+        last = 2 * len(self.naming.vocabulary.scene.q)
+        ends = [_letters(part) if part.data == "name" else constant(self.node(part))
+                for part in span.children]  # fmt: skip
+        first, end = (last if value == "end" else value for value in ends)
+        if isinstance(first, str) or isinstance(end, str) or first is None or end is None:
+            raise Refused(
+                at, f"which entries of {name} are meant is not known: write their numbers"
+            )
+        stop = int(end) + (first != 0)
+        found = [
+            element(name, [Number(at, Fraction(i))], brackets) for i in range(int(first), stop)
+        ]
+        if not found or len(found) > LONGEST_SPAN or None in found:
+            raise Refused(at, f"{name} has no such entries")
+        return Table(at, tuple((Name(at, entry),) for entry in found if entry))
 
     def _applied(self, name: str, order: int, given: Tree, at: int) -> Node:
         inside = self.node(given)

@@ -9,66 +9,15 @@ moves, so that messages name the right place.
 import re
 
 from mechanics.claims.latex.bars import barred
+from mechanics.claims.text.declarations import without_declarations
 from mechanics.claims.text.line_continuation import on_one_line, sentences
 
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
-STARTS = re.compile(r"[\w(\[.]")
+STARTS = re.compile(r"[\w(\[.\uE002]")
 
 SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
 """A comment of Modelica or C++; elsewhere two slashes divide."""
-
-HEADER = re.compile(r"^[ \t]*(?:function\b|model\b)[^\n]*(?=\n)", re.MULTILINE)
-DECLARED = re.compile(
-    r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
-    r"|(?:global|persistent|clear|clc|close|format)\b[^\n=]*"
-    r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
-    r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
-    re.MULTILINE,
-)
-"""Lines of a function or model that say nothing of it."""
-SIZED = re.compile(
-    r"(?:^|(?<=;))[ \t]*\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*"
-    r"\((?:[^()\n;]|\([^()\n;]*\))*\)[ \t]*(?:;|(?=\r?$))"
-    r"|^[ \t]*(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?[ \t\r]*$",
-    re.MULTILINE,
-)
-"""The size of an array."""
-
-
-RETURNED = re.compile(r"^[ \t]*return(?=[ \t]*[\[(\w])(?![ \t]+\w+[ \t]*;?[ \t]*$)", re.MULTILINE)
-"""Before what a function gives back."""
-MACRO = re.compile(r"^[ \t]*@\w+\b[^\n~]*$", re.MULTILINE)
-OPERATOR = re.compile(
-    r"\b(\w+)[ \t]*=[ \t]*(?:Differential\([ \t]*t[ \t]*\)|(\w+)\^2)(?=[ \t;]*$|;)", re.MULTILINE
-)
-"""Of ModelingToolkit: D = Differential(t); D2 = D^2."""
-LISTED = re.compile(r"(\b\w+[ \t]*=[ \t]*\[)([^\[\]~]*~[^\[\]]*)\]")
-
-
-def operators(text: str) -> dict[str, int]:
-    """Names of derivatives by the time that a text in Julia defines, and their orders."""
-    found: dict[str, int] = {}
-    for match in OPERATOR.finditer(text):
-        of = match[2]
-        if of is None or of in found:
-            found[match[1]] = 1 if of is None else 2
-    return found
-
-
-def without_declarations(text: str) -> str:
-    """The text of a function or model with blanks for its head, its end and what it declares."""
-    text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
-    if "~" in text:
-        for lines in (MACRO, OPERATOR):
-            text = lines.sub(lambda m: " " * len(m[0]), text)
-        text = LISTED.sub(lambda m: f"{' ' * len(m[1])}{m[2]} ", text)
-    if not HEADER.search(text):
-        return text
-    for lines in (HEADER, DECLARED):
-        text = lines.sub(lambda m: " " * len(m[0]), text)
-    return text
-
 
 ANONYMOUS = re.compile(r"(?<==)[ \t]*@\([\w, ~]*\)")
 """The head of a function without a name."""

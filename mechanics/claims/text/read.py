@@ -20,7 +20,8 @@ from mechanics.claims.text.assignments import in_sequence
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import Nodes
-from mechanics.claims.text.prepare import operators, prepared
+from mechanics.claims.text.declarations import has_columns, operators
+from mechanics.claims.text.prepare import prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
 from mechanics.claims.tree import Name, ended
 
@@ -123,15 +124,16 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             found.append(Unread("end", located(text, at, words, origin), at))
             continue
         if statement.children[0].data == "unpacked":
-            found += _unpacked(statement.children[0], offset, naming)
+            found += _unpacked(statement.children[0], text, offset, naming)
             continue
         notes: list[str] = []
         arrays = ARRAYS.search(text) is not None
         state = TAKEN_APART.search(text) is not None
-        rates = operators(text)
-        nodes = Nodes(naming, offset, notes, arrays=arrays, state=state, operators=rates)
+        rates, turned = operators(text), has_columns(text)
+        how = (arrays, state, rates, turned)
+        nodes = Nodes(naming, offset, notes, True, *how)
         sides = nodes.sides(statement)
-        shorter = Nodes(naming, offset, [], False, arrays, state, rates)
+        shorter = Nodes(naming, offset, [], False, *how)
         other = shorter.sides(statement) if nodes.slash else ()
         others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
@@ -145,17 +147,27 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
     return found
 
 
-def _unpacked(tree: Tree, offset: int, naming: Naming) -> list[Entry]:
-    """``a, v = u``: each name an entry; of parameters it says nothing."""
-    *parts, array = tree.children
-    source = f"{', '.join(parts)} = {array}"
-    at = offset + int(tree.meta.start_pos)
-    if all(is_constant(plain(part)[0], naming) for part in parts):
+def _unpacked(tree: Tree, text: str, offset: int, naming: Naming) -> list[Entry]:
+    """``a, v = u`` or ``s, c = sincos(x)``: each name an entry; of parameters it says nothing."""
+    at, end = offset + int(tree.meta.start_pos), offset + int(tree.meta.end_pos)
+    source = " ".join(text[at:end].split())
+    parts = [part for part in tree.children if isinstance(part, Token)]
+    right = [part for part in tree.children if isinstance(part, Tree)]
+    values = Nodes(naming, offset, []).values(right)
+    if values is not None and len(values) != len(parts):
+        raise Refused(at, f"{len(parts)} names and {len(values)} values")
+    array = plain(str(right[0].children[0]))[0] if right[0].data == "name" else ""
+    if values is None and not array:
+        raise Refused(at, "what the names are given is no array by name: write one a line")
+    if values is None and all(is_constant(plain(part)[0], naming) for part in parts):
         return [value(source, at)]
     found: list[Entry] = []
-    for i, part in enumerate(parts, 1):
-        name = Name(offset + int(part.start_pos or 0), *plain(part))
-        entry = Name(offset + int(array.start_pos or 0), f"{plain(array)[0]}[{i}]")
+    for i, part in enumerate(parts):
+        start = offset + int(part.start_pos or 0)
+        name, given = Name(start, *plain(part)), values[i] if values is not None else None
+        entry = (
+            given if given is not None else Name(int(right[0].meta.start_pos), f"{array}[{i + 1}]")
+        )
         ended(name, offset + int(part.end_pos or 0))
         found.append(Line((name, entry), "", at, source))
     return found

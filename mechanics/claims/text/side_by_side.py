@@ -32,6 +32,8 @@ WORDS = frozenset((
 BEGINS = re.compile(r"[^\W\d_]")
 """Of a factor: no factor begins with a number, or with a dot above a letter."""
 LONGEST = 40
+TOGETHER = "sincos"
+"""Of Julia: the sine and the cosine."""
 DEFINED = re.compile(r"(\w+)[ \t]*(?:\(t\)[ \t]*)?=")
 
 
@@ -123,7 +125,13 @@ def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
     defined = frozenset(DEFINED.findall(text))
 
     def letters(word: str) -> list[str]:
-        if word in FUNCTIONS or word in defined or word in naming.own or naming.knows(word):
+        if (
+            word in FUNCTIONS
+            or word == TOGETHER
+            or word in defined
+            or word in naming.own
+            or naming.knows(word)
+        ):
             return [word]
         return _fewest(word, means) or [word]
 

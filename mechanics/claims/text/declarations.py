@@ -1,0 +1,122 @@
+"""Lines of a function or model that say nothing of motion, blanked place by place.
+
+function dz = f(t, z, p)        parameter Real J = m*l^2 "inertia";    ->    J = m*l^2
+@SMatrix [a b; c d]  ->  [a b; c d]        m = param.m  ->  m = m        view(x, 1:2)  ->  x[1:2]
+"""
+
+import re
+
+HEADER = re.compile(
+    r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*(?:function|model|class|block|within)\b[^\n]*(?=\n)",
+    re.MULTILINE,
+)
+DECLARED = re.compile(
+    r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
+    r"|(?:global|persistent|clear|clc|close|format|load|addpath|disp)\b[^\n=]*"
+    r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
+    r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
+    re.MULTILINE,
+)
+"""Lines of a function or model that say nothing of it."""
+MODEL = re.compile(r"^[ \t]*(?:equation|algorithm)\b", re.MULTILINE)
+INITIAL = re.compile(
+    r"^[ \t]*initial[ \t]+(?:equation|algorithm)\b.*?(?=^[ \t]*(?:equation|algorithm|end)\b)",
+    re.MULTILINE | re.DOTALL,
+)
+STRING = re.compile(r'"[^"\n]*"')
+BLOCK = re.compile(r"/\*.*?\*/", re.DOTALL)
+ANNOTATION = re.compile(r"\bannotation[ \t]*\([^;]*;")
+BOUND = re.compile(r"(\b[^\W\d]\w*)[ \t]*(\([^;]*?\))?[ \t]*=(?!=)([^;,=]*);")
+"""A name, what modifies it, and what it is bound to, at the end of a declaration."""
+FORMULA = re.compile(r"(?<![\w.])(?!(?:e|E|true|false)\b)[^\W\d]\w*(?![\w.])")
+"""A name in what is bound, which is no number and of no package."""
+JULIA = re.compile(
+    r"@(?:[SM](?:Matrix|Vector|Array)|views?|inbounds|fastmath)\b|\bSA(?:_F\d\d)?(?=\[)"
+    r"|\b[SM](?:Vector|Matrix)(?:\{[^{}\n]*\})?(?=\()|(?<=\w)::[\w{}]+"
+)
+"""Kinds of arrays."""
+BRACKETS = re.compile(r"\w\[[ \t]*\d+[ \t]*\]|@[SM]Vector\b|\bSA\[")
+"""What Julia has and MATLAB has not: there [a, b] is a column."""
+VIEW = re.compile(r"\bview\((\w+),[ \t]*(\w+:\w+)\)")
+WHOLE_ROW = re.compile(r"\([ \t]*(\d+)[ \t]*,[ \t]*:[ \t]*\)")
+"""An entry of a column at all times: x(1, :)."""
+FIELD = re.compile(
+    r"(?<![\w.)\]])(?!(?:np|sp|sm|me|ca|cs|numpy|sympy|math|casadi|Math|Modelica)\.)"
+    r"[^\W\d]\w*\.(?=[^\W\d_]\w*\b(?![ \t]*\())(?!(?:T|dt|diff)\b)"
+)
+"""What a parameter is a field of: param.m."""
+FILLER = "\ue002"
+"""What stands for it: no blank, which sets entries of a matrix apart."""
+SIZED = re.compile(
+    r"(?:^|(?<=;))[ \t]*\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*"
+    r"\((?:[^()\n;]|\([^()\n;]*\))*\)[ \t]*(?:;|(?=\r?$))"
+    r"|^[ \t]*(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?[ \t\r]*$",
+    re.MULTILINE,
+)
+"""The size of an array."""
+
+
+RETURNED = re.compile(r"^[ \t]*return(?=[ \t]*[\[(\w])(?![ \t]+\w+[ \t]*;?[ \t]*$)", re.MULTILINE)
+"""Before what a function gives back."""
+MACRO = re.compile(r"^[ \t]*@\w+\b[^\n~]*$", re.MULTILINE)
+OPERATOR = re.compile(
+    r"\b(\w+)[ \t]*=[ \t]*(?:Differential\([ \t]*t[ \t]*\)|(\w+)\^2)(?=[ \t;]*$|;)", re.MULTILINE
+)
+"""Of ModelingToolkit: D = Differential(t); D2 = D^2."""
+LISTED = re.compile(r"(\b\w+[ \t]*=[ \t]*\[)([^\[\]~]*~[^\[\]]*)\]")
+
+
+def operators(text: str) -> dict[str, int]:
+    """Names of derivatives by the time that a text in Julia defines, and their orders."""
+    found: dict[str, int] = {}
+    for match in OPERATOR.finditer(text):
+        of = match[2]
+        if of is None or of in found:
+            found[match[1]] = 1 if of is None else 2
+    return found
+
+
+def has_columns(text: str) -> bool:
+    """Whether ``[a, b]`` is a column, as in Julia."""
+    return HEADER.search(text) is not None and BRACKETS.search(text) is not None
+
+
+def without_declarations(text: str) -> str:
+    """The text of a function or model with blanks for its head, its end and what it declares."""
+    if HEADER.search(text):
+        text = JULIA.sub(lambda m: " " * len(m[0]), text)
+    text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
+    if "~" in text:
+        for lines in (MACRO, OPERATOR):
+            text = lines.sub(lambda m: " " * len(m[0]), text)
+        text = LISTED.sub(lambda m: f"{' ' * len(m[1])}{m[2]} ", text)
+    if not HEADER.search(text):
+        return text
+    text = HEADER.sub(lambda m: " " * len(m[0]), text)
+    if MODEL.search(text):
+        text = _model(text)
+    text = VIEW.sub(lambda m: f"{m[1]}[{m[2]}]".ljust(len(m[0])), text)
+    text = WHOLE_ROW.sub(lambda m: f"({m[1]})".ljust(len(m[0])), text)
+    text = DECLARED.sub(lambda m: " " * len(m[0]), text)
+    return FIELD.sub(lambda m: FILLER * len(m[0]), text)
+
+
+def _model(text: str) -> str:
+    """A Modelica model with its equations, and what it declares as a formula."""
+    for words in (STRING, BLOCK, INITIAL, ANNOTATION):
+        text = words.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+    start = MODEL.search(text)
+    head = text[: start.start()] if start else ""
+    return re.sub(r"[^;]*(?:;|\Z)", _declared, head) + text[len(head) :]
+
+
+def _declared(statement: re.Match[str]) -> str:
+    """A declaration as the formula that it binds a name to; blanks where it binds none."""
+    blank = re.sub(r"[^\n]", " ", statement[0])
+    bound = BOUND.search(statement[0])
+    if bound is None or not FORMULA.search(bound[3]):
+        return blank
+    named, modified = bound.end(1), bound.end(2) if bound[2] else bound.end(1)
+    kept = statement[0][bound.start() : named] + blank[named:modified]
+    kept += statement[0][modified : bound.end()]
+    return blank[: bound.start()] + kept + blank[bound.end() :]
