@@ -1,6 +1,7 @@
 """C in fewer ways of saying: arrays of arrays as arrays, loops that count up from a declaration.
 
 double A[2][3];  A[i][j]                  ->  double A[6];  A[i*3 + j]
+f(double *y, double, int n) {...}         ->  f(const double *y), where n is not used, y only read
 int i;  for (i = 0; i <= n; i++)          ->  for (int i = 0; i < n + 1; i++)
 for (int i = n; i >= a; i--) s            ->  for (int k = 0; k < n - a + 1; ++k) {int i = n - k; s}
 if (c) return a; s; return b;             ->  if (c) r = a; else {s; r = b;} return r;
@@ -14,6 +15,8 @@ from typing import Any
 
 from pycparser import c_ast
 
+from mechanics.claims.code.c_pointers import use_of
+from mechanics.claims.code.c_wrapper import WRAPPER
 from mechanics.errors import ExpressionError
 from mechanics.program.c.parse import Source
 
@@ -21,6 +24,8 @@ LARGEST = 64
 """Entries of an array of arrays."""
 
 Columns = dict[str, int]
+KINDS = (c_ast.Decl, c_ast.Typename)
+"""Of arguments, with and without a name."""
 
 
 def flat(source: Source) -> Source:
@@ -32,6 +37,15 @@ def flat(source: Source) -> Source:
         For an array of arrays that is used in parts, by line and column.
     """
     functions, prototypes = deepcopy((dict(source.functions), dict(source.prototypes)))
+    called = {
+        getattr(node.name, "name", "")
+        for own, f in functions.items() if own != WRAPPER
+        for node in _below(f.body) if isinstance(node, c_ast.FuncCall)
+    }  # fmt: skip
+    for name, function in functions.items():
+        if name not in called:
+            _without_idle(function)
+            _only_read(function)
     declarations = [(f, f.decl) for f in functions.values()]
     heads = {name: [_flat_declared(p, {}) for p in _parameters(f.decl)]
              for name, f in functions.items()}  # fmt: skip
@@ -56,6 +70,33 @@ def flat(source: Source) -> Source:
 def _parameters(declaration: Any) -> list[Any]:
     arguments = declaration.type.args
     return [p for p in (arguments.params if arguments else []) if isinstance(p, c_ast.Decl)]
+
+
+def _without_idle(function: Any) -> None:
+    """Leave out arguments without a name, and integers that are not used."""
+    arguments = function.decl.type.args
+    if arguments is None or not all(isinstance(p, KINDS) for p in arguments.params):
+        return
+    used = {node.name for node in _below(function.body) if isinstance(node, c_ast.ID)}
+
+    def idle(parameter: Any) -> bool:
+        words = getattr(getattr(parameter.type, "type", None), "names", None)
+        if not getattr(parameter, "name", None):
+            return words != ["void"]
+        return words is not None and "double" not in words and parameter.name not in used
+
+    arguments.params = [p for p in arguments.params if not idle(p)]
+
+
+def _only_read(function: Any) -> None:
+    """Say const of pointers that are only read."""
+    for parameter in _parameters(function.decl):
+        kind = parameter.type
+        if isinstance(kind, c_ast.PtrDecl | c_ast.ArrayDecl) and isinstance(
+            kind.type, c_ast.TypeDecl
+        ):
+            if "const" not in kind.type.quals and not use_of(function.body, parameter.name).written:
+                kind.type.quals = [*kind.type.quals, "const"]
 
 
 def _below(node: Any) -> Iterator[Any]:

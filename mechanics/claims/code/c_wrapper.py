@@ -4,8 +4,8 @@
                                                             double *outputs)
                                                { outputs[0] = f(x[0], p); }
 
-Pointers to what is constant are inputs, other pointers outputs; a number that is returned is the
-first output.
+Pointers to what is constant or only read are inputs, other pointers outputs, which are inputs, too,
+where their entries are read first; a number that is returned is the first output.
 """
 
 import re
@@ -15,6 +15,7 @@ from typing import Any
 
 from pycparser import c_ast
 
+from mechanics.claims.code.c_pointers import use_of
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.parse import Source
 from mechanics.program.c.types import declared, parameters
@@ -44,6 +45,8 @@ class Call:
         What the text calls the outputs, where each is a number of its own; its name for a result.
     coord : str
         Where it begins: file, line and column.
+    begins : tuple of str
+        Statements that give outputs what they are before the call, where it reads them.
     """
 
     name: str
@@ -54,6 +57,7 @@ class Call:
     result: bool
     coord: str
     outputs: tuple[str, ...] = ()
+    begins: tuple[str, ...] = ()
 
     def source(self, sizes: Mapping[str, int]) -> str:
         """The file with the wrapper below."""
@@ -61,6 +65,7 @@ class Call:
         head = ", ".join([*heads, f"double outputs[{self.size}]"])
         call = f"{self.name}({', '.join(self.arguments)})"
         body = f"outputs[0] = {call};" if self.result else f"{call};"
+        body = " ".join((*self.begins, body))
         return f"{self.text}\nvoid {WRAPPER}({head})\n{{\n{body}\n}}\n"
 
 
@@ -86,14 +91,11 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
     result = re.search(r"\bdouble\b", _returned(function)) is not None
     inputs: dict[str, int | None] = {}
     arguments: list[str] = []
+    begins: list[str] = []
     size = 1 if result else 0
     outputs = [chosen] if result else []
     for declaration in parameters(function.decl.type):
         kind = declared(declaration)
-        if not declaration.name:
-            raise InputError(
-                f"{declaration.coord}: an argument of {chosen} has no name: give it one"
-            )
         if kind.kind != "double" or kind.depth > 1:
             raise InputError(
                 f"{declaration.coord}: argument {declaration.name} is {kind.words}: numbers and"
@@ -108,13 +110,18 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
         else:
             entries = kind.size or _written(text, declaration.name)
             entries = max(entries, *_passed(source, function.body, declaration.name), 1)
+            if use_of(function.body, declaration.name).read_first:
+                inputs[declaration.name] = entries
+                begins += [
+                    f"outputs[{size + i}] = {declaration.name}[{i}];" for i in range(entries)
+                ]
             arguments.append(f"outputs + {size}")
             size += entries
             outputs.append(declaration.name)
     if not 0 < size <= LARGEST_ARRAY:
         raise InputError(f"{source.file}: {chosen} has {size} outputs")
     coord, named = str(function.decl.coord), tuple(outputs) if len(outputs) == size else ()
-    return Call(chosen, text, inputs, tuple(arguments), size, result, coord, named)
+    return Call(chosen, text, inputs, tuple(arguments), size, result, coord, named, tuple(begins))
 
 
 def _returned(function: object) -> str:

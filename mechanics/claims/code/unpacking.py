@@ -18,6 +18,9 @@ from sympy import Expr
 
 PLACE_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*[;,]")
 
+ENTRY_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*[1-9]\d?\s*\]")
+"""An entry behind the first one: what has it is no number."""
+
 
 @dataclass(frozen=True)
 class Record:
@@ -151,4 +154,6 @@ def in_c(plain: str) -> dict[str, Apart]:
     found: dict[str, Apart] = {}
     for match in PLACE_IN_C.finditer(plain):
         _of(found, match[2]).give(int(match[3]), match[1])
+    for match in ENTRY_IN_C.finditer(plain):
+        _of(found, match[1]).vector = True
     return found
