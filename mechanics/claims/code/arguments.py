@@ -137,8 +137,11 @@ def arguments_of(
                 values[name] = (values[name],)
         found = values[name]
         entries = (found,) if isinstance(found, Expr) else tuple(found)
-        if set(entries) == {*scene.q, *scene.u} and len(entries) > 1:
+        if set(entries) >= {*scene.q, *scene.u} and len(entries) > 1:
             state = entries
+        if name in parted and why != "as given" and _contradicted(naming, apart, name, entries):
+            unexplained.append(name)
+            continue
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     if unexplained:
         raise InputError(_unexplained(naming, unexplained, apart or {}))
@@ -216,16 +219,45 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
                 f" {'it is' if len(strange) == 1 else 'they are'}: {_options(naming, strange)}"
             )
         return Record(tuple(asked), tuple(symbols), not apart.keys)
-    found = [naming.lookup(entry) for entry in apart.order]
+    found = _with_rates([naming.lookup(entry) for entry in apart.order])
     if len(found) < 2 or None in found or len(set(found)) < len(found):
         return ()
     bases = {target[0] for target in found if target is not None}
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
-    constants = naming.vocabulary.constants.keys()
+    constants = naming.vocabulary.constants
     moving = naming.vocabulary.functions.keys() - inputs
-    if not apart.fields and not (bases <= inputs or bases <= constants or bases <= moving):
+    symbols = tuple(
+        constants[base] if base in constants else Symbol(base + DOTS[order], real=True)
+        for base, order in found
+    )
+    scene = naming.vocabulary.scene
+    whole = set(symbols) >= {*scene.q, *scene.u}
+    alike = bases <= inputs or bases <= constants.keys() or bases <= moving
+    if not (apart.fields or whole or alike):
         return ()  # q, u = z takes a state apart, whatever the scene calls q and u
-    return tuple(naming.symbol(entry, 0) for entry in apart.order)
+    return symbols
+
+
+def _with_rates(found: Sequence[tuple[str, int] | None]) -> list[tuple[str, int] | None]:
+    """``theta, theta_, x, x_ = y``: where each name is there twice, the second one is the rate."""
+    if None in found or any(found.count(target) != 2 for target in found):
+        return list(found)
+    return [
+        target if target is None or k == found.index(target) else (target[0], target[1] + 1)
+        for k, target in enumerate(found)
+    ]
+
+
+def _contradicted(
+    naming: Naming, apart: Mapping[str, Apart] | None, name: str, entries: Sequence[Expr]
+) -> bool:
+    """Whether the code calls an entry by the name of another coordinate than it is taken for."""
+    moving = {*naming.vocabulary.scene.q}
+    for place, names in (apart or {})[name].places.items():
+        meant = {naming.symbol(n, 0) for n in names if naming.knows(n)} & moving
+        if meant and place < len(entries) and entries[place] not in meant:
+            return True
+    return False
 
 
 def _group(

@@ -87,6 +87,7 @@ def claims(
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     if len(entries) == size:
         return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
+    state, entries = _without_held(scene, state, entries)
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
     if len(entries) == len(both) and STEP in passed:
         return _stepped(naming, both, entries, title, passed)
@@ -96,6 +97,17 @@ def claims(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def _without_held(
+    scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]
+) -> tuple[Sequence[Expr], Sequence[Expr]]:
+    """The state and its rates without what is appended to it and held: an input, a parameter."""
+    moving = [symbol in (*scene.q, *scene.u) for symbol in state]
+    held = [e for e, moves in zip(entries, moving, strict=False) if not moves]
+    if len(entries) == len(state) and not any(held):
+        entries = [entry for entry, moves in zip(entries, moving, strict=True) if moves]
+    return [symbol for symbol, moves in zip(state, moving, strict=True) if moves], entries
 
 
 def named_by_title(title: str, count: int) -> str | None:

@@ -38,6 +38,8 @@ class Signature:
     standing : dict of str to Expr
         What numbers stand for that it holds besides.
     remarks : tuple of str
+    text : str
+        Of the function, where it is at hand.
     """
 
     wanted: tuple[str, ...]
@@ -45,6 +47,7 @@ class Signature:
     returned: tuple[str, ...]
     standing: dict[str, Expr]
     remarks: tuple[str, ...]
+    text: str
 
 
 def signature_of(
@@ -61,7 +64,7 @@ def signature_of(
         parameters = inspect.signature(function).parameters
     except (TypeError, ValueError):
         raise InputError(f"function {title}: its arguments are not known") from None
-    apart, returned = in_python(function)
+    apart, returned, text = in_python(function)
     wanted: list[str] = []
     freed: list[str] = []
     kept: list[str] = []
@@ -89,7 +92,7 @@ def signature_of(
         *([f"{title}: {', '.join(others)} of the code: numbers; --name 'mine=scene' (names=) reads"
            " them as the scene's"] if others else []),
     ]  # fmt: skip
-    return Signature(tuple(wanted), apart, returned, standing, tuple(remarks))
+    return Signature(tuple(wanted), apart, returned, standing, tuple(remarks), text)
 
 
 def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> bool:

@@ -16,7 +16,12 @@ from sympy import Expr, Matrix, S
 
 from mechanics.claims.about import WORDS
 from mechanics.claims.assemble import Reading
-from mechanics.claims.code.arguments import Arguments, arguments_of, vectors_of_motion
+from mechanics.claims.code.arguments import (
+    Arguments,
+    arguments_of,
+    named_entries,
+    vectors_of_motion,
+)
 from mechanics.claims.code.c_constants import with_constants
 from mechanics.claims.code.c_flat import flat
 from mechanics.claims.code.c_library import with_library
@@ -62,6 +67,7 @@ from mechanics.claims.demands import Demand
 from mechanics.claims.guess import guess
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
+from mechanics.claims.told_order import told_order
 from mechanics.claims.tree import Name
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.function import Parameter
@@ -120,7 +126,7 @@ def read_function(
         return replace(outputs, notes=notes, doubt=doubt, names=outputs.names or called.returned)
 
     sizes = dict.fromkeys(called.wanted)
-    found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart)
+    found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart, called.text)
     return replace(found, remarks=(*found.remarks, *called.remarks))
 
 
@@ -182,7 +188,7 @@ def read_c(
     bounded(text, origin)
     if len(text) > LARGEST_C:
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
-    coord = ""
+    coord, whole = "", text
     try:
         if origin.endswith(CPP):
             text = in_plain_c(without_comments(text), origin)
@@ -205,7 +211,7 @@ def read_c(
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}
-        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart)
+        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart, whole)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:
@@ -281,11 +287,15 @@ def _known(formulas: Mapping[Expr, Formula], assigned: Assignments | None = None
 def _read(
     scene: Scene, title: str, wanted: Sequence[str], sizes: Mapping[str, int | None], run: Run,
     names: Mapping[str, str] | None, about: str | None,
-    apart: Mapping[str, Apart] | None = None,
+    apart: Mapping[str, Apart] | None = None, text: str = "",
 ) -> Reading:  # fmt: skip
     apart = {n: a for n, a in (apart or {}).items() if n in wanted}
     given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene))
+    for name, known in apart.items():
+        if known.vector and not named_entries(naming, name, known):
+            for place, entry in enumerate(told_order(text, name, naming)):
+                known.places[place] = {entry}
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
     parted = {n for n, known in apart.items() if known.vector}
     parted |= vectors_of_motion(naming, [n for n in wanted if sizes[n] is None])

@@ -18,6 +18,8 @@ from sympy import Expr
 
 PLACE_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*[;,]")
 
+LAST = -1
+"""The place of the last entry, as Python counts."""
 ENTRY_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*[1-9]\d?\s*\]")
 """An entry behind the first one: what has it is no number."""
 
@@ -71,6 +73,13 @@ class Apart:
         """Learn a name of an entry."""
         self.places.setdefault(place, set()).add(name)
 
+    def count_from_the_end(self) -> None:
+        """Give the last entry its number, which is the next one where others have names."""
+        last = self.places.pop(LAST, set())
+        if last and self.places and self.size is None:
+            self.size = max(self.places) + 2
+            self.places[self.size - 1] = last
+
     @property
     def order(self) -> tuple[str, ...]:
         """Names of all entries in their order; empty where they are not plain."""
@@ -81,8 +90,8 @@ class Apart:
         return tuple(next(iter(self.places[k])) for k in range(len(self.places)))
 
 
-def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str, ...]]:
-    """What a function does with its arguments, and the names of what it returns.
+def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str, ...], str]:
+    """What a function does with its arguments, the names of what it returns, and its text.
 
     Nothing where its text is not at hand.
     """
@@ -90,20 +99,17 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
         lines, first = inspect.getsourcelines(function)
         tree = ast.parse(textwrap.dedent("".join(lines)))
     except (OSError, TypeError, SyntaxError, ValueError, RecursionError):
-        return {}, ()
+        return {}, (), ""
     found: dict[str, Apart] = {}
     returned = []
+    parts: dict[str, tuple[str, int]] = {}  # of which argument a local name is a part, from where
     for node in ast.walk(tree):
         line = first - 1 + getattr(node, "lineno", 1)
         match node:
-            case ast.Assign(targets=[ast.Tuple() | ast.List() as target], value=value):
-                for names, mine in _unpacked(target, value):
-                    _of(found, mine).size = len(names)
-                    for place, entry in enumerate(names):
-                        _of(found, mine).give(place, entry)
-            case ast.Assign(targets=[ast.Name(id=local)], value=ast.Subscript(
-                    value=ast.Name(id=mine), slice=ast.Constant(value=int(place)))):  # fmt: skip
-                _of(found, mine).give(place, local)
+            case ast.Assign(targets=[target], value=value):
+                for one, other in _pairs(target, value):
+                    _learn(found, parts, one, _plain(other))
+        match node:
             case ast.Subscript(value=ast.Name(id=mine), slice=ast.Constant(value=str(key))):
                 _of(found, mine).keys.setdefault(key, line)
             case ast.Subscript(value=ast.Name(id=mine)):
@@ -115,20 +121,58 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).attributes.setdefault(attribute, line)
             case ast.Return(value=value) if value is not None:
                 returned.append(value)
-    return found, _names(returned[0]) if len(returned) == 1 else ()
+    for apart in found.values():
+        apart.count_from_the_end()
+    names = _names(returned[0]) if len(returned) == 1 else ()
+    return found, names, "".join(lines)
 
 
-def _unpacked(target: ast.expr, value: ast.expr) -> Iterator[tuple[list[str], str]]:
-    """Names that an assignment gives to all entries: ``a, b = q`` or ``(a, b), c = q, qd``."""
-    if not isinstance(target, ast.Tuple | ast.List):
-        return
-    if isinstance(value, ast.Name):
-        names = [part.id for part in target.elts if isinstance(part, ast.Name)]
-        if len(names) == len(target.elts):
-            yield names, value.id
-    elif isinstance(value, ast.Tuple | ast.List) and len(value.elts) == len(target.elts):
-        for one, other in zip(target.elts, value.elts, strict=True):
-            yield from _unpacked(one, other)
+def _pairs(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """What is assigned to what: ``(a, b), c = q, qd`` is two assignments."""
+    lists = ast.Tuple | ast.List
+    if isinstance(target, lists) and isinstance(value, lists):
+        if len(target.elts) == len(value.elts):
+            for one, other in zip(target.elts, value.elts, strict=True):
+                yield from _pairs(one, other)
+    else:
+        yield target, value
+
+
+def _plain(value: ast.expr) -> ast.expr:
+    """What entries are taken of: y in y.T, x[1] in x[1].item()."""
+    match value:
+        case ast.Attribute(value=inner, attr="T"):
+            return _plain(inner)
+        case ast.Call(func=ast.Attribute(value=inner, attr="item" | "copy" | "flatten" | "ravel"),
+                      args=[]):  # fmt: skip
+            return _plain(inner)
+    return value
+
+
+def _learn(
+    found: dict[str, Apart], parts: dict[str, tuple[str, int]], target: ast.expr, value: ast.expr
+) -> None:
+    """What one assignment says of the entries of an argument, or of a part of one."""
+    match target, value:
+        case ((ast.Tuple() | ast.List()), ast.Name(id=name)):
+            names = [part.id for part in target.elts if isinstance(part, ast.Name)]
+            if len(names) == len(target.elts):
+                mine, start = parts.get(name, (name, 0))
+                if name not in parts:
+                    _of(found, mine).size = len(names)
+                for place, entry in enumerate(names):
+                    _of(found, mine).give(start + place, entry)
+        case ast.Name(id=local), ast.Subscript(value=ast.Name(id=name), slice=place):
+            mine, start = parts.get(name, (name, 0))
+            match place:
+                case ast.Constant(value=int(number)):
+                    _of(found, mine).give(start + number, local)
+                case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=1)) if not start:
+                    _of(found, mine).give(LAST, local)
+                case ast.Slice(lower=lower, step=None) if lower is None or (
+                    isinstance(lower, ast.Constant) and isinstance(lower.value, int)
+                ):
+                    parts[local] = mine, start + (0 if lower is None else lower.value)
 
 
 def _of(found: dict[str, Apart], mine: str) -> Apart:

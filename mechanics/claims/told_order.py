@@ -1,0 +1,55 @@
+"""Which entry of an array is which, where a comment or a sentence tells it.
+
+    % z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
+"""
+
+import re
+
+from mechanics.claims.names import Naming
+from mechanics.claims.text.letters import plain
+from mechanics.scene.symbols import DOTS
+
+STATES = ("state", "states", "x", "y", "z", "s", "q", "st", "X", "Y")
+"""What a comment on the state is about."""
+OPENS = re.compile(r"[ \t]*(?::|=|->|\bis\b)[ \t]*(?P<list>[^\n]*)")
+STATE = r"(?i:\bstate(?:[ \t]+(?:vector|variables?))?)"
+CLOSES = re.compile(r"[\])}]|\*/|\"\"\"")
+ENTRY = re.compile(r"[^\s,;:\[\](){}]+")
+COMMENT = re.compile(r"(?://|/\*|[%#*])[^\n]*|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
+
+
+def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
+    """Names of the scene, with ``_dot``, for the entries of an array; empty where nothing tells.
+
+    Parameters
+    ----------
+    text : str
+        With its comments.
+    array : str
+    naming : Naming
+    """
+    of = [rf"(?<![\w.]){re.escape(array)}", *([STATE] if array in STATES else [])]
+    for comment in COMMENT.finditer(text):
+        for name in of:
+            for match in re.finditer(name, comment[0]):
+                opened = OPENS.match(comment[0], match.end())
+                if opened is not None and (entries := _entries(opened["list"], naming)):
+                    return entries
+    return ()
+
+
+def _entries(words: str, naming: Naming) -> tuple[str, ...]:
+    """The names that a list is made of, if these are those of a state, each once."""
+    opening = words[:1] in tuple("[({")
+    end = CLOSES.search(words, 1 if opening else 0)
+    found: list[str] = []
+    for entry in ENTRY.findall(words[: end.start()] if end else words):
+        name, dots = plain(entry.rstrip("'."))
+        target = naming.lookup(name)
+        order = 0 if target is None else target[1] + dots + entry.count("'")
+        if target is None or not naming.is_function(name) or order >= len(DOTS):
+            break
+        found.append(target[0] + DOTS[order])
+    scene = naming.vocabulary.scene
+    whole = {str(symbol) for symbol in (*scene.q, *scene.u)}
+    return tuple(found) if len(set(found)) == len(found) and set(found) >= whole else ()
