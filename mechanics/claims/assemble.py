@@ -6,6 +6,7 @@ N1 = ...                     a reaction along the motion
 T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
@@ -41,6 +42,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
 from mechanics.claims.place import Refused, line_and_column, located
+from mechanics.claims.positions import body_at
 from mechanics.claims.prose import said_of
 from mechanics.claims.sides import (
     distinct,
@@ -52,8 +54,9 @@ from mechanics.claims.sides import (
     scalar,
     shape,
 )
+from mechanics.claims.spelled_rates import key
 from mechanics.claims.statement import Letter, Reading, Statement
-from mechanics.claims.tree import Call, Name, Node
+from mechanics.claims.tree import Call, Name, Node, names
 from mechanics.claims.weight import Weight, weight
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -67,6 +70,8 @@ DEEPEST = 100
 """Levels of a line with its definitions put in."""
 
 MOST_STATEMENTS = 200
+ASSIGNED = re.compile(r"\s*\\?(\w+)\s*(?:\([^=]*\)|\[[^=]*\])?\s*=")
+"""What a line that is not read gives a value to."""
 
 SHORT = ("sin", "cos", "tan")
 """What a name alone is short for, which says nothing where it is not used."""
@@ -102,8 +107,44 @@ def assemble(
     work.learn(lines)
     for line in lines:
         work.add(line)
+    statements = _beside_unread(work.statements, lines, naming)
     matches = naming.matches(name.name for name in used(lines))
-    return Reading(tuple(work.statements), matches, (*work.remarks, *told))
+    return Reading(statements, matches, (*work.remarks, *told))
+
+
+def _beside_unread(
+    statements: Sequence[Statement], lines: Sequence[Entry], naming: Naming
+) -> tuple[Statement, ...]:
+    """The statements; what lines that are not read may define has a doubt, as relations have.
+
+    A name of the scene may be the author's own there: N = ... beside the reaction N.
+    """
+    unread = [line for line in lines if isinstance(line, Unread)]
+    given = {m[1] for line in unread if (m := ASSIGNED.match(line.source))}
+    lost = {key(name) for name in given if not naming.is_function(name)}
+
+    def doubt(found: Statement) -> str:
+        if found.doubt or found.row is None or found.letter is not None or not unread:
+            return found.doubt
+        if used := lost & _used(found.written):
+            return f"it uses {', '.join(sorted(used))}, which a line that is not read defines"
+        if isinstance(found.row.quantity, Identity):
+            return "a relation without accelerations, beside lines that are not read"
+        return ""
+
+    return tuple(replace(s, doubt=doubt(s)) for s in statements)
+
+
+def _used(written: Written | None) -> set[str]:
+    """Keys of all names that a statement uses, by its definitions, too."""
+    found: set[str] = set()
+    own = dict(written.definitions) if written is not None else {}
+    trees = [*written.sides] if written is not None else []
+    while trees:
+        new = {name.name for name in names(trees.pop())} - found
+        found |= new
+        trees += [own[name] for name in new if name in own]
+    return {key(name) for name in found}
 
 
 class _Assembly:
@@ -257,6 +298,9 @@ class _Assembly:
         short = all(isinstance(side, Call) and side.function in SHORT for side in line.sides[1:])
         if not unused or moves or gathers(line.sides[1:]) or short:
             self.remarks.append(f"{name} is taken as defined by: {line.source}")
+            return
+        if len(sides) == 1 and (body := body_at(self.scene, sides[0])):
+            self.remarks.append(f"{name} is a coordinate of {body} or its rate: {line.source}")
             return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
         tag = line.tag or str(len(self.statements) + 1)

@@ -144,12 +144,9 @@ def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str
             found.append(Match(name, meant[0] + DOTS[meant[1]], why))
     taken = taken | {match.meaning for match in found}
     free = [name for name in vocabulary.momenta if name not in taken]
-    if (
-        "p" in names - own
-        and naming.lookup("p") is None
-        and len(vocabulary.momenta) == len(free) == 1
-    ):
-        return [*found, Match("p", free[0], "the only momentum")]
+    only = [*vocabulary.momenta] if len(vocabulary.momenta) == 1 else []
+    if only and "p" in names - own and naming.lookup("p") is None:
+        return [*found, Match("p", only[0], "the only momentum")]
     numbered = sorted(name for name in names if MOMENTUM.fullmatch(name))
     return [*found, *_pairs(numbered, free, [(_same_number, "a momentum, the same number")])]
 

@@ -11,10 +11,12 @@ from mechanics.claims.columns import with_columns
 from mechanics.claims.definitions import apart, definitions, momenta, own, turned, used
 from mechanics.claims.guess import guess
 from mechanics.claims.laws import without_laws
-from mechanics.claims.lines import Entry
+from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Match, Naming
+from mechanics.claims.partials import canonical
 from mechanics.claims.sines import with_sines
 from mechanics.claims.text.elements import with_states
+from mechanics.claims.tree import Name, Node
 from mechanics.scene.symbols import DOTS
 
 Read = Callable[[Naming], Sequence[Entry]]
@@ -44,5 +46,27 @@ def named(read: Read, naming: Naming) -> tuple[Naming, list[Entry]]:
 
 
 def _lines(read: Read, naming: Naming) -> list[Entry]:
-    lines = turned(apart(read(naming), naming), naming)
+    whole = [
+        replace(line, sides=_without_determinant(line)) if isinstance(line, Line) else line
+        for line in read(naming)
+    ]  # fmt: skip
+    lines = turned(apart(whole, naming), naming)
+    own = {*definitions(lines, naming), *(_left(line) for line in lines)}
+    lines = [
+        replace(line, sides=tuple(canonical(s, naming, own) for s in line.sides))
+        if isinstance(line, Line) else line
+        for line in lines
+    ]  # fmt: skip
     return with_columns(with_sines(lines, naming), naming)
+
+
+def _without_determinant(line: Line) -> tuple[Node, ...]:
+    r"""The sides without ``\det M`` between a name and what it is: D = \det M = a c - b^2."""
+    kept = tuple(s for s in line.sides if not (isinstance(s, Name) and s.name.startswith("det(")))
+    return kept if len(kept) > 1 else line.sides
+
+
+def _left(line: Entry) -> str:
+    """The name that stands alone on the left side of an equation."""
+    left = line.sides[0] if isinstance(line, Line) and len(line.sides) > 1 else None
+    return left.name if isinstance(left, Name) else ""

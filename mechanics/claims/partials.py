@@ -3,12 +3,15 @@ r"""Partial derivatives, as in Lagrange's and Hamilton's equations.
 d/dt (dL/dq') - dL/dq = Q        q, q' and the momenta count as independent of each other
 """
 
+from collections.abc import Container
+
 from sympy import Expr, Matrix, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused
-from mechanics.claims.tree import Call, Name, Node, parts
+from mechanics.claims.tree import Call, Name, Node, ended, negative, parts, with_parts
+from mechanics.scene import Gravity, Spring
 
 PARTIAL = "partial"
 
@@ -46,6 +49,47 @@ def partial_value(value: Expr, by: Expr | MatrixBase, at: int) -> Expr | MatrixB
         )
     found = [value.diff(entry) for entry in entries]
     return Matrix(found) if isinstance(by, MatrixBase) else found[0]
+
+
+def canonical(node: Node, naming: Naming, own: Container[str]) -> Node:
+    """Partial derivatives of an L or H that the text does not define, which is the scene's.
+
+    dL/dq' = p, dH/dp = q'; where nothing but a potential acts, dL/dq = p' and dH/dq = -p', too.
+    """
+    if isinstance(node, Call) and node.function == PARTIAL:
+        of, by = node.arguments
+        known = isinstance(of, Name) and (naming.knows(of.name) or of.name in own)
+        if not known and isinstance(of, Name) and of.name in CONJUGATE and isinstance(by, Name):
+            return _conjugate(of.name, by, naming) or node
+    inside = parts(node)
+    new = tuple(canonical(part, naming, own) for part in inside)
+    return node if new == inside else ended(with_parts(node, new), node.end)
+
+
+CONJUGATE = ("L", "H")
+
+
+def _conjugate(letter: str, by: Name, naming: Naming) -> Node | None:
+    """What the partial derivative of L or H is along a motion; None where that is open."""
+    scene, target = naming.vocabulary.scene, naming.target(by.name)
+    if target is None:
+        only = tuple(naming.vocabulary.momenta) if by.name == "p" else ()
+        target = (only[0], 0) if len(only) == 1 else naming.momentum(by.name)
+    if scene.speeds or target is None:
+        return None
+    name, order = target[0], target[1] + by.order
+    if letter == "H" and name in naming.vocabulary.momenta and order == 0:
+        return Name(by.at, name.removeprefix("p_"), 1)
+    if name not in {q.name for q in scene.q}:
+        return None
+    momentum = f"p_{name}"
+    if letter == "L" and order == 1:
+        return Name(by.at, momentum)
+    alone = not scene.inputs and all(isinstance(x, Gravity | Spring) for x in scene.loads)
+    if order != 0 or not alone or scene.constraints:
+        return None
+    rate = Name(by.at, momentum, 1)
+    return rate if letter == "L" else negative(rate)
 
 
 def undifferentiated(node: Node) -> set[str]:

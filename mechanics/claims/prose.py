@@ -34,6 +34,23 @@ _AFTER = (
 )
 
 
+ENERGY = re.compile(
+    r"\b(?:(?P<kinetic>kinetic)|(?P<potential>potential)|(?:total|mechanical)) energy"
+    r"(?: (?:of|in) (?:the |this |our )?[\w ]{1,24}?)?"
+    r"(?: is| reads| becomes| equals|:| =)\s*(?:\$|\\\()?\s*$",
+    re.IGNORECASE,
+)
+"""What an expression without a letter is called before it."""
+
+
+def energy_before(text: str, at: int) -> str:
+    """The letter of the energy that words before a place in a text say stands there; else empty."""
+    match = ENERGY.search(" ".join(text[max(0, at - 80) : at].split()) + " ")
+    if match is None:
+        return ""
+    return "T" if match["kinetic"] else "V" if match["potential"] else "E"
+
+
 EQUILIBRIUM = re.compile(r"equilibri|stationary (?:point|solution)|fixed point", re.IGNORECASE)
 AWAY = re.compile(
     r"\b(?:no|not(?: an?| the| in| at)?|never|nor|neither|without|away from|far from|out of|non)"

@@ -1,6 +1,6 @@
 """Which entry of an array is which, where a comment or a sentence tells it.
 
-    % z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
+% z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
 """
 
 import re

@@ -6,11 +6,13 @@
 Code in Python is only run where that is allowed.
 """
 
+import inspect
 import json
 from pathlib import Path
 from types import FunctionType
 from typing import Any
 
+from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 
@@ -78,8 +80,16 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
     return names[chosen]
 
 
+def _placeholders(kind: type) -> dict[str, Unsaid]:
+    """Numbers for what an object is made with, for which the scene's parameters are to stand."""
+    parameters = list(inspect.signature(kind).parameters.values())
+    named = [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD]
+    required = [p.name for p in parameters if p.default is p.empty and p.name in named]
+    return {name: Unsaid(1.5 + k * 0.37) for k, name in enumerate(required)}
+
+
 def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """Methods of the last class, of an object that is made without arguments."""
+    """Methods of the last class, of an object that is made with numbers that nobody said."""
     classes = [v for v in names.values() if isinstance(v, type) and v.__module__ == "submission"]
     if not classes:
         return names, []
@@ -87,7 +97,7 @@ def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[st
     if not own:
         return names, []
     try:
-        made = classes[-1]()
+        made = classes[-1](**_placeholders(classes[-1]))
     except Exception as error:
         words = f"{classes[-1].__name__}() ends in {type(error).__name__}: {error}"
         raise InputError(f"file {path}: {words}: have a function, or values for all") from None

@@ -16,7 +16,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.unpacking import Apart, Record
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming
-from mechanics.claims.spelled_rates import key
+from mechanics.claims.spelled_rates import bases, key
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
@@ -32,6 +32,7 @@ PARAMETERS = ("p", "params", "parameters", "args", "theta", "constants")
 SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
 """What an angular speed is called."""
 
+NUMBER = re.compile(r"\d+$")
 MOST = 6
 """Names that a message tells."""
 
@@ -220,22 +221,25 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
             )
         return Record(tuple(asked), tuple(symbols), not apart.keys)
     found = _with_rates([naming.lookup(entry) for entry in apart.order])
+    if None in found:
+        found = _by_spelling(naming, apart.order)
     if len(found) < 2 or None in found or len(set(found)) < len(found):
         return ()
     bases = {target[0] for target in found if target is not None}
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
     constants = naming.vocabulary.constants
     moving = naming.vocabulary.functions.keys() - inputs
-    symbols = tuple(
-        constants[base] if base in constants else Symbol(base + DOTS[order], real=True)
-        for base, order in found
-    )
+    known_entries = tuple(
+        constants[target[0]] if target[0] in constants
+        else Symbol(target[0] + DOTS[target[1]], real=True)
+        for target in found if target is not None
+    )  # fmt: skip
     scene = naming.vocabulary.scene
-    whole = set(symbols) >= {*scene.q, *scene.u}
+    whole = set(known_entries) >= {*scene.q, *scene.u}
     alike = bases <= inputs or bases <= constants.keys() or bases <= moving
     if not (apart.fields or whole or alike):
         return ()  # q, u = z takes a state apart, whatever the scene calls q and u
-    return symbols
+    return known_entries
 
 
 def _with_rates(found: Sequence[tuple[str, int] | None]) -> list[tuple[str, int] | None]:
@@ -246,6 +250,41 @@ def _with_rates(found: Sequence[tuple[str, int] | None]) -> list[tuple[str, int]
         target if target is None or k == found.index(target) else (target[0], target[1] + 1)
         for k, target in enumerate(found)
     ]
+
+
+def _by_spelling(naming: Naming, order: Sequence[str]) -> list[tuple[str, int] | None]:
+    """``th1, th1d, th2, th2d = y``: names of a state of which some are the rates of others.
+
+    Those that are no name of the scene are its coordinates of the same number, or the one left.
+    """
+    keys = {key(name): name for name in order}
+    rate_of = {
+        name: keys[base]
+        for name in order
+        for base, dots in bases(name) if dots == 1 and base in keys and keys[base] != name
+    }  # fmt: skip
+    first = [name for name in order if name not in rate_of]
+    coordinates = [q.name for q in naming.vocabulary.scene.q]
+    if len(first) != len(coordinates) or {*rate_of.values()} != {*first}:
+        return []
+    meant: dict[str, str] = {}
+    for name in first:
+        target = naming.lookup(name)
+        number = NUMBER.search(name)
+        fits = [q for q in coordinates if number and q.endswith(number[0])]
+        if target is not None and target[1] == 0 and target[0] in coordinates:
+            meant[name] = target[0]
+        elif target is None and len(fits) == 1:
+            meant[name] = fits[0]
+    left = [name for name in first if name not in meant]
+    free = [q for q in coordinates if q not in meant.values()]
+    if len(left) == len(free) == 1:
+        meant[left[0]] = free[0]
+    return [
+        (meant[name], 0) if name in meant else (meant[rate_of[name]], 1)
+        if rate_of.get(name) in meant else None
+        for name in order
+    ]  # fmt: skip
 
 
 def _contradicted(

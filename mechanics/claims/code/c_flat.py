@@ -92,11 +92,11 @@ def _only_read(function: Any) -> None:
     """Say const of pointers that are only read."""
     for parameter in _parameters(function.decl):
         kind = parameter.type
-        if isinstance(kind, c_ast.PtrDecl | c_ast.ArrayDecl) and isinstance(
-            kind.type, c_ast.TypeDecl
-        ):
-            if "const" not in kind.type.quals and not use_of(function.body, parameter.name).written:
-                kind.type.quals = [*kind.type.quals, "const"]
+        pointer = isinstance(kind, c_ast.PtrDecl | c_ast.ArrayDecl)
+        if not pointer or not isinstance(kind.type, c_ast.TypeDecl):
+            continue
+        if "const" not in kind.type.quals and not use_of(function.body, parameter.name).written:
+            kind.type.quals = [*kind.type.quals, "const"]
 
 
 def _below(node: Any) -> Iterator[Any]:

@@ -26,6 +26,8 @@ WORDS = (
     (r"\bstd\s*::\s*", ""),
     (r"\bEigen\s*::\s*", ""),
     (r"\bVector([2-6])d\b", r"array<double, \1>"),
+    (r"\bVectorXd\b", "vector<double>"),
+    (r"\bMatrix\s*<\s*(double|float)\s*,\s*(\w+)\s*,\s*1\s*>", r"array<\1, \2>"),
     (r"\bstatic\s+constexpr\b|\bconstexpr\b", "const"),
     (r"\bnoexcept\b|\binline\b|\[\[\w+\]\]|\boverride\b", ""),
     (r"\bstatic_cast\s*<\s*(double|float)\s*>", r"(\1)"),

@@ -36,6 +36,13 @@ ACC = re.compile(r"_?acc$")
 TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")
 """What people put before and behind the name of what a function returns."""
 ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
+SHORT = {
+    "e": "energy", "ke": "kinetic energy", "pe": "potential energy", "kinetic": "kinetic energy",
+    "potential": "potential energy", "e tot": "energy", "e kin": "kinetic energy",
+    "e pot": "potential energy",
+}  # fmt: skip
+MASSES = ("mass", "mass matrix", "inertia", "inertia matrix", "m")
+"""Names of functions that fill a square matrix."""
 
 MOST_ORDERED = 3
 """Outputs whose orders are tried."""
@@ -100,8 +107,8 @@ def claims(
 
 
 def _without_held(
-    scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]
-) -> tuple[Sequence[Expr], Sequence[Expr]]:
+    scene: Scene, state: Sequence[Expr], entries: list[Expr]
+) -> tuple[list[Expr], list[Expr]]:
     """The state and its rates without what is appended to it and held: an input, a parameter."""
     moving = [symbol in (*scene.q, *scene.u) for symbol in state]
     held = [e for e, moves in zip(entries, moving, strict=False) if not moves]
@@ -110,7 +117,7 @@ def _without_held(
     return [symbol for symbol, moves in zip(state, moving, strict=True) if moves], entries
 
 
-def named_by_title(title: str, count: int) -> str | None:
+def named_by_title(title: str, count: int, size: int) -> str | None:
     """What a function returns by its own name, potential_energy; None where that does not tell.
 
     Parameters
@@ -118,11 +125,15 @@ def named_by_title(title: str, count: int) -> str | None:
     title : str
     count : int
         How many numbers it returns.
+    size : int
+        How many speeds the scene has.
     """
     plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
     words = TITLE.sub("", plain).strip("_").replace("_", " ")
+    if count == size * size > 1 and words in MASSES:
+        return "mass matrix"
     named = (name for name in ENERGIES if f" {words}".endswith(f" {name.lower()}"))
-    return next(named, None) if count == 1 else None
+    return SHORT.get(words) or next(named, None) if count == 1 else None
 
 
 def taken_otherwise(
@@ -252,7 +263,11 @@ def _asked(naming: Naming, values: Sequence[Matrix], about: str) -> list[Claim]:
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     quantity = named_quantity(about)
     if isinstance(quantity, MassMatrix):
-        return [("mass matrix", quantity, (value,)) for value in values]
+        size = len(naming.vocabulary.scene.u)
+        flat = [
+            value.reshape(size, size) if len(value) == size * size else value for value in values
+        ]
+        return [("mass matrix", quantity, (value,)) for value in flat]
     found: list[Claim] = []
     for value in values:
         for entry in value:

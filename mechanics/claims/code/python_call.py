@@ -15,6 +15,7 @@ from mechanics.claims.code.arguments import named_entries
 from mechanics.claims.code.closure_numbers import called_by, held, owner_of
 from mechanics.claims.code.computed_numbers import derived
 from mechanics.claims.code.containers import is_number
+from mechanics.claims.code.objects import attributes
 from mechanics.claims.code.unpacking import Apart, in_python
 from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import key
@@ -22,6 +23,10 @@ from mechanics.errors import InputError
 
 MOST = 8
 """Numbers that are told."""
+
+
+class Unsaid(float):
+    """A number that an object is made with because it wants one: a parameter stands for it."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,13 @@ def signature_of(
         elif is_number(default):
             kept.append(f"{name} = {default}")
     standing, numbers, others = _standing(function, naming, names)
+    if others and any(isinstance(v, Unsaid) for v in attributes(owner_of(function)[1]).values()):
+        asked = [other.split(" = ")[0] for other in others]
+        options = " ".join(f"--name '{name}=...'" for name in asked)
+        raise InputError(
+            f"{title}: nothing says what {', '.join(asked)} of its object are: give {options}"
+            f" (names=), or make the object with numbers"
+        )
     remarks = [
         *([f"{title}: {', '.join(freed)}: read as the scene's, for all values, not the default"]
           if freed else []),

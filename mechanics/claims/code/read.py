@@ -302,7 +302,13 @@ def _read(
     scalars = [n for n in wanted if n not in given and sizes[n] in (None, 1) and n not in parted]
     open_names = [Name(0, n) for n in scalars if n not in STEPS]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
-    arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
+    try:
+        arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
+    except InputError as error:
+        try:  # x, x_dot, theta, theta_dot: what the code calls entries may fit this order only
+            arguments = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
+        except InputError:
+            raise error from None
     outputs = run(arguments)
     told = set(arguments.state) and any(
         m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
@@ -314,7 +320,9 @@ def _read(
             arguments, outputs = other, again
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
-    about = about or named_by_title(title, sum(len(value) for value in outputs.values))
+    about = about or named_by_title(
+        title, sum(len(value) for value in outputs.values), len(scene.u)
+    )
     found = claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)

@@ -196,8 +196,17 @@ MATH: dict[str, Any] = {
     "hypot": _hypot,
 }
 LINEAR = {"numpy.linalg": linear_systems.NUMPY, "scipy.linalg": linear_systems.SCIPY}
+CASADI: dict[str, Any] = {
+    **{name: NUMPY[name] for name in ELEMENTARY if name in NUMPY},
+    **{short: NUMPY[long] for short, long in ALIASES.items() if long in NUMPY},
+    "pi": PI, "fabs": NUMPY.get("fabs", abs), "atan2": NUMPY["arctan2"],
+    "vertcat": lambda *parts: np.concatenate([np.atleast_1d(np.asarray(p, object)) for p in parts]),
+    "horzcat": lambda *parts: np.array([parts], dtype=object),
+    "mtimes": np.dot, "solve": linear_systems.NUMPY["solve"], "inv": linear_systems.NUMPY["inv"],
+}  # fmt: skip
+"""Of CasADi on numbers; its own symbols are those of a `Function`."""
 MODULES: dict[str, dict[str, Any]] = {
-    "math": MATH, "numpy": NUMPY, "scipy": {}, **LINEAR,
+    "math": MATH, "numpy": NUMPY, "scipy": {}, "casadi": CASADI, **LINEAR,
 }  # fmt: skip
 
 

@@ -105,10 +105,9 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
     parts: dict[str, tuple[str, int]] = {}  # of which argument a local name is a part, from where
     for node in ast.walk(tree):
         line = first - 1 + getattr(node, "lineno", 1)
-        match node:
-            case ast.Assign(targets=[target], value=value):
-                for one, other in _pairs(target, value):
-                    _learn(found, parts, one, _plain(other))
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            for one, other in _pairs(node.targets[0], node.value):
+                _learn(found, parts, one, _plain(other))
         match node:
             case ast.Subscript(value=ast.Name(id=mine), slice=ast.Constant(value=str(key))):
                 _of(found, mine).keys.setdefault(key, line)
@@ -172,7 +171,8 @@ def _learn(
                 case ast.Slice(lower=lower, step=None) if lower is None or (
                     isinstance(lower, ast.Constant) and isinstance(lower.value, int)
                 ):
-                    parts[local] = mine, start + (0 if lower is None else lower.value)
+                    begins = lower.value if isinstance(lower, ast.Constant) else 0
+                    parts[local] = mine, start + (begins if isinstance(begins, int) else 0)
 
 
 def _of(found: dict[str, Apart], mine: str) -> Apart:

@@ -11,7 +11,7 @@ from mechanics.claims.arguments import at_one_time, told
 from mechanics.claims.columns import DIAGONAL, crossed, dependent, diagonal, stacked
 from mechanics.claims.dimension import OF_ANY, arguments, first_with_name
 from mechanics.claims.functions import FUNCTIONS, INVERSES
-from mechanics.claims.latex.item import Item, rate_of
+from mechanics.claims.latex.item import DETERMINANT, Item, rate_of
 from mechanics.claims.latex.vectors import CROSS, DEPENDS, is_time, vectors
 from mechanics.claims.names import Naming
 from mechanics.claims.partials import partial_of
@@ -159,6 +159,8 @@ class Fold:
             return stacked(item.at, item.arguments)
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")
+        if isinstance(node, Name) and node.name == DETERMINANT and queue:
+            return self._determinant(node, queue)
         if isinstance(node, Name) and queue and is_time(queue[0]):
             return self._of_time(node, queue)
         if isinstance(node, Name) and queue and queue[0].kind == "bracket":
@@ -196,6 +198,15 @@ class Fold:
         if bracket.power is not None:
             return ended(Power(node.at, named, bracket.power), bracket.end)
         return ended(named, bracket.end)
+
+    def _determinant(self, node: Name, queue: list[Item]) -> Node:
+        r"""``\det(M)`` and ``\det M``, which the text may define: a name of its own."""
+        of = queue[0].node
+        if not isinstance(of, Name) or self.naming.knows(DETERMINANT):
+            return node
+        head = queue.pop(0)
+        named = ended(Name(node.at, f"{DETERMINANT}({of.name})"), head.end)
+        return named if head.power is None else ended(Power(node.at, named, head.power), head.end)
 
     def _dependent(self, node: Name, queue: list[Item]) -> Node:
         r"""A name before ``(q, \dot q)``: it depends on these, or is a factor."""

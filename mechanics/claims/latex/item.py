@@ -82,6 +82,10 @@ _FONTS = (
 )  # fmt: skip
 
 
+DETERMINANT = "det"
+"""A command that is no letter; what stands behind it is a matrix."""
+
+
 def letter_of(command: str) -> str:
     """The name of a letter that a command prints: ``varphi`` gives ``phi``."""
     name = command.removeprefix("var")

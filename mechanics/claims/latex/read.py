@@ -8,6 +8,7 @@ from the one before.
 """
 
 import re
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 
@@ -29,7 +30,8 @@ from mechanics.claims.latex.vectors import applied
 from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
-from mechanics.claims.tree import Node, move
+from mechanics.claims.prose import energy_before
+from mechanics.claims.tree import Name, Node, ended, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
@@ -56,7 +58,11 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     try:
         clean = prepared(text)
         every = blocks(clean)
-        spans = [b for b in every if not b.inline or claims(clean[b.start : b.end])]
+        called = {b.start: energy_before(clean, b.start) for b in every if b.inline}
+        spans = [
+            b for b in every
+            if not b.inline or called[b.start] or claims(clean[b.start : b.end])
+        ]  # fmt: skip
         bounded_mathematics(sum(block.end - block.start for block in spans), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
@@ -65,6 +71,10 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
         source = " ".join(text[block.start : block.end].split())
         try:
             whole = clean if block.inline else without_boxes(clean, block.start, block.end)
+            letter = called.get(block.start, "")
+            if letter and not claims(clean[block.start : block.end]):
+                found += _called(whole, text, block, naming, origin, letter)
+                continue
             found += _entries(whole, text, block, naming, origin)
         except Refused as reason:
             words = located(text, reason.at, reason.words, origin)
@@ -104,6 +114,19 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
         elif len(entry.sides) > 1:
             found.append(entry)
     return found
+
+
+def _called(
+    clean: str, text: str, block: Block, naming: Naming, origin: str, letter: str
+) -> list[Entry]:
+    """``kinetic energy: $m v^2/2$``: an expression by the name that the words before it give."""
+    lines = _block(clean[block.start : block.end], text, block.start, naming, origin)
+    if naming.knows(letter) or not all(isinstance(n, Line) and len(n.sides) == 1 for n in lines):
+        return []
+    return [
+        replace(line, sides=(ended(Name(line.at, letter), line.at), *line.sides))
+        for line in lines if isinstance(line, Line)
+    ]  # fmt: skip
 
 
 def _claim_or_value(entry: Entry, naming: Naming) -> Entry:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from lark import Token
 
 from mechanics.claims.functions import FUNCTIONS
-from mechanics.claims.latex.item import Item, bare, letter_of
+from mechanics.claims.latex.item import DETERMINANT, Item, bare, letter_of
 from mechanics.claims.lines import PRODUCT
 from mechanics.claims.names import GREEK, Naming
 from mechanics.claims.place import Refused
@@ -78,7 +78,7 @@ class Words:
         letter = letter_of(command)
         if text == SUM and not sub:
             return [Item("sum", at)]
-        if letter not in GREEK and letter != "l":
+        if letter not in GREEK and letter not in ("l", DETERMINANT):
             raise Refused(at, f"the command {text} is not known here")
         if letter == "pi" and not sub and not self.naming.knows("pi"):
             return [Item("node", at, Call(at, "pi", ()))]

@@ -7,7 +7,8 @@ function dz = f(t, z, p)        parameter Real J = m*l^2 "inertia";    ->    J =
 import re
 
 HEADER = re.compile(
-    r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*(?:function|model|class|block|within)\b[^\n]*(?=\n)",
+    r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*"
+    r"(?:function|model|class|block|within)\b[^\n]*(?=\n)",
     re.MULTILINE,
 )
 DECLARED = re.compile(

@@ -426,7 +426,11 @@ def _told(
     if isinstance(line.sides[0], Table) and isinstance(line.sides[1], Table):
         return _without_names(line, naming, found)
     for one, other in (line.sides, line.sides[::-1]):
-        if not isinstance(one, Name) or not isinstance(other, Name) or other.name not in found:
+        if not isinstance(one, Name) or not isinstance(other, Name):
+            continue
+        if other.name not in found:
+            if naming.is_function(one.name) is False and ELEMENT.fullmatch(other.name):
+                return Aside(f"{line.source[:60]}: the value of a parameter is not used", line.at)
             continue
         target = naming.lookup(one.name)
         order = target[1] + one.order if target is not None else len(DOTS)

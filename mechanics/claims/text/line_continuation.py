@@ -20,10 +20,13 @@ NUMBERED = re.compile(
 )
 LABELLED = re.compile(
     r"^[ \t]*(?:(?:\(?\d{1,2}[a-z]?\)|[*\u2022])[ \t]+(?=[^-+*/^=\s][^\n]*=)"
-    r"|[^\W\d]\w{0,20}[ \t]*:(?=[ \t]+\S[^\n]*=))",
+    r"|[^\W\d]\w{0,20}(?:[ \t]+[^\W\d]\w{0,20}){0,3}[ \t]*:(?=[ \t]+\S[^\n]*=)"
+    r"|(?=[^\n=]*\b(?:the|has|have|is|are|we|of|for|then|so|get|find)\b)"
+    r"(?:[^\W\d_]{2,20}[ \t]+){3,12}"
+    r"(?=[^\W\d]\w*[ \t]*=))",
     re.MULTILINE,
 )
-"""A number, a name or a mark before an equation."""
+"""A number, a name, words or a mark before an equation."""
 DECIMAL = re.compile(r"\d,\d")
 BEGINS = re.compile(r"[ \t]*(?:(?P<sign>[-+*/\u2212])|=)")
 ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")

@@ -17,10 +17,10 @@ from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_cons
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.assignments import in_sequence
+from mechanics.claims.text.declarations import has_columns, operators
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import Nodes
-from mechanics.claims.text.declarations import has_columns, operators
 from mechanics.claims.text.prepare import prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
 from mechanics.claims.tree import Name, ended
