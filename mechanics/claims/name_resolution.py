@@ -15,6 +15,7 @@ from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Match, Naming
 from mechanics.claims.partials import canonical
 from mechanics.claims.sines import with_sines
+from mechanics.claims.spelled_rates import key
 from mechanics.claims.text.elements import with_states
 from mechanics.claims.tree import Name, Node
 from mechanics.scene.symbols import DOTS
@@ -53,11 +54,19 @@ def _lines(read: Read, naming: Naming) -> list[Entry]:
     lines = turned(apart(whole, naming), naming)
     own = {*definitions(lines, naming), *(_left(line) for line in lines)}
     lines = [
-        replace(line, sides=tuple(canonical(s, naming, own) for s in line.sides))
+        replace(line, sides=_once([canonical(s, naming, own) for s in line.sides]))
         if isinstance(line, Line) else line
         for line in lines
     ]  # fmt: skip
     return with_columns(with_sines(lines, naming), naming)
+
+
+def _once(sides: list[Node]) -> tuple[Node, ...]:
+    """The sides without a second one that is the first name: p = dL/dq' = m q', where dL/dq' is p."""
+    first, *rest = sides
+    name = (key(first.name), first.order) if isinstance(first, Name) else None
+    kept = [s for s in rest if not (isinstance(s, Name) and (key(s.name), s.order) == name)]
+    return (first, *kept) if kept else tuple(sides)
 
 
 def _without_determinant(line: Line) -> tuple[Node, ...]:

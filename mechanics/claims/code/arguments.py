@@ -97,7 +97,7 @@ def arguments_of(
     told = {n: m for n, m in given.items() if naming.vocabulary.target(m) is not None}
     aware = replace(naming, given={**naming.given, **told})
     # x[2] is no coordinate x, whatever the scene calls x.
-    parted = {n for n, known in (apart or {}).items() if known.vector}
+    parted = {n for n, known in (apart or {}).items() if known.vector or (known.size or 0) > 1}
     vectors = [n for n in names if n not in given and (n in parted or not naming.knows(n))]
     groups = _groups(scene, names, vectors, sizes, interleaved)
     values: dict[str, Value] = {}

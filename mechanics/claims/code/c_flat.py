@@ -73,7 +73,7 @@ def _parameters(declaration: Any) -> list[Any]:
 
 
 def _without_idle(function: Any) -> None:
-    """Leave out arguments without a name, and integers that are not used."""
+    """Leave out arguments without a name, and numbers that are not used."""
     arguments = function.decl.type.args
     if arguments is None or not all(isinstance(p, KINDS) for p in arguments.params):
         return
@@ -83,7 +83,7 @@ def _without_idle(function: Any) -> None:
         words = getattr(getattr(parameter.type, "type", None), "names", None)
         if not getattr(parameter, "name", None):
             return words != ["void"]
-        return words is not None and "double" not in words and parameter.name not in used
+        return words is not None and parameter.name not in used
 
     arguments.params = [p for p in arguments.params if not idle(p)]
 

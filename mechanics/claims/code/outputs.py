@@ -30,7 +30,7 @@ from mechanics.scene.rates import rate_table
 
 Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 
-ACC = re.compile(r"_?acc$")
+ACC = re.compile(r"_?[aA]cc$")
 """Ends the name of an acceleration; in a text such a name is one of the author's own."""
 
 TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")

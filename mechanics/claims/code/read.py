@@ -308,7 +308,10 @@ def _read(
         try:  # x, x_dot, theta, theta_dot: what the code calls entries may fit this order only
             arguments = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
         except InputError:
-            raise error from None
+            state = _state_by_rates(naming, wanted, sizes, given, apart, run)
+            if state is None:
+                raise error from None
+            arguments = state
     outputs = run(arguments)
     told = set(arguments.state) and any(
         m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
@@ -331,6 +334,30 @@ def _read(
         for k, claim in enumerate(found)
     )
     return Reading(statements, arguments.matches, ())
+
+
+def _state_by_rates(
+    naming: Naming, wanted: Sequence[str], sizes: Mapping[str, int | None],
+    given: Mapping[str, str], apart: Mapping[str, Apart], run: Run,
+) -> Arguments | None:  # fmt: skip
+    """The arguments where a vector that nothing explains is a state, as the rates returned show."""
+    scene = naming.vocabulary.scene
+    blocks = [*scene.q, *scene.u]
+    pairs = [symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair]
+    for name, known in apart.items():
+        if not known.vector or name in given or sizes[name] not in (None, len(blocks)):
+            continue
+        for order in (blocks, pairs):
+            meant = {**given, name: " ".join(map(str, order))}
+            try:
+                found = arguments_of(naming, wanted, sizes, meant, apart=apart)
+                outputs = run(found)
+            except InputError:
+                continue
+            count = sum(len(value) for value in outputs.values)
+            if count == len(order) and in_order(scene, outputs.values, found.state):
+                return found
+    return None
 
 
 def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:

@@ -36,6 +36,8 @@ JULIA = re.compile(
     r"|\b[SM](?:Vector|Matrix)(?:\{[^{}\n]*\})?(?=\()|(?<=\w)::[\w{}]+"
 )
 """Kinds of arrays."""
+LIST = re.compile(r"\b[SM]Vector(?:\{[^{}\n]*\})?\(([^()\[\]\n]*,[^()\[\]\n]*)\)")
+"""An array by its entries."""
 BRACKETS = re.compile(r"\w\[[ \t]*\d+[ \t]*\]|@[SM]Vector\b|\bSA\[")
 """What Julia has and MATLAB has not: there [a, b] is a column."""
 VIEW = re.compile(r"\bview\((\w+),[ \t]*(\w+:\w+)\)")
@@ -85,6 +87,7 @@ def has_columns(text: str) -> bool:
 def without_declarations(text: str) -> str:
     """The text of a function or model with blanks for its head, its end and what it declares."""
     if HEADER.search(text):
+        text = LIST.sub(lambda m: f"[{m[1]}]".rjust(len(m[0])), text)
         text = JULIA.sub(lambda m: " " * len(m[0]), text)
     text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
     if "~" in text:

@@ -241,7 +241,7 @@ def _meanings(
 ) -> dict[str, tuple[str, str]]:  # fmt: skip
     """What the entries of an array mean, and those of its rate, by name."""
     scene = naming.vocabulary.scene
-    used = arrays[array] | arrays.get(rate, set())
+    used = arrays[array] | arrays.get(rate, set()) | _listed(lines, rate, 0 in arrays[array])
     if scene.speeds:
         return _of_speeds(scene, array, rate, used)
     first = 0 if 0 in used else 1
@@ -270,6 +270,15 @@ def _meanings(
         if rate and order_of + 1 < len(DOTS):
             found[f"{rate}{of_rate[0]}{place}{of_rate[1]}"] = base + DOTS[order_of + 1], why
     return found
+
+
+def _listed(lines: Sequence[Entry], rate: str, from_zero: bool) -> set[int]:
+    """Places of what is listed as a rate: dxdt = [v; a]."""
+    for line in lines:
+        if isinstance(line, Line) and len(line.sides) == 2 and isinstance(line.sides[0], Name):
+            if line.sides[0].name == rate and (cells := _cells(line.sides[1])):
+                return {i + (not from_zero) for i in range(len(cells))}
+    return set()
 
 
 def _of_speeds(
