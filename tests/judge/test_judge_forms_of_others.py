@@ -156,6 +156,85 @@ CASES = {
         r"\[ E = \frac12 m(\dot r^2 + r^2\dot\theta^2) - \frac{m\mu}{r} \]",
         r"- \frac{m\mu}{r}", r"+ \frac{m\mu}{r}",
     ),
+    "the potential of a force between bodies": (
+        "springs.py", "table", "txt", "V = 1/2*k*x^2 + 1/2*k*(x - y)^2", "(x - y)", "(x + y)",
+    ),
+    "types and strings of Modelica": (
+        PLANAR, "pendulum", "txt",
+        'model P "a pendulum"\n  type Angle = Real(unit="rad");\n'
+        "  parameter Real m = 1, l = 2;\n  parameter Real J = m*l^2 \"inertia\";\n"
+        "  Angle theta(start=1) \"angle\";\n  Real w;\ninitial equation\n  theta = 1;\n"
+        "equation\n  w = der(theta);\n  J*der(w) = -m*g*l*sin(theta) \"moments\";\nend P;\n",
+        "-m*g*l", "m*g*l^2",
+    ),
+    "kinds of arrays and fields in Julia": (
+        PLANAR, "cart_pole_bottom", "txt",
+        "function dynamics(model::Cartpole, x, u)\n    s, c = sincos(x[2])\n"
+        "    H = @SMatrix [model.m_c+model.m_p model.m_p*model.l*c; model.m_p*model.l*c"
+        " model.m_p*model.l^2]\n"
+        "    C = @SMatrix [0.0 -model.m_p*x[4]*model.l*s; 0.0 0.0]\n"
+        "    G = @SVector [0.0, model.m_p*model.g*model.l*s]\n"
+        "    qdd = SVector{2}(H\\([u[1], 0] - C*view(x, 3:4) - G))\n"
+        "    return @SVector [x[3], x[4], qdd[1], qdd[2]]\nend\n",
+        "[u[1], 0]", "[2*u[1], 0]",
+    ),
+    "arguments of C without names and pointers that are only read": (
+        PLANAR, "damped_pendulum", "c",
+        "#include <math.h>\nvoid f(double *y, double , int n, double u, double m, double l,"
+        " double b, double g, double *out)\n{\n  out[1] = (u - b*y[1])/(m*l*l);\n"
+        "  out[1] = out[1] - g/l*sin(y[0]);\n  out[0] = y[1];\n}\n",
+        "- g/l", "+ g/(l*l)",
+    ),
+    "the order that a comment tells": (
+        "carts.py", "upright", "c",
+        "#include <math.h>\n// w: x, x', theta, theta'\n"
+        "void f(double u, double *w, double *a, double M, double m, double l, double g)\n{\n"
+        "  double s = sin(w[2]), c = cos(w[2]), D = M + m*s*s;\n"
+        "  a[0] = (u + m*l*s*w[3]*w[3] - m*g*s*c)/D;\n"
+        "  a[1] = (-u*c - m*l*s*c*w[3]*w[3] + (M + m)*g*s)/(l*D);\n}\n",
+        "- m*l*s*c", "+ m*l*s*c",
+    ),
+    "an object made with parameters": (
+        PLANAR, "damped_pendulum", "py",
+        "from math import sin\nclass Pendulum:\n    def __init__(self, m, l, b, g):\n"
+        "        self.m, self.l, self.b, self.g = m, l, b, g\n        self.J = m*l**2\n"
+        "    def rhs(self, x, u):\n        th, om = x\n"
+        "        return om, (u - self.b*om - self.m*self.g*self.l*sin(th))/self.J\n",
+        "- self.b", "+ self.b",
+    ),
+    "names that come twice": (
+        "carts.py", "pybrain", "py",
+        "from math import sin, cos\ndef f(x, F, g, mp, mc, l):\n    theta, theta_, s, s_ = x\n"
+        "    a = (g*sin(theta)*(mc + mp) - (F + mp*l*theta_**2*sin(theta))*cos(theta))/(\n"
+        "        4/3*l*(mc + mp) - mp*l*cos(theta)**2)\n"
+        "    return theta_, a, s_, (F - mp*l*(a*cos(theta) - theta_**2*sin(theta)))/(mc + mp)\n",
+        "(F + mp", "(F - mp",
+    ),
+    "a determinant by name": (
+        "pendulums.py", "on_cart", "tex",
+        r"\[ \det(M) = ml^2(M + m\sin^2\theta) \]"
+        "\n" r"\[ \ddot x = \frac{1}{\det(M)}(ml^2 u + m^2l^3\dot\theta^2\sin\theta"
+        r" + m^2l^2g\sin\theta\cos\theta) \]",
+        "ml^2 u + m^2", "ml^2 u - m^2",
+    ),
+    "Hamilton's partial derivatives": (
+        PLANAR, "pendulum", "tex",
+        r"\[ \dot\theta = \frac{\partial H}{\partial p} = \frac{p}{ml^2}, \qquad"
+        r" \dot p = -\frac{\partial H}{\partial\theta} = -mgl\sin\theta \]",
+        r"-mgl\sin", r"-mg\sin",
+    ),
+    "an energy by the words before it": (
+        PLANAR, "pendulum", "tex",
+        r"The kinetic energy of the bob is $\frac12 m l^2\dot\theta^2$.", "l^2", "l",
+    ),
+    "a column of the author's own": (
+        "more_planar.py", "cubli", "tex",
+        r"Let $q = [\theta_b, \theta_w]^T$. Then $D\ddot q + c(q, \dot q) = 0$ where"
+        r" \[ D = \begin{bmatrix} I_b + m_w l^2 + I_w & I_w \\ I_w & I_w \end{bmatrix}, \quad"
+        r" c(q, \dot q) = \begin{bmatrix} C_b\dot\theta_b - (m_b l_b + m_w l)g\sin\theta_b \\"
+        r" C_w\dot\theta_w - T_m \end{bmatrix}. \]",
+        "I_b + m_w l^2", "I_b + 2 m_w l^2",
+    ),
 }  # fmt: skip
 
 

@@ -33,6 +33,8 @@ SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
 """What an angular speed is called."""
 
 NUMBER = re.compile(r"\d+$")
+BY_NAMES = "the names that the code gives its entries"
+SAID = ("as given", BY_NAMES)
 MOST = 6
 """Names that a message tells."""
 
@@ -115,7 +117,7 @@ def arguments_of(
         elif name in STEPS and not naming.knows(name) and name not in parted:
             values[name], why = STEP, "the time of a step"
         elif known := named_entries(aware, name, (apart or {}).get(name)):
-            values[name], why = known, "the names that the code gives its entries"
+            values[name], why = known, BY_NAMES
         elif naming.knows(name) and sizes.get(name) in (None, 1) and name not in parted:
             symbol = naming.symbol(name, 0)
             values[name], why = symbol, naming.matches([name])[0].why
@@ -140,7 +142,7 @@ def arguments_of(
         entries = (found,) if isinstance(found, Expr) else tuple(found)
         if set(entries) >= {*scene.q, *scene.u} and len(entries) > 1:
             state = entries
-        if name in parted and why != "as given" and _contradicted(naming, apart, name, entries):
+        if name in parted and why not in SAID and _contradicted(naming, apart, name, entries):
             unexplained.append(name)
             continue
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
