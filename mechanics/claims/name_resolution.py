@@ -62,7 +62,7 @@ def _lines(read: Read, naming: Naming) -> list[Entry]:
 
 
 def _once(sides: list[Node]) -> tuple[Node, ...]:
-    """The sides without a second one that is the first name: p = dL/dq' = m q', where dL/dq' is p."""
+    """The sides but those that are the first name again: p = dL/dq' = m q', where dL/dq' is p."""
     first, *rest = sides
     name = (key(first.name), first.order) if isinstance(first, Name) else None
     kept = [s for s in rest if not (isinstance(s, Name) and (key(s.name), s.order) == name)]

@@ -308,10 +308,10 @@ def _read(
         try:  # x, x_dot, theta, theta_dot: what the code calls entries may fit this order only
             arguments = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
         except InputError:
-            state = _state_by_rates(naming, wanted, sizes, given, apart, run)
-            if state is None:
+            by_rates = _state_by_rates(naming, wanted, sizes, given, apart, run)
+            if by_rates is None:
                 raise error from None
-            arguments = state
+            arguments = by_rates
     outputs = run(arguments)
     told = set(arguments.state) and any(
         m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1

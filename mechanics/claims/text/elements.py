@@ -275,9 +275,9 @@ def _meanings(
 def _listed(lines: Sequence[Entry], rate: str, from_zero: bool) -> set[int]:
     """Places of what is listed as a rate: dxdt = [v; a]."""
     for line in lines:
-        if isinstance(line, Line) and len(line.sides) == 2 and isinstance(line.sides[0], Name):
-            if line.sides[0].name == rate and (cells := _cells(line.sides[1])):
-                return {i + (not from_zero) for i in range(len(cells))}
+        left = line.sides[0] if isinstance(line, Line) and len(line.sides) == 2 else None
+        if isinstance(line, Line) and isinstance(left, Name) and left.name == rate:
+            return {i + (not from_zero) for i in range(len(_cells(line.sides[1])))}
     return set()
 
 
