@@ -11,6 +11,7 @@ from time import process_time
 from typing import Any
 
 from sympy import N
+from sympy.matrices import MatrixBase
 
 from benchmarks.corpus.load import SUFFIXES, Case, scene_of
 from mechanics import check
@@ -19,7 +20,6 @@ from mechanics.errors import MechanicsError
 from mechanics.grading.submission import things_in
 from mechanics.report.answer.check import Check
 
-CODE = ("python", "c", "cpp", "arduino")
 CLOSE = 1e-9
 """Relative, of values at a state."""
 
@@ -86,9 +86,8 @@ def _words(found: Check) -> list[str]:
 def _place(case: Case, found: Check, mended: Rows) -> int:
     """Where among the repairs of a statement the true mistake is named.
 
-    An edit names it where it stands at the mistake, or puts there what it has to be. Code is told
-    as a formula, in which nothing stands where it stood: there an edit names it that is no larger,
-    and makes of the formula what the true change makes of it.
+    An edit names it where it stands at the mistake, or puts there what it has to be; and where it
+    is no larger, and makes of the statement what the true change makes of it, in whatever words.
     """
     places = [0]
     for entry in found.told if not case.right else ():
@@ -129,8 +128,8 @@ def _meets(text: str, part: str, start: int, end: int) -> bool:
 
 
 def _mended_rows(case: Case) -> Rows:
-    """What code would say without its mistake, by the tags of its statements."""
-    if case.right or case.input not in CODE:
+    """What would be said without the mistake, by the tags of the statements."""
+    if case.right:
         return {}
     text = case.text
     parts = [(case.written, case.mended)]
@@ -150,10 +149,19 @@ def _same(sides: Sequence[Any], others: Sequence[Any] | None) -> bool:
     if others is None or len(sides) != len(others):
         return False
     source = Random(0)
-    symbols = sorted(set().union(*(e.free_symbols for e in (*sides, *others))), key=str)
+    pairs = [
+        pair
+        for a, b in zip(sides, others, strict=True)
+        for pair in zip(_entries(a), _entries(b), strict=True)
+    ]
+    symbols = sorted(set().union(*(e.free_symbols for pair in pairs for e in pair)), key=str)
     state = {symbol: source.uniform(0.5, 1) for symbol in symbols}
-    values = [(N(a.subs(state)), N(b.subs(state))) for a, b in zip(sides, others, strict=True)]
+    values = [(N(a.subs(state)), N(b.subs(state))) for a, b in pairs]
     return all(abs(a - b) < CLOSE * (1 + abs(a)) for a, b in values)
+
+
+def _entries(side: Any) -> list[Any]:
+    return list(side) if isinstance(side, MatrixBase) else [side]
 
 
 def _size(one: str, other: str) -> int:
