@@ -15,7 +15,7 @@ from sympy.matrices import MatrixBase
 from mechanics.claims.build import Builder, Value
 from mechanics.claims.from_sympy import tree_of
 from mechanics.claims.names import Naming
-from mechanics.claims.tree import Name, Node, Number, Table, names, parts
+from mechanics.claims.tree import COMPOSED, Name, Node, Number, Power, Table, names, parts
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
 
@@ -125,6 +125,8 @@ def row_trees(row: Published, written: Written) -> Trees:
             value = builder(tree)
             if not isinstance(value, MatrixBase) and not _through_matrices(tree, builder):
                 known.append((value, tree))
+                # Of a frequency its square is compared.
+                known.append((value**2, Power(COMPOSED, tree, Number(0, Fraction(2)))))
     return tuple(_tree(entries, i, known, written) for i in range(len(entries)))
 
 

@@ -21,6 +21,7 @@ from mechanics.claims.statement import Statement
 from mechanics.claims.tree import Node, parts
 from mechanics.errors import MechanicsError
 from mechanics.judge.branches import blame_by_branch
+from mechanics.judge.frequencies import solved
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
 
@@ -166,7 +167,7 @@ def _search(
     put: Mapping[Symbol, Expr] | None,
 ) -> Blame:  # fmt: skip
     """The blame; the verdict stands whatever the search meets."""
-    statement = judged[k].statement
+    statement = solved(reference.truth, judged[k].statement)
 
     def search(one: Statement) -> Blame:
         return blame_of(reference, one, shown_with(reference, judged, k), budget, put)

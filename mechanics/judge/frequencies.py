@@ -8,13 +8,14 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr
+from sympy import Expr, Symbol, solve, sqrt
 
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.letters import meanings_of
+from mechanics.judge.meanings import ROOT, candidates
 from mechanics.kernel import undecided
 from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
 from mechanics.report.answer.judged import Judged
@@ -57,6 +58,26 @@ def one_root_each(
         elif words := _which(statements[k]):
             found[k] = _left_open(found[k], f"whether it is {words!r} is not looked at")
     return tuple(found)
+
+
+def solved(truth: Equations, statement: Statement) -> Statement:
+    """The statement of the one frequency of a scene with its square on a side of its own.
+
+    What the square of it has to be stands beside what was written, so that edits can be searched.
+    """
+    row, letter = statement.row, statement.letter
+    if row is None or letter is None or len(truth.scene.q) != 1:
+        return statement
+    for meaning in OF_ROOTS & {*meanings_of(statement)}:
+        for candidate in candidates(truth, meaning):
+            if row not in candidate.rows(row, letter.sides) or candidate.vanishing is None:
+                continue
+            square = Symbol("square", positive=True)
+            roots = solve(candidate.vanishing.subs(ROOT, sqrt(square)), square)
+            if len(roots) == 1:
+                sides = (*(side**2 for side in letter.sides), roots[0])
+                return replace(statement, row=replace(row, sides=sides))
+    return statement
 
 
 def _left_open(entry: Judged, words: str) -> Judged:

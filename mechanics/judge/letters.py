@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from sympy import Add, Symbol
+from sympy import Add, Expr, Symbol, preorder_traversal
 
 from mechanics.claims.about import LETTERS, QUANTITIES
 from mechanics.claims.convention import Table
@@ -157,7 +157,7 @@ def _of_some_term(
 ) -> str:
     """The first meaning that has the dimension of one of the terms, which all others miss."""
     scene, found = truth.scene, set[Dimension]()
-    for term in (t for side in letter.sides for t in Add.make_args(scene.plain(side))):
+    for term in (t for side in letter.sides for t in _terms(scene.plain(side))):
         try:
             one = dimension_of(scene, term, known)
         except MixedDimensions:
@@ -166,6 +166,15 @@ def _of_some_term(
     every = [letter.said] if letter.said else [w for r in LETTERS[letter.name] for w in r]
     fitting = (word for word in every if any(_fits(word, one) for one in found))
     return next(fitting, every[0])
+
+
+def _terms(side: Expr) -> Iterator[Expr]:
+    """The terms of a side; of sqrt(m + I/r) what it is with one of the terms below the root."""
+    terms = Add.make_args(side)
+    sums = [part for part in preorder_traversal(side) if isinstance(part, Add)]
+    yield from terms
+    if len(terms) == 1 and sums:
+        yield from (side.xreplace({sums[0]: term}) for term in sums[0].args)
 
 
 def _living(

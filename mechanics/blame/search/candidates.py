@@ -9,7 +9,6 @@ An edit inside of a function is worth what the function is then.
 import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
@@ -19,6 +18,7 @@ from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.function_arguments import inside_of
 from mechanics.blame.search.inserted_factors import Inserted
 from mechanics.blame.search.inverse_evaluation import integer_exponent
+from mechanics.blame.search.syntax_tree import is_root
 from mechanics.blame.search.tokens import Tokens
 from mechanics.blame.search.under_derivatives import differentiated
 from mechanics.claims.tree import Name, Node, Power, Product, Sum, constant
@@ -63,17 +63,19 @@ class Candidates:
             node = forest.nodes[above]
             if forest.opaque(above):
                 return True
-            if isinstance(node, Power) and (
-                forest.kids[above][0] != child or integer_exponent(node) is None
-            ):
-                return constant(node.exponent) != Fraction(1, 2)
+            if isinstance(node, Power):
+                exponent = forest.kids[above][0] != child
+                if exponent or not (is_root(node) or integer_exponent(node)):
+                    return True
         return False
 
     def _here(self, index: int, node: Node) -> Iterator[Change]:
         if self.make.forest.term(index):
             yield from self._term(index, node)
-        elif isinstance(self.make.around(index), Product):
+        elif isinstance(around := self.make.around(index), Product):
             yield from self._factor(index, node)
+        elif around is not None and is_root(around):
+            yield from self._inserted.of(index, 0.0)
         yield from self._tokens.of(index, node)
         alone = isinstance(node, Name) and not self.make.forest.kids[index]
         if isinstance(node, Sum):

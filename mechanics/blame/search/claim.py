@@ -23,7 +23,7 @@ from mechanics.claims.claim import Trees, Written, row_of, row_trees
 from mechanics.claims.entrywise import entrywise
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Statement
-from mechanics.claims.tree import Node, names
+from mechanics.claims.tree import COMPOSED, Node, Power, names
 from mechanics.equations import Equations
 from mechanics.scene import quantities as q
 from mechanics.scene.published import Published
@@ -48,6 +48,8 @@ class Claim:
         As many as the row compares.
     kept : frozenset of int or str
         Entries and definitions that are not edited: others are shown with them.
+    derived : bool
+        Whether one of the entries is the scene's own.
     """
 
     reference: Reference
@@ -55,6 +57,7 @@ class Claim:
     written: Written
     entries: Trees
     kept: frozenset[int | str] = frozenset()
+    derived: bool = False
 
     @property
     def truth(self) -> Equations:
@@ -113,7 +116,15 @@ def claim_of(
     # residual it stands there itself.
     named = len(row.sides) == 2 and isinstance(row.sides[0], Symbol)
     kept = frozenset({0} if written.notation == "code" and named else ())
-    return Claim(reference, row, written, trees, kept)
+    if statement.derived:
+        kept |= {k for k, tree in enumerate(trees) if not _authored(tree, written)}
+    return Claim(reference, row, written, trees, kept, statement.derived)
+
+
+def _authored(tree: Node, written: Written) -> bool:
+    """Whether an entry is a side that was written, or the square of one."""
+    inner = tree.base if isinstance(tree, Power) and tree.at == COMPOSED else tree
+    return any(inner is side for side in written.sides)
 
 
 def used(claim: Claim) -> frozenset[str]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import Forest, is_root
 from mechanics.claims.build import Builder
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 from mechanics.kernel.field import DivisionHere
@@ -65,8 +65,11 @@ class Sheet:
         square = self.squares.get(index)
         if square is None:
             return []
-        root = pow(square, (p + 1) // 4, p)
-        return [root, p - root] if root * root % p == square else []
+        try:
+            root = root_of(square, p)
+        except DivisionHere:
+            return []
+        return [root, p - root]
 
     def above(self, parent: int, child: int, value: int) -> int:
         """What a node is worth when one part of it has another value.
@@ -93,6 +96,8 @@ class Sheet:
             return total
         if isinstance(node, Name):
             return value
+        if is_root(node) and child == self.forest.kids[parent][0]:
+            return root_of(value, p)
         exponent = integer_exponent(node)
         if exponent is None or child != self.forest.kids[parent][0]:
             raise InsideHere
@@ -118,6 +123,20 @@ def power(base: int, exponent: int, p: int) -> int:
     if exponent < 0 and base % p == 0:
         raise DivisionHere("division by zero")
     return pow(base, exponent, p)
+
+
+def root_of(square: int, p: int) -> int:
+    """The root of a residue that is a square itself.
+
+    Raises
+    ------
+    DivisionHere
+        For what has no root.
+    """
+    root = pow(square, (p + 1) // 4, p)
+    if root * root % p != square % p:
+        raise DivisionHere("no root")
+    return root
 
 
 def scaled(sheets: Sequence[Sheet], index: int, ratio: Fraction) -> tuple[int, ...]:
@@ -147,7 +166,7 @@ def _from_root(sheet: Sheet) -> Sheet:
     forest = sheet.forest
     sheet.needs[0] = sheet.target % sheet.point.prime
     for index in range(len(forest.nodes)):
-        if sheet.needs[index] is not None and forest.kids[index]:
+        if forest.kids[index]:
             _needed_below(sheet, index)
     for indices in forest.copies.values():
         if len(indices) > 1:
@@ -186,6 +205,7 @@ def _needed_below(sheet: Sheet, index: int) -> None:
     forest, p, has = sheet.forest, sheet.point.prime, sheet.has
     node, kids, need = forest.nodes[index], forest.kids[index], sheet.needs[index]
     if need is None:
+        _squared_below(sheet, index)
         return
     if isinstance(node, Sum):
         for kid in kids:
@@ -199,16 +219,32 @@ def _needed_below(sheet: Sheet, index: int) -> None:
             sheet.needs[kid] = need * pow(others, -1, p) % p if others else None
     elif isinstance(node, Name):
         sheet.needs[kids[0]] = need
+    elif is_root(node):
+        sheet.needs[kids[0]] = need * need % p
     elif isinstance(node, Power):
         exponent = constant(node.exponent)
         if exponent == 1:
             sheet.needs[kids[0]] = need
         elif exponent == -1 and need:
             sheet.needs[kids[0]] = pow(need, -1, p)
-        elif exponent == Fraction(1, 2):
-            sheet.needs[kids[0]] = need * need % p
         elif exponent == 2:
             sheet.squares[kids[0]] = need
+
+
+def _squared_below(sheet: Sheet, index: int) -> None:
+    """What the squares of parts have to be, or the part below a root."""
+    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
+    node, kids, square = forest.nodes[index], forest.kids[index], sheet.squares.get(index)
+    if square is None:
+        return
+    if is_root(node):
+        sheet.needs[kids[0]] = square
+    elif isinstance(node, Name):
+        sheet.squares[kids[0]] = square
+    elif isinstance(node, Product):
+        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+            if others:
+                sheet.squares[kid] = square * pow(others, -2, p) % p
 
 
 def _others(values: list[int], p: int) -> list[int]:

@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet, integer_exponent, power
+from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet, integer_exponent, power, root_of
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import Forest, is_root
 from mechanics.claims.tree import Name, Power, Product, Rate, Sum
 from mechanics.kernel.field import DivisionHere
 
@@ -131,6 +131,8 @@ def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
         return total
     if isinstance(node, Name | Rate):
         return parts[0]
+    if is_root(node):
+        return root_of(parts[0], p)
     exponent = integer_exponent(node)
     if isinstance(node, Power) and exponent is not None and kids[1] not in values:
         return power(parts[0], exponent, p)

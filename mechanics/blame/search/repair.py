@@ -97,7 +97,7 @@ def _says_nothing(claim: Claim, row: Published) -> bool:
     """
     first, *others = row.sides
     if isinstance(row.quantity, Identity):
-        return all(first == side for side in others)
+        return not claim.derived and all(first == side for side in others)
     if not isinstance(row.quantity, EquationOfMotion):
         return False
 

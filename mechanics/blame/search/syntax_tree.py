@@ -16,8 +16,10 @@ from mechanics.claims.tree import (
     Name,
     Node,
     Number,
+    Power,
     Rate,
     Sum,
+    constant,
     negative,
     parts,
     with_parts,
@@ -129,8 +131,9 @@ class Forest:
 
     def opaque(self, index: int) -> bool:
         """Whether a node is known by its value only: its parts are looked at as a whole."""
-        return isinstance(self.nodes[index], Call) or (
-            self.rates[index] > 0 and not isinstance(self.nodes[index], Sum)
+        node = self.nodes[index]
+        return (isinstance(node, Call) and not is_root(node)) or (
+            self.rates[index] > 0 and not isinstance(node, Sum)
         )
 
     def as_told(self, index: int, node: Node) -> Node:
@@ -144,6 +147,13 @@ class Forest:
         while self.parent[found[-1]] >= 0:
             found.append(self.parent[found[-1]])
         return found
+
+
+def is_root(node: Node) -> bool:
+    """Whether a node is a square root, of which the square tells what it is taken of."""
+    if isinstance(node, Power):
+        return constant(node.exponent) == Fraction(1, 2)
+    return isinstance(node, Call) and node.function == "sqrt"
 
 
 Way = tuple[int, ...]
