@@ -15,6 +15,9 @@ from mechanics.blame.terms import Monomial, Terms, written
 MOST_TERMS = 60
 """Beyond, shapes are not tried: nobody reads them."""
 
+MOST_FACTORED = 12
+"""Beyond, only common factors are taken out: all others take seconds to find."""
+
 Wave = tuple[tuple[Symbol, int], ...]
 Waves = dict[Wave, tuple[Fraction, Fraction]]
 """Coefficients (real, imaginary) of exp(i sum n a), by the n that are not zero."""
@@ -54,7 +57,7 @@ def _factored(side: Expr) -> Expr:
     count = len(Add.make_args(side))
     if not 1 < count <= MOST_TERMS:
         return side
-    product = factor(side) if count > 2 else factor_terms(side)
+    product = factor(side) if 2 < count <= MOST_FACTORED else factor_terms(side)
     return product if product.count_ops() < side.count_ops() else side
 
 

@@ -16,8 +16,10 @@ from mechanics.claims.build import Builder, Value
 from mechanics.claims.from_sympy import tree_of
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import COMPOSED, Name, Node, Number, Power, Table, names, parts
+from mechanics.errors import MechanicsError
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
+from mechanics.symbolic import is_zero
 
 Trees = tuple[Node, ...]
 
@@ -150,12 +152,21 @@ def _tree(entries: list[Expr], i: int, known: list[tuple[Expr, Node]], written: 
     """The tree of an entry; of several that are equal each has its own place in the text."""
     entry = entries[i]
     alike = [tree for value, tree in known if value == entry]
+    if not alike and entry != 0:  # tan as sin/cos, a factor that cancels
+        alike = [tree for value, tree in known if _equal(value, entry)]
     if not alike:
         return Number(0, Fraction(0)) if entry == 0 else written.tree(entry)
     if len(alike) == entries.count(entry):
         return alike[entries[:i].count(entry)]
     # The last one: in E_k = m v**2 / 2 the formula, not the name that it has from here on.
     return alike[-1]
+
+
+def _equal(one: Expr, other: Expr) -> bool:
+    try:
+        return bool(is_zero(one - other))
+    except MechanicsError:
+        return False
 
 
 def row_of(row: Published, written: Written, trees: Trees) -> Published:

@@ -7,6 +7,7 @@ An entry that is a name itself stands for it.
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import reduce
 
 from mechanics.claims.claim import Written
@@ -16,6 +17,7 @@ from mechanics.claims.tree import (
     Call,
     Name,
     Node,
+    Number,
     Power,
     Product,
     Rate,
@@ -83,6 +85,9 @@ class Entrywise:
                 return _crossed(self(left), self(right))
             case Call(function=function, arguments=arguments):
                 return Call(COMPOSED, function, tuple(map(self._number, arguments)))
+            case Power(base=base, exponent=exponent) if constant(exponent) == -1:
+                cells = self(base)
+                return Power(COMPOSED, cells, exponent) if isinstance(cells, Node) else _over(cells)
             case Power(base=base, exponent=exponent):
                 return Power(COMPOSED, self._number(base), self._number(exponent))
         raise NoEntriesError
@@ -169,6 +174,31 @@ def _crossed(one: Cells, two: Cells) -> Cells:
     return less((b, z), (c, y)), less((c, x), (a, z)), less((a, y), (b, x))
 
 
+def _over(cells: Rows) -> Rows:
+    """The inverse of a matrix of two rows or three: cofactors over the determinant."""
+    size = len(cells)
+    if size not in (2, 3) or any(len(row) != size for row in cells):
+        raise NoEntriesError
+
+    def minor(i: int, j: int) -> Node:
+        rows = [
+            [cell for k, cell in enumerate(row) if k != j] for row in (*cells[:i], *cells[i + 1 :])
+        ]
+        if size == 2:
+            return rows[0][0]
+        (a, b), (c, d) = rows
+        crossed = Product(COMPOSED, (a, d)), negative(Product(COMPOSED, (b, c)))
+        return Sum(COMPOSED, crossed)
+
+    def cofactor(i: int, j: int) -> Node:
+        return negative(minor(i, j)) if (i + j) % 2 else minor(i, j)
+
+    first = [Product(COMPOSED, (cells[0][j], cofactor(0, j))) for j in range(size)]
+    below = Power(COMPOSED, Sum(COMPOSED, tuple(first)), Number(COMPOSED, Fraction(-1)))
+    places = range(size)
+    return tuple(tuple(Product(COMPOSED, (cofactor(j, i), below)) for j in places) for i in places)
+
+
 def _alone(cells: Cells) -> Cells:
     """The number that a product is: q'^T M q'."""
     return (
@@ -184,6 +214,7 @@ def entrywise(written: Written) -> Written:
     trees = (*written.sides, *(tree for _, tree in written.definitions))
     taken = {name.name for tree in trees for name in names(tree)}
     taken |= {name for name, _ in written.definitions}
+    own = {name for name, _ in written.definitions} | _resting(written, trees)
     apart = Entrywise({}, set())
     definitions: list[tuple[str, Node]] = []
     try:
@@ -192,7 +223,7 @@ def entrywise(written: Written) -> Written:
             if isinstance(cells, Node):
                 definitions.append((name, cells))
                 continue
-            apart.matrices[name] = rows = _called(name, cells, taken)
+            apart.matrices[name] = rows = _called(name, cells, taken, own)
             found = list(_named(rows, cells))
             apart.named.update(called for called, _ in found)
             definitions += found
@@ -202,15 +233,30 @@ def entrywise(written: Written) -> Written:
     return replace(written, sides=sides, definitions=tuple(definitions))
 
 
+def _resting(written: Written, trees: Sequence[Node]) -> set[str]:
+    """Names of the scene's that nobody differentiates: parameters and inputs."""
+    vocabulary = written.naming.vocabulary
+    scene = vocabulary.scene
+    still = {*scene.parameters, *scene.input_symbols}
+    found = set[str]()
+    for name in (name for tree in trees for name in names(tree) if not name.order):
+        try:
+            symbol = written.naming.symbol(name.name, 0)
+        except KeyError:
+            continue
+        found |= {name.name} if symbol in still else set()
+    return found
+
+
 def _side(cells: Cells) -> Node:
     return cells if isinstance(cells, Node) else Table(0, cells)
 
 
-def _called(name: str, cells: Rows, taken: set[str]) -> Rows:
-    """Names of the entries; an entry that is a name itself keeps it."""
+def _called(name: str, cells: Rows, taken: set[str], defined: set[str]) -> Rows:
+    """Names of the entries; an entry that is a name of the scene keeps it."""
 
     def called(i: int, j: int, cell: Node) -> Node:
-        if isinstance(cell, Name):
+        if isinstance(cell, Name) and cell.name not in defined:
             return Name(COMPOSED, cell.name, cell.order)
         place = str(i) if len(cells[0]) == 1 else f"{i}{j}" if max(i, j) < 10 else f"{i},{j}"
         own = f"{name}_{place}"
@@ -224,5 +270,5 @@ def _called(name: str, cells: Rows, taken: set[str]) -> Rows:
 def _named(called: Rows, cells: Rows) -> Iterator[tuple[str, Node]]:
     for one, two in zip(called, cells, strict=True):
         for name, cell in zip(one, two, strict=True):
-            if isinstance(name, Name) and not isinstance(cell, Name):
+            if isinstance(name, Name) and not (isinstance(cell, Name) and cell.name == name.name):
                 yield name.name, cell

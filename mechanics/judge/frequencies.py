@@ -8,7 +8,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr, Symbol, solve, sqrt
+from sympy import Expr, Symbol, degree, expand, factor, numer, sqrt, together
 
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Statement
@@ -66,16 +66,17 @@ def solved(truth: Equations, statement: Statement) -> Statement:
     What the square of it has to be stands beside what was written, so that edits can be searched.
     """
     row, letter = statement.row, statement.letter
-    if row is None or letter is None or len(truth.scene.q) != 1:
+    if row is None or letter is None:
         return statement
     for meaning in OF_ROOTS & {*meanings_of(statement)}:
         for candidate in candidates(truth, meaning):
             if row not in candidate.rows(row, letter.sides) or candidate.vanishing is None:
                 continue
             square = Symbol("square", positive=True)
-            roots = solve(candidate.vanishing.subs(ROOT, sqrt(square)), square)
-            if len(roots) == 1:
-                sides = (*(side**2 for side in letter.sides), roots[0])
+            above = expand(numer(together(candidate.vanishing.subs(ROOT, sqrt(square)))))
+            if above.has(square) and degree(above, square) == 1:
+                root = -above.coeff(square, 0) / above.coeff(square, 1)
+                sides = (*(side**2 for side in letter.sides), factor(root))
                 return replace(statement, row=replace(row, sides=sides))
     return statement
 

@@ -9,10 +9,20 @@ An edit inside of a function is worth what the function is then.
 import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, partial
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import DROPPED, HINT, SECOND, TOKEN, Change, minus, plus
+from mechanics.blame.search.change import (
+    DROPPED,
+    HINT,
+    SECOND,
+    TOKEN,
+    Change,
+    minus,
+    one_of_squares,
+    plus,
+)
 from mechanics.blame.search.circular import circular
 from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.function_arguments import inside_of
@@ -21,7 +31,7 @@ from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.blame.search.syntax_tree import is_root
 from mechanics.blame.search.tokens import Tokens
 from mechanics.blame.search.under_derivatives import differentiated
-from mechanics.claims.tree import Name, Node, Power, Product, Sum, constant
+from mechanics.claims.tree import COMPOSED, Name, Node, Number, Power, Product, Sum, constant
 
 MOST_INSIDE = 400
 """Edits inside of functions, each of which has to be evaluated anew."""
@@ -70,9 +80,10 @@ class Candidates:
         return False
 
     def _here(self, index: int, node: Node) -> Iterator[Change]:
-        if self.make.forest.term(index):
+        around = self.make.around(index)
+        if self.make.forest.term(index) or self._entry(index, node):
             yield from self._term(index, node)
-        elif isinstance(around := self.make.around(index), Product):
+        elif isinstance(around, Product):
             yield from self._factor(index, node)
         elif around is not None and is_root(around):
             yield from self._inserted.of(index, 0.0)
@@ -82,6 +93,12 @@ class Candidates:
             yield from self._plus(index, node.terms)
         elif alone and not isinstance(self.make.around(index), Sum):
             yield from self._plus(index, (node,))
+
+    def _entry(self, index: int, node: Node) -> bool:
+        """Whether a node is an entry of a matrix that is multiplied by something."""
+        around = self.make.around(index)
+        plain = isinstance(node, Name) and not self.make.forest.kids[index]
+        return isinstance(around, Product) and around.at == COMPOSED and not plain
 
     @cached_property
     def _tokens(self) -> Tokens:
@@ -102,10 +119,13 @@ class Candidates:
         # A side that is one name is likely so; a whole sum is rarely turned.
         far = 2 * HINT if side and isinstance(node, Name) else 0.0
         far += 4 * HINT if side and isinstance(node, Sum) else 0.0
+        far += HINT if one_of_squares(node, self.make.around(index)) else 0.0
         yield self.make.wrapped(index, minus, Mistake.SIGN, TOKEN + far, values)
-        if not side or self._other_side(index):
+        if not side or self._other_side(index) or isinstance(self.make.forest.place[index][0], str):
             zero = (0,) * len(has)
-            yield self.make.change(index, None, Mistake.EXTRA, DROPPED, zero)
+            # A factor that is left out is one, an entry that is left out is zero.
+            left = Number(node.at, Fraction(0)) if self._entry(index, node) else None
+            yield self.make.change(index, left, Mistake.EXTRA, DROPPED, zero)
         yield from self._inserted.of(index, far)
 
     def _other_side(self, index: int) -> bool:

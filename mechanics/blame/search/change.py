@@ -81,6 +81,12 @@ def minus(node: Node) -> Node:
     return Product(node.at, (Number(node.at, Fraction(-1)), node))
 
 
+def one_of_squares(node: Node, around: Node | None) -> bool:
+    """Whether a node is one of the squares of x'^2 + y'^2, which nobody subtracts."""
+    terms = around.terms if isinstance(around, Sum) else ()
+    return node in terms and all(isinstance(term, Power) for term in terms)
+
+
 def is_minus(node: Node) -> bool:
     """Whether a node begins with a minus sign."""
     if isinstance(node, Number):

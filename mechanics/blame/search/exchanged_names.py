@@ -15,6 +15,7 @@ from mechanics.blame.search.claim import edited_claim, posed
 from mechanics.blame.search.homogeneity_test import Growth
 from mechanics.blame.search.syntax_tree import Forest
 from mechanics.blame.search.words import Word
+from mechanics.claims.place import Refused
 from mechanics.claims.tree import Name, Sum
 from mechanics.kernel.field import Inadmissible
 
@@ -26,7 +27,24 @@ def exchanged(growth: Growth) -> list[tuple[Change, ...]]:
     """Edits that exchange two names of one kind, and make the statement right."""
     pairs = islice(_pairs(growth), MOST)
     found = [changes for one, other in pairs for changes in _changes(growth, one, other)]
-    return [changes for changes in found if _mends(growth, changes)]
+    found = [changes for changes in found if mends(growth, changes)]
+    together = growth.problem.together
+    return [*found, *(changes for changes in _definitions(growth) if together(changes))]
+
+
+def _definitions(growth: Growth) -> Iterator[tuple[Change, ...]]:
+    """What two definitions say, exchanged: s = cos(x), c = sin(x)."""
+    forest, sheets = growth.problem.forest, growth.problem.sheets
+    roots = [copies[0] for (_, way), copies in forest.copies.items() if not way]
+    roots = [index for index in roots if isinstance(forest.place[index][0], str)]
+    for pair in combinations([index for index in roots if forest.written(index)], 2):
+        yield tuple(
+            Change(
+                index, forest.nodes[other], Mistake.SYMBOL, (TOKEN + SECOND) / 2, index,
+                tuple(sheet.has[other] for sheet in sheets),
+            )
+            for index, other in (pair, pair[::-1])
+        )  # fmt: skip
 
 
 def _pairs(growth: Growth) -> Iterator[tuple[Word, Word]]:
@@ -73,11 +91,12 @@ def _below(forest: Forest, index: int, above: int) -> bool:
     return index == above
 
 
-def _mends(growth: Growth, changes: tuple[Change, ...]) -> bool:
+def mends(growth: Growth, changes: tuple[Change, ...]) -> bool:
+    """Whether a statement is right at its points with edits, which are put in together."""
     problem = growth.problem
     claim = edited_claim(growth.claim, [(problem.forest, change) for change in changes])
     families = [sheet.point.family for sheet in problem.sheets]
     try:
         return posed(claim, problem.numbers, problem.target, families).residual == 0
-    except Inadmissible:
+    except (Inadmissible, Refused):
         return False

@@ -15,6 +15,7 @@ from mechanics.blame.search.edit_and_term import Both
 from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.exact_cover import Several
 from mechanics.blame.search.exchanged_names import exchanged
+from mechanics.blame.search.function_definitions import in_functions
 from mechanics.blame.search.group_differences import whole
 from mechanics.blame.search.homogeneity_test import Growth, growing
 from mechanics.blame.search.missing import Missing
@@ -59,7 +60,7 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
         problem, words = elsewhere, words_of(claim, elsewhere)
         changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
     growth = Growth(claim, problem, words)
-    yield _sorted(problem, exchanged(growth))
+    yield _sorted(problem, [*exchanged(growth), *in_functions(growth)])
     lacking = Missing(growth).changes()
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])

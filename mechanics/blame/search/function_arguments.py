@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from sympy.matrices import MatrixBase
+
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
     DROPPED,
@@ -16,6 +18,7 @@ from mechanics.blame.search.change import (
     TOKEN,
     Change,
     minus,
+    one_of_squares,
     size_of,
     times,
 )
@@ -24,15 +27,28 @@ from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.blame.search.syntax_tree import Forest, edited
 from mechanics.blame.search.words import Words
 from mechanics.claims.place import Refused
-from mechanics.claims.tree import Call, Name, Node, Number, Sum, parts
+from mechanics.claims.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Product,
+    Sum,
+    names,
+    parts,
+    product,
+    with_parts,
+)
 from mechanics.errors import MechanicsError
 
 Inner = tuple[int, Node | None, Mistake, float]
 
 
 def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
-    """What a node is worth at each point; None where it has no value."""
+    """What a node is worth at each point; None where it has no value, or is a matrix."""
     try:
+        if isinstance(sheets[0].builder(node), MatrixBase):
+            return None
         return tuple(sheet.opaque(node) for sheet in sheets)
     except (MechanicsError, Refused):
         return None
@@ -96,16 +112,39 @@ class Inside:
         if isinstance(around, Sum):
             # Nobody wrote a sign before the first of several terms.
             first = 2 * HINT if part is around.terms[0] else 0.0
+            first += HINT if one_of_squares(part, around) else 0.0
             yield index, minus(part), Mistake.SIGN, TOKEN + first
             yield index, None, Mistake.EXTRA, DROPPED
         if isinstance(around, Call | Sum) and not isinstance(part, Number):
             for ratio in (Fraction(2), Fraction(1, 2)):
                 scaled = times(Number(0, ratio), part)
                 yield index, scaled, Mistake.FACTOR, TOKEN + SECOND
+        if isinstance(around, Call):
+            for other in (_without_constants(part), self._lowered(part)):
+                if other is not None:
+                    yield index, other, Mistake.FACTOR, TOKEN + SECOND
         if isinstance(around, Call) and not isinstance(part, Number):
             for word in self.words.symbols:
                 if word.kind == "time":  # cos(omega) for cos(omega t)
                     yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND
+
+    def _lowered(self, node: Node) -> Node | None:
+        """theta_2 - theta_1 for the difference of their rates."""
+        scene, held = self.words.truth.scene, names(node)
+        table = dict(zip(scene.qd, scene.q, strict=True))
+        table |= {} if scene.speeds else dict(zip(scene.u, scene.q, strict=True))
+        of = {
+            name: self.words.by_symbol[table[word.symbol]].name
+            for name in held
+            if (word := self.words.word(name)) is not None and word.symbol in table
+        }
+
+        def put(part: Node) -> Node:
+            if isinstance(part, Name):
+                return of[part]
+            return with_parts(part, tuple(map(put, parts(part))))
+
+        return put(node) if held and len(of) == len({*held}) else None
 
     def _symbols(self, kid: int, part: Name) -> Iterator[Inner]:
         own = self.words.word(part)
@@ -113,3 +152,10 @@ class Inside:
             alike = own is not None and word.kind == own.kind
             if word != own:
                 yield kid, word.name, Mistake.SYMBOL, TOKEN if alike else TOKEN + HINT
+
+
+def _without_constants(node: Node) -> Node | None:
+    """theta for theta*pi/180."""
+    factors = node.factors if isinstance(node, Product) else ()
+    rest = [factor for factor in factors if names(factor)]
+    return product(node.at, rest) if 0 < len(rest) < len(factors) else None

@@ -12,12 +12,12 @@ from itertools import pairwise
 from sympy.matrices import MatrixBase
 
 from mechanics.blame.result import Edit, Mistake
-from mechanics.blame.search.change import Change, is_minus, minus
+from mechanics.blame.search.change import Change, is_minus, minus, raised
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.syntax_tree import Forest
 from mechanics.claims.claim import Trees
 from mechanics.claims.spelling import Spelling, hidden_minus
-from mechanics.claims.tree import Call, Node, Number, Power, Product, Sum
+from mechanics.claims.tree import Call, Node, Number, Power, Product, Sum, constant
 from mechanics.scene.published import Published
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
@@ -38,8 +38,7 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
             term = change.wrap(Number(0, Fraction(0)))
             return Edit(change.mistake, "", _signed(spelling, term), None, home, place)
         # It stands elsewhere, so that a sign alone would say nothing.
-        old, fitting = spelling(forest.nodes[change.index]), _fitting(forest, change, spelling)
-        return Edit(change.mistake, old, fitting, None, home, place)
+        return Edit(change.mistake, *_without_place(forest, change, spelling), None, home, place)
     node, new = forest.nodes[change.index], change.node
     span = spelling.span(node)
     above = forest.parent[change.index]
@@ -48,6 +47,11 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         # The sine of sin^2(x) has no place of its own.
         power = Power(around.at, new, around.exponent)
         return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
+    if _divides(node) and new is not None and isinstance(new, Power) and _divides(new):
+        # r^2 for r below a line, not 1/r^2.
+        below = raised(new.base, -int(constant(new.exponent) or -1))
+        base = forest.kids[change.index][0]
+        return told(claim, spelling, forest, replace(change, index=base, node=below, wrap=None))
     sign = None if span is None else _sign_before(claim, span)
     if change.mistake is Mistake.SIGN and sign is not None:
         mark = claim.written.text[sign[0]]
@@ -58,7 +62,7 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
     if new is None and not forest.place[change.index][1]:
         return _edit(claim, change, spelling(node), "0", span)
     if span is None or (sign is None and hidden_minus(node)):
-        return _edit(claim, change, spelling(node), _fitting(forest, change, spelling), None)
+        return _edit(claim, change, *_without_place(forest, change, spelling), None)
     if new is None and isinstance(around, Sum):
         # A bracket of its own goes with a term, and the sign before it.
         span = _with_brackets(claim.written.text, span)
@@ -81,6 +85,13 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         written = f"{claim.written.text[sign[0]]} {written}"
         return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
     return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+
+
+def _divides(node: Node) -> bool:
+    """Whether a node is what stands below a line or behind a slash, where no exponent was typed."""
+    exponent = constant(node.exponent) if isinstance(node, Power) else None
+    typed = isinstance(node, Power) and node.exponent.end >= 0
+    return exponent is not None and exponent < 0 and exponent.denominator == 1 and not typed
 
 
 def _left_out(text: str, span: Span) -> tuple[Span, str]:
@@ -142,6 +153,14 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
     if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
         level = 1
     return spelling.tight(new, level)
+
+
+def _without_place(forest: Forest, change: Change, spelling: Spelling) -> tuple[str, str]:
+    """What stood there and has to, where nobody can look; both without the sign that they share."""
+    node, new = forest.nodes[change.index], change.node
+    if new is not None and is_minus(node) and is_minus(new):
+        change, node = replace(change, node=minus(new)), minus(node)
+    return spelling(node), _fitting(forest, change, spelling)
 
 
 def _in_braces(spelling: Spelling, node: Node) -> bool:

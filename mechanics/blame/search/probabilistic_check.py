@@ -9,7 +9,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet, integer_exponent, power, root_of
+from mechanics.blame.search.inverse_evaluation import (
+    InsideHere,
+    Sheet,
+    integer_exponent,
+    power,
+    root_of,
+)
 from mechanics.blame.search.point import Point
 from mechanics.blame.search.syntax_tree import Forest, is_root
 from mechanics.claims.tree import Name, Power, Product, Rate, Sum

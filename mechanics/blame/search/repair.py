@@ -16,7 +16,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.claims.claim import Trees, Written, row_of
 from mechanics.claims.place import Refused
 from mechanics.claims.spelling import Spelling
-from mechanics.claims.tree import Name, names, parts
+from mechanics.claims.tree import Name, Node, names, parts
 from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, InputError, SceneError
 from mechanics.scene.published import Published
@@ -42,7 +42,7 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
     if found is None:
         return None
     row, entries = found
-    if _says_nothing(claim, row) or not _returns(claim, chosen):
+    if _says_nothing(claim, row) or not _returns(claim, chosen) or _larger(claim, entries, chosen):
         return None
     try:
         finding = check_row(claim.truth.scene, row, claim.truth)
@@ -66,6 +66,18 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
         joint = r", \text{with } " if spelling.latex else ", with "
         words += f"{joint}{spelling(Name(0, name))} = {spelling(new.definitions[name])}"
     return Repair(edits, words, finding, row, new.written)
+
+
+def _larger(claim: Claim, entries: Trees, chosen: Sequence[Solution]) -> bool:
+    """Whether several edits together add more than was written."""
+    if len(_changes(chosen)) == 1:
+        return False
+    before, after = (sum(map(_nodes, trees)) for trees in (claim.entries, entries))
+    return after > 2 * before
+
+
+def _nodes(tree: Node) -> int:
+    return 1 + sum(map(_nodes, parts(tree)))
 
 
 def assigned(written: Written, names: Sequence[str]) -> str:

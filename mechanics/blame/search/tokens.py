@@ -6,13 +6,38 @@ m_1 -> m_2, m_1**2      2 -> 1/2      x**2 -> x**3, x y      sin -> cos      x' 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, raised, size_of
+from mechanics.blame.search.change import (
+    HINT,
+    RATIOS,
+    SECOND,
+    TOKEN,
+    Change,
+    is_minus,
+    raised,
+    size_of,
+)
 from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.function_arguments import worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
-from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Rate, Sum
+from mechanics.claims.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Rate,
+    Sum,
+    constant,
+    inverse,
+    parts,
+    product,
+    with_parts,
+)
 from mechanics.kernel.field import DivisionHere
 
 MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")
@@ -46,6 +71,40 @@ class Tokens:
             yield from self._rate(index, node)
         elif isinstance(node, Sum) and not isinstance(self.make.around(index), Power | None):
             yield from self._powers(index, node, (2,))
+        if isinstance(node, Sum | Product):
+            yield from self._operators(index, node)
+        if isinstance(node, Name | Call | Product):
+            yield from self._turned_over(index, node)
+
+    def _operators(self, index: int, node: Sum | Product) -> Iterator[Change]:
+        """Another operator between two neighbours: a b or a/b for a + b, a + b for a b."""
+        inner = parts(node)
+        kids = self.make.forest.kids[index]
+        if len(kids) != len(inner) or any(map(is_minus, inner)):
+            return
+        for k, (one, two) in enumerate(pairwise(inner)):
+            if not (_short(one) and _short(two)):
+                continue
+            rest = (*inner[:k], *inner[k + 2 :])
+            for other in _operated(node, one, two):
+                new = with_parts(node, (*inner[:k], other, *inner[k + 2 :])) if rest else other
+                if (values := worth(self.make.sheets, new)) is not None:
+                    yield self.make.change(index, new, Mistake.TERM, TOKEN + 4 * HINT, values)
+
+    def _turned_over(self, index: int, node: Node) -> Iterator[Change]:
+        """b/a for a/b, and 1/a for a factor a."""
+        factors: tuple[Node, ...] = (node,)
+        if isinstance(node, Product):
+            factors = node.factors
+            if not any(map(_divides, factors)) or all(map(_divides, factors)):
+                return
+        elif not isinstance(self.make.around(index), Product):
+            return
+        has = self.make.has(index)
+        if all(has):
+            values = tuple(pow(value, -1, self.make.p) for value in has)
+            over = product(node.at, [_turned(factor) for factor in factors])
+            yield self.make.change(index, over, Mistake.POWER, TOKEN + SECOND, values)
 
     def _name(self, index: int, node: Name) -> Iterator[Change]:
         """Other symbols, the same kind first; squares and cubes."""
@@ -61,6 +120,7 @@ class Tokens:
                 squares = tuple(value * value % self.make.p for value in word.values)
                 square = raised(word.name, 2)
                 yield self.make.change(index, square, Mistake.SYMBOL, TOKEN + SECOND, squares)
+        yield from self._definitions(index, node, TOKEN + 2 * HINT)
         if not isinstance(self.make.around(index), Power):
             yield from self._powers(index, node, (2, 3))
 
@@ -70,13 +130,30 @@ class Tokens:
         others: list[tuple[Node, Mistake]] = []
         if isinstance(inner, Call):
             others += [(call, Mistake.FUNCTION) for call in self.make.words.functions(inner)]
-        for name in self.make.forest.definitions:
-            if name != node.name:
-                others.append((Name(node.at, name), Mistake.SYMBOL))
         for other, mistake in others:
             values = worth(self.make.sheets, other)
             if values is not None:
                 yield self.make.change(index, other, mistake, TOKEN, values)
+        yield from self._definitions(index, node, TOKEN)
+        for word in self.make.words.symbols:
+            if any(word.values):
+                cost = TOKEN + 2 * HINT
+                yield self.make.change(index, word.name, Mistake.SYMBOL, cost, word.values)
+        if not isinstance(self.make.around(index), Power):
+            yield from self._powers(index, node, (2,))
+
+    def _definitions(self, index: int, node: Name, cost: float) -> Iterator[Change]:
+        """Other definitions of the person's."""
+        for name, values in self._worth_of_definitions:
+            if name != node.name:
+                yield self.make.change(index, Name(node.at, name), Mistake.SYMBOL, cost, values)
+
+    @cached_property
+    def _worth_of_definitions(self) -> list[tuple[str, tuple[int, ...]]]:
+        pairs = (
+            (name, worth(self.make.sheets, Name(0, name))) for name in self.make.forest.definitions
+        )
+        return [(name, values) for name, values in pairs if values is not None and any(values)]
 
     def _rate(self, index: int, node: Rate) -> Iterator[Change]:
         """A derivative of another order."""
@@ -164,3 +241,31 @@ class Tokens:
                 yield self.make.change(index, other, Mistake.FUNCTION, TOKEN + HINT, values)
         if not isinstance(self.make.around(index), Power):
             yield from self._powers(index, node, (2,))
+
+
+def _short(node: Node) -> bool:
+    """Whether a node is a name, a number, or a power of one."""
+    return isinstance(node.base if isinstance(node, Power) else node, Name | Number)
+
+
+def _operated(node: Sum | Product, one: Node, two: Node) -> Iterator[Node]:
+    if isinstance(node, Product):
+        yield Sum(node.at, (one, two))
+        return
+    yield Product(node.at, (one, two))
+    yield Product(node.at, (one, inverse(two)))
+
+
+def _divides(node: Node) -> bool:
+    exponent = constant(node.exponent) if isinstance(node, Power) else None
+    return exponent is not None and exponent < 0
+
+
+def _turned(node: Node) -> Node:
+    """One over a factor; a sign stays."""
+    if constant(node) == -1:
+        return node
+    exponent = constant(node.exponent) if isinstance(node, Power) else None
+    if not isinstance(node, Power) or exponent is None:
+        return inverse(node)
+    return node.base if exponent == -1 else Power(node.at, node.base, Number(0, -exponent))

@@ -15,6 +15,7 @@ from mechanics.blame.search.change import (
     TOKEN,
     Change,
     minus,
+    one_of_squares,
     raised,
     size_of,
     times,
@@ -42,7 +43,8 @@ class _Term:
         """Edits of a term, of its factors, and of what functions are taken of."""
         node = self.make.forest.nodes[index]
         if isinstance(self.make.around(index), Sum):
-            yield index, minus(node), Mistake.SIGN, TOKEN
+            far = HINT if one_of_squares(node, self.make.around(index)) else 0.0
+            yield index, minus(node), Mistake.SIGN, TOKEN + far
             yield index, None, Mistake.EXTRA, DROPPED
         for ratio in RATIOS[:MOST_RATIOS]:
             cost = TOKEN + size_of(ratio)

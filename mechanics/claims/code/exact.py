@@ -27,6 +27,8 @@ LARGEST_EXPONENT = 64
 
 Numbers = int | float | np.integer | np.floating | Fraction
 
+DEGREE = sympy.pi / 180
+
 ELEMENTARY: dict[str, Callable[[Expr], Expr]] = {
     "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "arcsin": sympy.asin,
     "arccos": sympy.acos, "arctan": sympy.atan, "sinh": sympy.sinh, "cosh": sympy.cosh,
@@ -35,9 +37,12 @@ ELEMENTARY: dict[str, Callable[[Expr], Expr]] = {
     "cbrt": lambda x: sympy.sign(x) * sympy.Abs(x) ** sympy.Rational(1, 3),
     "fabs": sympy.Abs, "sign": sympy.sign,
     "conjugate": lambda x: x,
-    "radians": lambda x: x * sympy.pi / 180, "deg2rad": lambda x: x * sympy.pi / 180,
+    "radians": lambda x: x * DEGREE, "deg2rad": lambda x: x * DEGREE,
 }  # fmt: skip
 """Functions of one number, by NumPy's names."""
+
+OF_DEGREES = ("radians", "deg2rad")
+"""Those that only multiply."""
 
 ARITHMETIC = (
     np.add, np.subtract, np.multiply, np.divide, np.power, np.negative, np.absolute, np.square,

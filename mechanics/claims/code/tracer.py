@@ -20,7 +20,7 @@ import sympy
 from sympy import Expr
 
 from mechanics.claims.code.constants import constant_of
-from mechanics.claims.code.exact import ELEMENTARY, Exact
+from mechanics.claims.code.exact import DEGREE, ELEMENTARY, OF_DEGREES, Exact
 from mechanics.claims.code.explorer import Condition, Explorer
 from mechanics.claims.code.formulas import (
     Formula,
@@ -201,6 +201,8 @@ class Traced:
         return partial(self._elementary, name)
 
     def _elementary(self, name: str) -> Traced:
+        if name in OF_DEGREES:
+            return self.new(self.expr * DEGREE, multiplied(self.formula, leaf(DEGREE)))
         known = NAMES.get(name, name)
         own = asked(of_function(known, [self.expr]), self.asked)
         return self.new(ELEMENTARY[name](self.expr), called(known, self.formula), own)
