@@ -17,8 +17,7 @@ from typing import Annotated, Any
 import typer
 
 from mechanics.claims.read import file_text
-from mechanics.cli.nearest import meant
-from mechanics.errors import InputError, MechanicsError
+from mechanics.errors import InputError, MechanicsError, instead
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import SYMBOLIC, assemble
 from mechanics.importers.decimals import Notes
@@ -111,10 +110,8 @@ def built_in(text: str) -> System:
             make: Callable[..., Scene] = system.scene
             return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
-    near = meant(text, known)
-    others = "mechanics systems lists them" if near else f": the systems are {', '.join(known)}"
     raise InputError(
-        f"system {text!r} is not known{near}{' ' * bool(near)}{others};"
+        f"system {text!r} is not known: {instead(text, known, 'systems')};"
         " or give the path of a .py file with a function scene()"
     )
 

@@ -12,7 +12,7 @@ from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
-from mechanics.errors import ExpressionError, InputError
+from mechanics.errors import ExpressionError, InputError, instead
 from mechanics.linear import (
     Linear,
     Sweep,
@@ -229,7 +229,7 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         elif key in inputs:
             inputs[key] = value
         else:
-            known = ", ".join((*coordinates, *inputs))
+            known = instead(key, (*coordinates, *inputs), "coordinates and inputs")
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
     speeds = products(moving, "--speeds", {symbol.name: symbol for symbol in scene.parameters})
     if over is not None and over in {u.name for u in scene.u} - set(speeds):

@@ -7,7 +7,7 @@ from typing import Any
 
 from sympy import Expr, Rational, Symbol, sympify
 
-from mechanics.errors import InputError, SingularError, ValueMissingError
+from mechanics.errors import InputError, SingularError, ValueMissingError, instead
 from mechanics.kernel import enclose
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
@@ -144,5 +144,5 @@ def _refuse_unknown(scene: Scene, own: Iterable[Symbol], given: Mapping[str, Any
         if name not in names:
             raise InputError(
                 f"{scene.name}: there is no parameter {name!r}:"
-                f" the parameters are {', '.join(sorted(names))}"
+                f" {instead(name, sorted(names), 'parameters')}"
             )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
-from mechanics.errors import InputError, SingularError
+from mechanics.errors import InputError, SingularError, instead
 from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.scene.physical import massive
 from mechanics.simulate.conservative import conservative
@@ -253,7 +253,7 @@ def equal_times(duration: float, count: int) -> Array:
 
 def _tolerance(method: str, rtol: float, atol: float) -> Tolerance:
     if method not in METHODS:
-        raise InputError(f"method {method!r}: the methods are {', '.join(METHODS)}")
+        raise InputError(f"method {method!r}: {instead(method, METHODS, 'methods')}")
     if not FINEST_RTOL <= rtol < 1:
         raise InputError(f"rtol: {rtol!r} found: it has to be in [{FINEST_RTOL:.2g}, 1)")
     if not (math.isfinite(atol) and atol > 0):

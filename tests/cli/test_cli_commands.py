@@ -191,7 +191,9 @@ def test_the_console_command_in_a_process_of_its_own() -> None:
     )
     assert ran.returncode == 2
     assert ran.stdout == ""
-    assert ran.stderr.count("\n") == 1
+    told, command, carets = ran.stderr.splitlines()
+    assert told.startswith("error: system 'nothing' is not known")
+    assert command[carets.index("^") : carets.rindex("^") + 1] == "nothing"
 
 
 def test_every_command_stands_in_one_group_of_the_list() -> None:
