@@ -102,7 +102,7 @@ def instead(name: str, names: Iterable[str], kind: str) -> str:
     """
     listed = list(names)
     there = f"the {kind} are {', '.join(listed)}" if listed else f"there are no {kind}"
-    near = get_close_matches(name, listed, n=1, cutoff=0.7)
+    near = get_close_matches(name, listed, n=1)
     if near and len(listed) > FEW:
         return f"did you mean {near[0]!r}?"
     return f"did you mean {near[0]!r}? {there}" if near else there
