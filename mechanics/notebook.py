@@ -67,9 +67,9 @@ def result_html(result: "SystemResult") -> str:
     words = f"All {count} checks passed." if result.ok else f"{len(open_)} checks did not pass."
     head = Markup("<p><strong>{}</strong>: {}</p>").format(result.name, words)
     counts = [
-        (title, Markup(", ").join(Markup("{} {}").format(n, chip(v)) for v, n in count.items()))
+        (title, Markup(", ").join(Markup("{} {}").format(n, chip(v)) for v, n in verdicts.items()))
         for title, findings in result.groups.items()
-        if (count := Counter(finding.verdict for finding in findings))
+        if (verdicts := Counter(finding.verdict for finding in findings))
     ]
     rows = [(chip(f.verdict), f.subject, f.evidence) for f in open_]
     return _element(head, _table(counts), *([_table(rows)] if rows else []))

@@ -6,7 +6,8 @@ from typing import Any
 from sympy import Matrix, S
 from sympy.matrices import MatrixBase
 
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import (
     EquationOfMotion,

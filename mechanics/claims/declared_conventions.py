@@ -19,7 +19,8 @@ from mechanics.claims.conventions import joints, lengths, other_sign, other_sign
 from mechanics.claims.directions import DIRECTIONS, Counted, counted
 from mechanics.claims.kinds import quantity
 from mechanics.claims.names import Match
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 
 SIGNS = ("other sign of angles", "other sign of displacements", "other sign of inputs")

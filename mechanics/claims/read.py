@@ -15,7 +15,8 @@ from mechanics.claims.lines import Entry
 from mechanics.claims.names import Naming
 from mechanics.claims.place import LARGEST_TEXT
 from mechanics.claims.text.read import read_text
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 
 Reader = Callable[[str, Naming, str], Sequence[Entry]]

@@ -17,13 +17,14 @@ from typing import Annotated, Any
 import typer
 
 from mechanics.claims.read import file_text
-from mechanics.errors import InputError, MechanicsError, instead
+from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import SYMBOLIC, assemble
 from mechanics.importers.decimals import Notes
 from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 from mechanics.scene.declaration import DROP
 from mechanics.scene.json.read import from_json

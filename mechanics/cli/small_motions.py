@@ -12,7 +12,7 @@ from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
-from mechanics.errors import ExpressionError, InputError, instead
+from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import (
     Linear,
     Sweep,
@@ -27,6 +27,7 @@ from mechanics.linear import linearize as about
 from mechanics.linear import modes as exact_modes
 from mechanics.linear.sweep import AXIS
 from mechanics.linear.values import with_numbers
+from mechanics.nearest import instead
 from mechanics.report.modes_plot import modes_plot
 from mechanics.simulate.files import writable
 

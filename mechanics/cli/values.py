@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from sympy import Expr, Rational, Symbol, pi
 
-from mechanics.errors import InputError, RangeError, instead
+from mechanics.errors import InputError, RangeError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
 from mechanics.scene.validity import condition_parameters

@@ -15,7 +15,8 @@ import sympy
 from sympy import Expr, Matrix, Rational, Symbol
 
 from mechanics.equations import Equations, Matrices
-from mechanics.errors import InputError, RangeError, SingularError, instead
+from mechanics.errors import InputError, RangeError, SingularError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
 from mechanics.symbolic import generic_rank

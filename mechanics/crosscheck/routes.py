@@ -5,8 +5,9 @@ from typing import Any
 
 from mechanics.checks.admissible import check_scene
 from mechanics.equations import Equations, written_out
-from mechanics.errors import InputError, instead, wanted
+from mechanics.errors import InputError, wanted
 from mechanics.importers import as_scene
+from mechanics.nearest import instead
 from mechanics.routes.derivation import ROUTES, Route
 from mechanics.scene import Scene
 

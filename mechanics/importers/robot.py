@@ -9,7 +9,8 @@ from dataclasses import dataclass, field, replace
 
 from sympy import Expr, ImmutableMatrix, Integer, Rational, eye
 
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 
 Column = tuple[Expr, Expr, Expr]
 ZERO = Integer(0)

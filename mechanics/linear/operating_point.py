@@ -5,8 +5,9 @@ from dataclasses import dataclass, field
 
 from sympy import Expr, Rational, Symbol, sympify
 
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
 from mechanics.kernel.angles import base_angles
+from mechanics.nearest import instead
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues

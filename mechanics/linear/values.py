@@ -7,8 +7,9 @@ from typing import Any
 
 from sympy import Expr, Rational, Symbol, sympify
 
-from mechanics.errors import InputError, SingularError, ValueMissingError, instead
+from mechanics.errors import InputError, SingularError, ValueMissingError
 from mechanics.kernel import enclose
+from mechanics.nearest import instead
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
 from mechanics.program.sympy_reader import read

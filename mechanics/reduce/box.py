@@ -12,7 +12,8 @@ from sympy import Expr
 
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.quantities import Quantities
-from mechanics.errors import InputError, RangeError, ValueMissingError, instead
+from mechanics.errors import InputError, RangeError, ValueMissingError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.reduce.proof import Box
 from mechanics.scene import Scene

@@ -20,9 +20,10 @@ from sympy import Expr, Rational, Symbol
 
 from mechanics.compiled.graphs import Graphs, function_inputs
 from mechanics.equations import Equations
-from mechanics.errors import InputError, MechanicsError, ZeroDivisorError, instead, wanted
+from mechanics.errors import InputError, MechanicsError, ZeroDivisorError, wanted
 from mechanics.kernel import Finding, enclosed
 from mechanics.kernel.balls import precision
+from mechanics.nearest import instead
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
 from mechanics.program.operations import INPUT

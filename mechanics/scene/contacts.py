@@ -9,7 +9,8 @@ in a tree of bodies: a constraint or a loop would bring in reactions that the jo
 
 from sympy import Symbol
 
-from mechanics.errors import SceneError, instead
+from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.loads import Coulomb
 from mechanics.symbolic import canonical

@@ -12,7 +12,8 @@ from typing import Any
 from sympy import Abs, Dummy, Expr, Matrix, Symbol, eye, linsolve, sign, sympify, zeros
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
-from mechanics.errors import SceneError, instead
+from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.bodies import Body, RigidBody, inertia_entries
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import scalar

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from sympy import Matrix
 from sympy.physics.vector import Point
 
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene.geometry import point_path
 from mechanics.scene.scene import Scene
 

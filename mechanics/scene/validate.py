@@ -10,7 +10,8 @@ from sympy import Symbol
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point, ReferenceFrame
 
-from mechanics.errors import SceneError, instead
+from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.contacts import check_contacts
 from mechanics.scene.declaration import Declaration

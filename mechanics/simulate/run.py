@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
-from mechanics.errors import InputError, SingularError, instead
+from mechanics.errors import InputError, SingularError
 from mechanics.kinematics.euler_angles import singular_angles
+from mechanics.nearest import instead
 from mechanics.scene.physical import massive
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.compiled.quantities import Quantity, typical_value
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, name_of

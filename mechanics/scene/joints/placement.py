@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 from sympy.physics.vector import Dyadic, Point
 
-from mechanics.errors import SceneError, instead
+from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.attachment import moved_by, moving, turning
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.declaration import Declaration

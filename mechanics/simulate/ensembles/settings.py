@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechanics.compiled.model import Model
-from mechanics.errors import InputError, instead
+from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Method
 from mechanics.simulate.ensembles.task import Task
