@@ -219,3 +219,13 @@ def test_the_version_is_that_of_the_package(run: Any) -> None:
     ran = run("--version")
     assert ran.code == 0 and ran.err == ""
     assert ran.out == f"mechanics {version('mechanics')}\n"
+
+
+@pytest.mark.parametrize("route", ["moving_point", "kane"])
+def test_all_routes_print_the_rocker_with_one_sign(run: Any, route: str) -> None:
+    rows = [
+        run("derive", "rocker", "--route", name).out.splitlines()[-1]
+        for name in ("free_body", route)
+    ]
+    assert rows[0].startswith("theta_ddot*(I_C + M*R**2*(cos(theta) + 5/4)) = ")
+    assert rows[0] == rows[1]
