@@ -16,7 +16,7 @@ import json
 import re
 import shlex
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree.ElementTree import ParseError
@@ -68,6 +68,32 @@ def excerpt(error: BaseException, words: str, arguments: Sequence[str]) -> str:
     command = shlex.join(["mechanics", *arguments])
     span = _argument(command, words)
     return "" if span is None else _shown(Place(command, *span))
+
+
+C_PLACE = re.compile(r"(\S+\.[ch]):(\d+):(\d+)")
+C_OUTPUT = re.compile(r"(\S+\.[ch]): (\w+) = .*?: (\w+\[\d+\])")
+
+
+def excerpt_of_c(words: str, texts: Mapping[str, str]) -> str:
+    """The line of C that a finding names, or that sets the output of the function it names.
+
+    Parameters
+    ----------
+    words : str
+        Its subject and its evidence.
+    texts : mapping of str to str
+        Texts by the names of their files.
+    """
+    if (place := C_PLACE.search(words)) and place[1] in texts:
+        start = _offset(texts[place[1]], int(place[2]), int(place[3]) - 1)
+        return _shown(Place(texts[place[1]], start, start + 1, Path(place[1])))
+    if (output := C_OUTPUT.search(words)) and output[1] in texts:
+        text = texts[output[1]]
+        body = re.search(rf"\b{output[2]}\([^;{{]*\{{", text)
+        begins = text.find(f"{output[3]} = ", body.end()) if body else -1
+        if begins >= 0:
+            return _shown(Place(text, begins, begins + len(output[3]), Path(output[1])))
+    return ""
 
 
 def _files(arguments: Sequence[str]) -> Iterator[Path]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from mechanics.cli.excerpt import excerpt_of_c
 from mechanics.scene.json.write import to_json
 from systems import four_bar
 
@@ -122,3 +123,22 @@ def test_a_line_of_json_is_underlined(run: Any, tmp_path: Path) -> None:
     assert underlined(run("derive", path).place)[1] == "masss"
     path.write_text('{"format": 1,,}', encoding="utf-8")
     assert underlined(run("derive", path).place) == (f"{path}:1", ",")
+
+
+C_TEXT = {"arm.c": "int arm_energy(double *e)\n{\n    e[0] = 1;\n    return 0;\n}\n"}
+
+
+@pytest.mark.parametrize(
+    ("words", "line", "meant"),
+    [
+        ("arm.c: arm_energy = graph: refused: arm.c:4:5: While is not known here", 4, "r"),
+        ("arm.c: arm_energy = graph: e[0]: the enclosures are disjoint", 3, "e[0]"),
+    ],
+)
+def test_a_line_of_c_is_underlined(words: str, line: int, meant: str) -> None:
+    assert underlined(excerpt_of_c(words, C_TEXT)) == (f"arm.c:{line}", meant)
+
+
+def test_what_no_file_has_is_not_shown() -> None:
+    assert excerpt_of_c("arm.c: arm_power = graph: e[0]: other", C_TEXT) == ""
+    assert excerpt_of_c("leg.c:4:5: While is not known here", C_TEXT) == ""
