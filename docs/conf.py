@@ -1,12 +1,14 @@
 """How Sphinx makes the site: ``sphinx-build -W docs build/site``.
 
-Pages are written by hand in Markdown. Made here, so that they cannot differ from the program: the
-gallery of all systems, the reference of the commands, the changes, and formulas as MathML.
+Pages are written by hand in Markdown, or are notebooks, which are run. Made here, so that they
+cannot differ from the program: the gallery of all systems, the reference of the commands, the
+changes, and formulas as MathML.
 """
 
 import inspect
 import os
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,9 @@ from mechanics.report.notation import mathml
 from mechanics.report.style import colours, drawing_rules
 from mechanics.scene.system import System
 
+sys.path.insert(0, str(Path(__file__).parent))
+import notebook_pages
+
 ROOT = Path(__file__).parents[1]
 REPORTS = os.environ.get("REPORTS", "").split()
 """Systems whose reports the site holds, or ``all``: these take minutes, so the default is none."""
@@ -29,6 +34,7 @@ REPORTS = os.environ.get("REPORTS", "").split()
 project = "mechanics"
 html_title = "mechanics"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+source_suffix = {".md": "markdown", ".ipynb": "markdown"}
 myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 suppress_warnings = ["myst.header"]
@@ -80,7 +86,10 @@ MADE = {"gallery": lambda: gallery(), "reference/commands": lambda: commands()}
 
 
 def fill(app: Sphinx, page: str, source: list[str]) -> None:
-    """Add to a page what the program knows."""
+    """Add to a page what the program knows; run a notebook."""
+    path = Path(app.env.doc2path(page))
+    if path.suffix == ".ipynb":
+        source[0] = notebook_pages.page(path)
     if page in MADE:
         source[0] += MADE[page]()
 

@@ -5,6 +5,7 @@ knows HTML. Everything is one element without scripts.
 """
 
 import sys
+from collections import Counter
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from mechanics.compiled import Model
     from mechanics.equations import Equations
     from mechanics.linear import Linear
+    from mechanics.report.answer.check import Check
     from mechanics.report.result import SystemResult
     from mechanics.scene import Scene
     from mechanics.simulate import Trajectory
@@ -58,14 +60,19 @@ def equations_html(equations: "Equations") -> str:
 
 
 def result_html(result: "SystemResult") -> str:
-    """How many checks passed; what did not, by name."""
+    """How many checks of each kind passed, as a table; what did not, by name."""
     from mechanics.report.words import chip
 
     count, open_ = len(result.claims), result.open
     words = f"All {count} checks passed." if result.ok else f"{len(open_)} checks did not pass."
     head = Markup("<p><strong>{}</strong>: {}</p>").format(result.name, words)
+    counts = [
+        (title, Markup(", ").join(Markup("{} {}").format(n, chip(v)) for v, n in verdicts.items()))
+        for title, findings in result.groups.items()
+        if (verdicts := Counter(finding.verdict for finding in findings))
+    ]
     rows = [(chip(f.verdict), f.subject, f.evidence) for f in open_]
-    return _element(head, _table(rows))
+    return _element(head, _table(counts), *([_table(rows)] if rows else []))
 
 
 def model_html(model: "Model") -> str:
@@ -125,6 +132,15 @@ def trajectory_html(motion: "Trajectory") -> str:
     return _element(*parts)
 
 
+def check_html(check: "Check") -> str:
+    """The page of an answer, in a frame of its own: its rules hold for nothing else."""
+    from mechanics.report.answer.page import check_html as page
+
+    style = "width: 100%; height: 40rem; border: 1px solid #8888; border-radius: 6px;"
+    frame = '<iframe title="{}" style="{}" srcdoc="{}"></iframe>'
+    return Markup(frame).format(repr(check)[1:-1], style, page(check))
+
+
 def _table(rows: list[tuple[Any, ...]]) -> Markup:
     """Cells that are text are escaped."""
     lines = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows)
@@ -149,5 +165,6 @@ SHOWN: Mapping[tuple[str, str], Callable[[Any], str]] = {
     ("mechanics.compiled.model", "Model"): model_html,
     ("mechanics.linear.form", "Linear"): linear_html,
     ("mechanics.simulate.trajectory", "Trajectory"): trajectory_html,
+    ("mechanics.report.answer.check", "Check"): check_html,
 }
 """How a type is shown, by its module and name."""

@@ -8,7 +8,7 @@ import pytest
 
 import mechanics
 from mechanics.notebook import SHOWN, register
-from systems import arm_seven_joints, rod_pendulum
+from systems import EVERY, arm_seven_joints, rod_pendulum, rolling_disc
 
 
 def test_every_name_is_that_of_a_type() -> None:
@@ -73,3 +73,26 @@ def test_a_running_notebook_shows_them() -> None:
         InteractiveShell.clear_instance()
     assert "<svg" in shown_as["text/html"]
     assert len(shown_as["text/plain"]) < 200
+
+
+@pytest.mark.campaign
+def test_what_a_cell_ends_with_is_short() -> None:
+    """Of every public class, of what public functions return, and of parts of a scene."""
+    scene = rod_pendulum.scene()
+    equations = mechanics.derive(scene, "lagrange")
+    model = mechanics.compile(equations)
+    linear = mechanics.linearize(equations, {"theta": 0}, inputs={"u": 0})
+    result = mechanics.crosscheck(scene, mechanics.CrossCheck(("kane", "lagrange"), states=0))
+    refuted = mechanics.check(scene, "l**2*m*theta'' = 0")
+    disc = rolling_disc.scene()
+    made = [
+        scene, equations, model, linear, result, refuted, refuted.judged[0],
+        mechanics.simulate(model, 0.1, samples=3), mechanics.modes(linear),
+        mechanics.ensemble(model, 0.1, initial={"theta": [0.0, 0.5]}),
+        mechanics.Feedback(lambda t, q, u: 0.0), mechanics.BlackBox(len), mechanics.CrossCheck(),
+        *mechanics.Verdict, *(getattr(mechanics, name) for name in mechanics.__all__),
+        *disc.bodies, *disc.loads, *disc.reactions, *disc.constraints, *disc.parameters,
+        *EVERY, *(row for system in EVERY for row in system.published),
+    ]  # fmt: skip
+    long = {type(one).__name__: repr(one) for one in made if len(repr(one)) > 200}
+    assert not long

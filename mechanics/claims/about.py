@@ -7,6 +7,7 @@ from sympy import Matrix, S
 from sympy.matrices import MatrixBase
 
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import (
     EquationOfMotion,
@@ -102,7 +103,7 @@ def named_quantity(words: str) -> Quantity:
         For other words.
     """
     if words not in WORDS:
-        raise InputError(f"about {words!r}: it can be {', '.join((*QUANTITIES, *OTHERS))}")
+        raise InputError(f"about {words!r}: {instead(words, (*QUANTITIES, *OTHERS), 'quantities')}")
     return QUANTITIES.get(words, Identity)()
 
 

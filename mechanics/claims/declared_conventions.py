@@ -20,6 +20,7 @@ from mechanics.claims.directions import DIRECTIONS, Counted, counted
 from mechanics.claims.kinds import quantity
 from mechanics.claims.names import Match
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 
 SIGNS = ("other sign of angles", "other sign of displacements", "other sign of inputs")
@@ -81,7 +82,7 @@ def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[De
     found: dict[tuple[str, str], Declared] = {}
     meanings = {match.name: match.meaning for match in known}
     for blank in (told for told in names if not told.replace(",", "").strip()):
-        raise InputError(f"convention {blank[:80]!r}: it can be {', '.join(NAMES)}")
+        raise InputError(f"convention {blank[:80]!r}: {instead(blank, NAMES, 'conventions')}")
     for part in _parts(",".join(names)):
         every = _known()
         name, of = _plain(part), ""
@@ -91,7 +92,7 @@ def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[De
             heads = {*every, "other sign"} - {_plain(sign) for sign in SIGNS}
             if name not in heads or not of.isidentifier():
                 raise InputError(
-                    f"convention {part[:80]!r}: it can be {', '.join(NAMES)};"
+                    f"convention {part[:80]!r}: {instead(part, NAMES, 'conventions')};"
                     " or one of these of one name: half-length of L, other sign of theta"
                 )
             of = meanings.get(of, of)

@@ -16,6 +16,7 @@ from mechanics.claims.names import Naming
 from mechanics.claims.place import LARGEST_TEXT
 from mechanics.claims.text.read import read_text
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 
 Reader = Callable[[str, Naming, str], Sequence[Entry]]
@@ -61,9 +62,9 @@ def read_source(
         When nothing in the text can be read, by line and column.
     """
     if notation is not None and notation not in NOTATIONS:
-        raise InputError(f"notation {notation!r}: it can be {', '.join(NOTATIONS)}")
+        raise InputError(f"notation {notation!r}: {instead(notation, NOTATIONS, 'notations')}")
     if about is not None and about not in QUANTITIES:
-        raise InputError(f"about {about!r}: it can be {', '.join(QUANTITIES)}")
+        raise InputError(f"about {about!r}: {instead(about, QUANTITIES, 'quantities')}")
     chosen = notation or notation_of(text[:LARGEST_TEXT])
     title = origin or ("LaTeX" if chosen == "latex" else "text")
     text = expanded(text, title) if chosen == "latex" else text

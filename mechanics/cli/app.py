@@ -1,4 +1,4 @@
-"""The commands, and what every one of them does with an error: one line, exit code 2.
+"""The commands, and what every one of them does with an error: a line, where it is, exit code 2.
 
 What is refuted while something is written has exit code 1, as everything that is refuted.
 
@@ -176,11 +176,11 @@ def main() -> None:
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="mechanics", standalone_mode=False)
     except USAGE_ERROR as error:
-        _refuse(error.format_message())
+        _refuse(error, error.format_message() + _to_add(error))
     except RefutedError as error:
-        _refuse(str(error), 1)
+        _refuse(error, str(error), 1)
     except (MechanicsError, OSError) as error:
-        _refuse(str(error))
+        _refuse(error, str(error))
     except Exception:
         # A defect of this program. Python's own exit code for it, 1, would read as a refutation.
         traceback.print_exc()
@@ -189,8 +189,22 @@ def main() -> None:
         sys.exit(code)
 
 
-def _refuse(words: str, code: int = 2) -> NoReturn:
-    one_line = escape(" ".join(words.split()))
+def _to_add(error: Any) -> str:
+    """What to write where an argument or an option is missing."""
+    missing = getattr(error, "param", None)
+    if missing is None or "Missing" not in error.format_message():
+        return ""
+    options = [name for name in missing.opts if name.startswith("--")]
+    words = " ".join([*options, missing.metavar or "VALUE"])
+    return f" Add {words}: {missing.help}"
+
+
+def _refuse(error: BaseException, words: str, code: int = 2) -> NoReturn:
+    from mechanics.cli.excerpt import excerpt
+
+    one_line = " ".join(words.split())
     console = Console(stderr=True, soft_wrap=True, highlight=False)
-    console.print(f"[bold red]error:[/] {one_line}")
+    console.print(f"[bold red]error:[/] {escape(one_line)}")
+    if place := excerpt(error, one_line, sys.argv[1:]):
+        console.print(f"[dim]{escape(place)}[/]")
     sys.exit(code)

@@ -19,7 +19,7 @@ from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.system import DEFAULT_STATES
 from mechanics.equations import Side
-from mechanics.kernel import Finding, Verdict
+from mechanics.kernel import Verdict
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
 from mechanics.report.result import SystemResult
@@ -180,12 +180,7 @@ def _summary(console: Console, results: Sequence[SystemResult], verbose: bool) -
             console.print(escape(equation), soft_wrap=True)
         if verbose:
             _timings(console, result)
-        for title, findings in (
-            ("pairs of routes", list(result.pairs.values())),
-            ("laws, reactions and graphs", _others(result)),
-            ("published rows", [entry.finding for entry in result.published]),
-            ("the scene as declared, by numbers", list(result.witnesses)),
-        ):
+        for title, findings in result.groups.items():
             if findings:
                 console.print(f"{title}: {counted(findings)}")
         if result.compiled:
@@ -228,8 +223,3 @@ def column_name(name: str) -> str:
     if route not in METHODS:
         return name
     return f"{route} ({'SymPy' if name != route else 'program'})"
-
-
-def _others(result: SystemResult) -> list[Finding]:
-    pairs = {id(finding) for finding in result.pairs.values()}
-    return [finding for finding in result.findings if id(finding) not in pairs]

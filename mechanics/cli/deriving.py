@@ -71,12 +71,18 @@ def written(equations: Equations, form: Format, fixed: Mapping[str, Any]) -> str
 
 
 def _sides(equations: Equations) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    """Left and right sides, the first coefficient of an acceleration positive."""
     scene = equations.scene
-    lefts = equations.mass * Matrix(scene.ud)
     rights = equations.forcing
     if equations.multipliers:
         rights = rights + equations.reaction_matrix * Matrix(equations.multipliers)
-    rows = list(zip(lefts, rights, strict=True))
+    rows = []
+    for i, right in enumerate(rights):
+        entries = list(equations.mass.row(i))
+        first = next((entry for entry in entries if entry != 0), sympy.S.One)
+        if first.could_extract_minus_sign():
+            entries, right = [sympy.signsimp(-entry) for entry in entries], sympy.signsimp(-right)
+        rows.append(((Matrix([entries]) * Matrix(scene.ud))[0], right))
     if equations.constraint_matrix.rows:
         closed = equations.constraint_matrix * Matrix(scene.ud)
         rows += list(zip(closed, equations.constraint_bias, strict=True))

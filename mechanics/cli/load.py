@@ -17,7 +17,6 @@ from typing import Annotated, Any
 import typer
 
 from mechanics.claims.read import file_text
-from mechanics.cli.nearest import meant
 from mechanics.errors import InputError, MechanicsError
 from mechanics.importers import as_scene
 from mechanics.importers.assemble import SYMBOLIC, assemble
@@ -25,6 +24,7 @@ from mechanics.importers.decimals import Notes
 from mechanics.importers.mjcf import read_mjcf
 from mechanics.importers.sympy_model import is_model
 from mechanics.importers.urdf import read_urdf
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 from mechanics.scene.declaration import DROP
 from mechanics.scene.json.read import from_json
@@ -111,10 +111,8 @@ def built_in(text: str) -> System:
             make: Callable[..., Scene] = system.scene
             return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
-    near = meant(text, known)
-    others = "mechanics systems lists them" if near else f": the systems are {', '.join(known)}"
     raise InputError(
-        f"system {text!r} is not known{near}{' ' * bool(near)}{others};"
+        f"system {text!r} is not known: {instead(text, known, 'systems')};"
         " or give the path of a .py file with a function scene()"
     )
 

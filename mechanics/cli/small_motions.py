@@ -27,6 +27,7 @@ from mechanics.linear import linearize as about
 from mechanics.linear import modes as exact_modes
 from mechanics.linear.sweep import AXIS
 from mechanics.linear.values import with_numbers
+from mechanics.nearest import instead
 from mechanics.report.modes_plot import modes_plot
 from mechanics.simulate.files import writable
 
@@ -229,7 +230,7 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         elif key in inputs:
             inputs[key] = value
         else:
-            known = ", ".join((*coordinates, *inputs))
+            known = instead(key, (*coordinates, *inputs), "coordinates and inputs")
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
     speeds = products(moving, "--speeds", {symbol.name: symbol for symbol in scene.parameters})
     if over is not None and over in {u.name for u in scene.u} - set(speeds):

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 from sympy import Expr, Rational, Symbol, pi
 
-from mechanics.cli.nearest import meant
 from mechanics.errors import InputError, RangeError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
 from mechanics.scene.validity import condition_parameters
@@ -137,8 +137,7 @@ def sorted_out(
         else:
             known = sorted(initial) + sorted(parameters) + sorted(inputs)
             raise InputError(
-                f"{scene.name}: there is no {name!r} to set"
-                + (meant(name, known) or f": the names are {', '.join(known)}")
+                f"{scene.name}: there is no {name!r} to set: {instead(name, known, 'names')}"
             )
     return groups[0], groups[1], groups[2]
 

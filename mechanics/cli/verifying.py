@@ -13,6 +13,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from mechanics.cli.excerpt import excerpt_of_c
 from mechanics.cli.files import write
 from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import CALL, built_in, load
@@ -154,6 +155,8 @@ def _print(console: Console, found: Verification, remark: str) -> None:
     ]
     for finding in bad[:SHOWN_FINDINGS]:
         explain(console, finding)
+        if place := excerpt_of_c(f"{finding.subject}: {finding.evidence}", folder.texts):
+            console.print(f"[dim]{escape(place)}[/]")
     if len(bad) > SHOWN_FINDINGS:
         counts = Counter(finding.verdict for finding in bad[SHOWN_FINDINGS:])
         words = ", ".join(f"[{STYLES[v]}]{n} more {v.name}[/]" for v, n in counts.items())

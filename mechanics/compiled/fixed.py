@@ -16,6 +16,7 @@ from sympy import Expr, Matrix, Rational, Symbol
 
 from mechanics.equations import Equations, Matrices
 from mechanics.errors import InputError, RangeError, SingularError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.scene import Scene
 from mechanics.symbolic import generic_rank
@@ -46,8 +47,8 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     for name, value in given.items():
         if name not in named:
             raise InputError(
-                f"fixed {name!r}: {scene.name} has no such parameter: the parameters are"
-                f" {', '.join(sorted(named))}"
+                f"fixed {name!r}: {scene.name} has no such parameter:"
+                f" {instead(name, sorted(named), 'parameters')}"
             )
         table[named[name]] = _number(named[name], value)
     for _ in definitions:

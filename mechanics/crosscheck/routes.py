@@ -7,6 +7,7 @@ from mechanics.checks.admissible import check_scene
 from mechanics.equations import Equations, written_out
 from mechanics.errors import InputError, wanted
 from mechanics.importers import as_scene
+from mechanics.nearest import instead
 from mechanics.routes.derivation import ROUTES, Route
 from mechanics.scene import Scene
 
@@ -22,7 +23,7 @@ def named_routes(names: Sequence[str]) -> tuple[Route, ...]:
     known = [route.name for route in ROUTES]
     for name in names:
         if name not in known:
-            raise InputError(f"route {name!r}: the routes are {', '.join(known)}")
+            raise InputError(f"route {name!r}: {instead(name, known, 'routes')}")
     return tuple(route for route in ROUTES if not names or route.name in names)
 
 

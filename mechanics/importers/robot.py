@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from sympy import Expr, ImmutableMatrix, Integer, Rational, eye
 
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 
 Column = tuple[Expr, Expr, Expr]
 ZERO = Integer(0)
@@ -232,7 +233,10 @@ def ordered(robot: Robot) -> tuple[str, Robot]:
     for joint in robot.joints:
         for role, link in (("parent", joint.parent), ("child", joint.child)):
             if link not in every:
-                raise InputError(f"joint {joint.name}: there is no link {link!r}, its {role}")
+                raise InputError(
+                    f"joint {joint.name}: there is no link {link!r}, its {role}:"
+                    f" {instead(link, [one.name for one in robot.links], 'links')}"
+                )
         other = carrier.setdefault(joint.child, joint)
         if other is not joint:
             raise InputError(

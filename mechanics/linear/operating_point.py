@@ -7,6 +7,7 @@ from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.errors import InputError
 from mechanics.kernel.angles import base_angles
+from mechanics.nearest import instead
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.residues import Residues
@@ -100,7 +101,7 @@ def _named(scene: Scene, kind: str, symbols: Sequence[Symbol], given: Values) ->
         name = key if isinstance(key, str) else str(scene.plain(key, "operating point"))
         if name not in names:
             raise InputError(
-                f"{scene.name}: {name!r} is no {kind}: there are {', '.join(names) or 'none'}"
+                f"{scene.name}: {name!r} is no {kind}: {instead(name, names, f'{kind}s')}"
             )
         number = sympify(value, rational=True)
         # The decimal that was typed, not the double next to it.

@@ -9,6 +9,7 @@ from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.errors import InputError, SingularError, ValueMissingError
 from mechanics.kernel import enclose
+from mechanics.nearest import instead
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
 from mechanics.program.sympy_reader import read
@@ -144,5 +145,5 @@ def _refuse_unknown(scene: Scene, own: Iterable[Symbol], given: Mapping[str, Any
         if name not in names:
             raise InputError(
                 f"{scene.name}: there is no parameter {name!r}:"
-                f" the parameters are {', '.join(sorted(names))}"
+                f" {instead(name, sorted(names), 'parameters')}"
             )

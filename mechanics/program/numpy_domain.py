@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ class Arrays:
 
     precision: type = np.float64
 
-    @property
+    @cached_property
     def operations(self) -> Mapping[str, Callable[..., Any]]:
         """NumPy's functions by the names of the table; truth values become 0 and 1."""
         return {row.name: self._function(row.numpy, row.boolean) for row in OPERATIONS

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +13,7 @@ from sympy import Expr
 from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.quantities import Quantities
 from mechanics.errors import InputError, RangeError, ValueMissingError
+from mechanics.nearest import instead
 from mechanics.program.constants import rational
 from mechanics.reduce.proof import Box
 from mechanics.scene import Scene
@@ -178,6 +178,4 @@ def check_names(scene: Scene, known: Quantities, box: Mapping[str, Any]) -> None
     )
     for name in box:
         if name not in names:
-            near = get_close_matches(name, names, n=1, cutoff=0.7)
-            ask = f"did you mean {near[0]!r}?" if near else f"the names are {', '.join(names)}"
-            raise InputError(f"{scene.name}: there is no {name!r}: {ask}")
+            raise InputError(f"{scene.name}: there is no {name!r}: {instead(name, names, 'names')}")

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from fractions import Fraction
 from functools import cached_property
 from math import isfinite
@@ -24,6 +23,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError, ZeroDivisorError, wanted
 from mechanics.kernel import Finding, enclosed
 from mechanics.kernel.balls import precision
+from mechanics.nearest import instead
 from mechanics.program import Builder, Program
 from mechanics.program.interpret import include
 from mechanics.program.operations import INPUT
@@ -269,10 +269,7 @@ def _asked(
         raise InputError(f"{twice[0]} has a range and a value: give one of them")
     ranges |= single
     if of not in function_inputs(equations):
-        near = get_close_matches(of, function_inputs(equations), n=1)
-        ask = f"did you mean {near[0]!r}?" if near else "there are " + ", ".join(
-            function_inputs(equations)
-        )  # fmt: skip
+        ask = instead(of, function_inputs(equations), "outputs")
         raise InputError(f"output {of!r} of {equations.scene.name}: there is none: {ask}")
     graphs = Graphs(equations)
     check_names(equations.scene, graphs.quantities, ranges)

@@ -3,16 +3,16 @@
 A scene that keeps the plane z = 0 is seen along z, any other along (-1, -1, -1), z upwards.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 from sympy import Expr, Matrix, Symbol, sympify
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
-from mechanics.program import Builder, interpret
+from mechanics.program import Builder, Program, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.sympy_reader import read
 from mechanics.scene import Gravity, Scene, Spring
@@ -22,6 +22,14 @@ ISOMETRIC = np.array([[-0.7071, 0.7071, 0.0], [-0.4082, -0.4082, 0.8165]])
 FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 # Arrows of inputs and of parameters without a typical value need some length.
 UNKNOWN = 1.0
+ARRAYS = Arrays()
+
+
+def _program(entries: tuple[Any, ...], by: Symbol | None = None) -> Program:
+    """Expressions in plain symbols as a program, or their derivatives by a symbol."""
+    builder = Builder()
+    shown = entries if by is None else [sympify(entry).diff(by) for entry in entries]
+    return builder.program({"entries": read(builder, shown)})
 
 
 @dataclass(frozen=True)
@@ -37,16 +45,19 @@ class View:
         Parameters, where another view of the scene has them already, see `at`.
     apart : mapping of Point to ndarray, optional
         The shifts of `slack` that another view has: they are the same at all states of a motion.
+    program : callable, optional
+        `_program`, with what it made: the same are asked for at all states of a motion.
     """
 
     scene: Scene
     state: Mapping[str, float]
     known: Mapping[Symbol, float] | None = None
     apart: Mapping[Point, np.ndarray] | None = None
+    program: Callable[..., Program] = field(default_factory=lambda: cache(_program))
 
     def at(self, state: Mapping[str, float]) -> "View":
         """The scene at another state."""
-        return View(self.scene, state, self.constants, self.slack)
+        return View(self.scene, state, self.constants, self.slack, self.program)
 
     @cached_property
     def constants(self) -> Mapping[Symbol, float]:
@@ -63,6 +74,11 @@ class View:
             table[symbol] = float(self.state.get(symbol.name, 0.0))
         # Where the scene holds the time, it is seen at the start.
         return {TIME: 0.0, **table}
+
+    @cached_property
+    def inputs(self) -> dict[str, float]:
+        """The same by name."""
+        return {symbol.name: value for symbol, value in self.values.items()}
 
     def _constant(self, symbol: Symbol) -> float:
         """A parameter by its definition, else its typical value."""
@@ -112,12 +128,10 @@ class View:
         """Value of an expression in plain or dynamic symbols."""
         return float(self.numbers(Matrix([self.scene.plain(sympify(expression))]))[0, 0])
 
-    def numbers(self, matrix: Matrix) -> np.ndarray:
-        """Values of a matrix in plain symbols."""
-        builder = Builder()
-        program = builder.program({"entries": read(builder, list(matrix))})
-        known = {symbol.name: value for symbol, value in self.values.items()}
-        entries = interpret(program, Arrays(), known, release=False)["entries"]
+    def numbers(self, matrix: Matrix, by: Symbol | None = None) -> np.ndarray:
+        """Values of a matrix in plain symbols, or of its derivative by one of them."""
+        program = self.program(tuple(matrix), by)
+        entries = interpret(program, ARRAYS, self.inputs, release=False)["entries"]
         return np.array(entries, dtype=float).reshape(matrix.shape)
 
     def project(self, position: np.ndarray) -> np.ndarray:
@@ -142,7 +156,7 @@ class View:
 
     def shift(self, point: Point, coordinate: Symbol) -> np.ndarray:
         """How a point moves on paper with a coordinate: dr/dq."""
-        return self.project(self.numbers(self.scene.position(point).diff(coordinate)))
+        return self.project(self.numbers(self.scene.position(point), coordinate))
 
     def turns(self, vector: Vector) -> bool:
         """Whether the direction of a vector depends on a coordinate."""

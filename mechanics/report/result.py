@@ -144,6 +144,17 @@ class SystemResult:
         return f"<cross-check of {self.name}: {said or 'nothing checked'}>"
 
     @property
+    def groups(self) -> dict[str, tuple[Finding, ...]]:
+        """What was checked, by kind; the witnesses last."""
+        pairs = {id(finding) for finding in self.pairs.values()}
+        return {
+            "pairs of routes": tuple(self.pairs.values()),
+            "laws, reactions and graphs": tuple(f for f in self.findings if id(f) not in pairs),
+            "published rows": tuple(entry.finding for entry in self.published),
+            "the scene as declared, by numbers": self.witnesses,
+        }
+
+    @property
     def columns(self) -> dict[str, RouteResult]:
         """Routes, each with SymPy's own method of that name after it."""
         found: dict[str, RouteResult] = {}

@@ -26,7 +26,7 @@ MOST_IN_SPACE = 3
 """Bodies with a full inertia up to which they are: more in space are no reading for a person."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Route:
     """A way to the equations of motion.
 
@@ -42,6 +42,9 @@ class Route:
     name: str
     rows: Callable[[Mechanism], Rows]
     steps: Callable[[Writer], tuple[Step, ...]]
+
+    def __repr__(self) -> str:
+        return f"<route {self.name}>"
 
     def derive(self, scene: Scene) -> Equations:
         """Equations of a scene, which is not asked whether it is admissible."""

@@ -10,6 +10,7 @@ in a tree of bodies: a constraint or a loop would bring in reactions that the jo
 from sympy import Symbol
 
 from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.loads import Coulomb
 from mechanics.symbolic import canonical
@@ -53,10 +54,8 @@ def check_contacts(scene: Declaration) -> None:
 def _normal(scene: Declaration, load: Coulomb) -> None:
     named = [reaction for reaction in scene.reactions if reaction.name == load.normal]
     if not named:
-        known = ", ".join(reaction.name for reaction in scene.reactions) or "none"
-        raise SceneError(
-            f"load {load.name}: there is no reaction {load.normal!r}: the reactions are {known}"
-        )
+        known = instead(load.normal, [reaction.name for reaction in scene.reactions], "reactions")
+        raise SceneError(f"load {load.name}: there is no reaction {load.normal!r}: {known}")
     if named[0].at is None:
         raise SceneError(
             f"load {load.name}: {load.normal} is a couple, which presses nowhere: name a reaction"

@@ -13,6 +13,7 @@ from sympy import Abs, Dummy, Expr, Matrix, Symbol, eye, linsolve, sign, sympify
 from sympy.physics.vector import Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.bodies import Body, RigidBody, inertia_entries
 from mechanics.scene.conditions import Condition
 from mechanics.scene.declared import scalar
@@ -199,8 +200,8 @@ class Declaration:
             if body.name == name:
                 return body
         raise SceneError(
-            f"{self.name}: there is no body {name!r}: the bodies are"
-            f" {', '.join(body.name for body in self.bodies)}"
+            f"{self.name}: there is no body {name!r}:"
+            f" {instead(name, [body.name for body in self.bodies], 'bodies')}"
         )
 
     def reaction(self, name: str) -> Reaction:
@@ -208,9 +209,9 @@ class Declaration:
         for reaction in self.reactions:
             if reaction.name == name:
                 return reaction
-        declared = ", ".join(reaction.name for reaction in self.reactions) or "none"
+        declared = [reaction.name for reaction in self.reactions]
         raise SceneError(
-            f"{self.name}: there is no reaction {name!r}: the reactions are {declared}"
+            f"{self.name}: there is no reaction {name!r}: {instead(name, declared, 'reactions')}"
         )
 
     @property

@@ -6,6 +6,7 @@ from sympy import Matrix
 from sympy.physics.vector import Point
 
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene.geometry import point_path
 from mechanics.scene.scene import Scene
 
@@ -41,7 +42,7 @@ def point_named(scene: Scene, name: str) -> Point:
     known = points(scene)
     if name not in known:
         raise InputError(
-            f"{scene.name}: there is no point {name!r}: the points are {', '.join(sorted(known))}"
+            f"{scene.name}: there is no point {name!r}: {instead(name, sorted(known), 'points')}"
         )
     return known[name]
 

@@ -13,7 +13,7 @@ class Quantity:
     """Base of the closed vocabulary of what a published row can be about."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Published:
     """One published equality.
 
@@ -36,6 +36,9 @@ class Published:
     sides: tuple[Any, ...]
     label: str
     note: str = ""
+
+    def __repr__(self) -> str:
+        return f"<published {self.tag}: {self.label[:120]}>"
 
 
 def published(tag: str, quantity: Quantity, *sides: Any, label: str, note: str = "") -> Published:

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Point, ReferenceFrame
 
 from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.contacts import check_contacts
 from mechanics.scene.declaration import Declaration
@@ -172,8 +173,8 @@ def _attachments(scene: Declaration) -> None:
                 name = getattr(part, role, None)
                 if name is not None and name not in bodies:
                     raise SceneError(
-                        f"{kind} {part.name}: there is no body {name!r}: the bodies are"
-                        f" {', '.join(sorted(bodies))}"
+                        f"{kind} {part.name}: there is no body {name!r}:"
+                        f" {instead(name, sorted(bodies), 'bodies')}"
                     )
             if isinstance(part, Force) and part.on is None and part.by is not None:
                 raise SceneError(f"load {part.name}: it names by= without on=: name both")

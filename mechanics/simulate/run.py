@@ -12,6 +12,7 @@ from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.errors import InputError, SingularError
 from mechanics.kinematics.euler_angles import singular_angles
+from mechanics.nearest import instead
 from mechanics.scene.physical import massive
 from mechanics.simulate.conservative import conservative
 from mechanics.simulate.consistent import consistent_coordinates, consistent_speeds
@@ -253,7 +254,7 @@ def equal_times(duration: float, count: int) -> Array:
 
 def _tolerance(method: str, rtol: float, atol: float) -> Tolerance:
     if method not in METHODS:
-        raise InputError(f"method {method!r}: the methods are {', '.join(METHODS)}")
+        raise InputError(f"method {method!r}: {instead(method, METHODS, 'methods')}")
     if not FINEST_RTOL <= rtol < 1:
         raise InputError(f"rtol: {rtol!r} found: it has to be in [{FINEST_RTOL:.2g}, 1)")
     if not (math.isfinite(atol) and atol > 0):

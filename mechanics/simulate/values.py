@@ -15,6 +15,7 @@ from sympy import Expr, Rational, Symbol, sympify
 
 from mechanics.compiled.quantities import Quantity, typical_value
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, name_of
@@ -159,7 +160,7 @@ def _fed_back(name: str, law: Feedback, n: int, t: float, state: Array | None) -
 def _known(kind: str, given: Mapping[str, Any], names: Sequence[str], group: str) -> None:
     for name in given:
         if name not in names:
-            there = f"the {group} are {', '.join(names)}" if names else f"there are no {group}"
+            there = instead(name, names, group)
             raise InputError(f"{kind} {name!r}: the scene has no such name: {there}")
 
 

@@ -119,7 +119,7 @@ def test_what_is_wrong_under_a_declared_convention_is_searched_under_it() -> Non
 
 
 def test_an_unknown_convention_is_refused() -> None:
-    with pytest.raises(InputError, match="it can be other vertical, other sign of angles"):
+    with pytest.raises(InputError, match="the conventions are other vertical, other sign"):
         mechanics.check(CART, CLOCKWISE, convention="upside down")
 
 

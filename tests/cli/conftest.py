@@ -1,5 +1,6 @@
 """The command line, run inside this process."""
 
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -43,11 +44,15 @@ PUBLISHED = (
 
 @dataclass(frozen=True)
 class Ran:
-    """Exit code and what was written."""
+    """Exit code and what was written; `place` is where an error is, which comes after it."""
 
     code: int
     out: str
     err: str
+    place: str = ""
+
+
+PLACE = re.compile(r"(?: *--> .+\n *\|\n)? *\d* \| .*\n *\| *\^+\n\Z", re.MULTILINE)
 
 
 Run = Callable[..., Ran]
@@ -62,7 +67,9 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
         with pytest.raises(SystemExit) as stopped:
             main()
         written = capsys.readouterr()
-        return Ran(int(stopped.value.code or 0), written.out, written.err)
+        place = PLACE.search(written.err)
+        err = written.err[: place.start()] if place else written.err
+        return Ran(int(stopped.value.code or 0), written.out, err, place[0] if place else "")
 
     return command
 

@@ -92,7 +92,7 @@ def test_colour_goes_to_terminals_only(
         (("--report", "no_such_folder/a.html"), "there is no folder no_such_folder"),
         (("--report", "."), "it is a folder: name a file in it"),
         (("--json", "no_such_folder/a.json"), "there is no folder no_such_folder"),
-        (("--convention", "x"), "it can be other vertical"),
+        (("--convention", "x"), "the conventions are other vertical"),
         (("--no-such-option",), "No such option"),
     ],
 )

@@ -79,9 +79,9 @@ def test_doubt_exits_with_three() -> None:
         (("elastic_pendulum", "-", "--name", "phi"), "write mine=the scene's"),
         (("elastic_pendulum", "-", "--name", "phi=psi"), "has no 'psi': its names are"),
         (("elastic_pendulum", "-", "--name", "zz=theta"), "no text has 'zz': it has"),
-        (("elastic_pendulum", "-", "--about", "love"), "it can be equation of motion"),
-        (("elastic_pendulum", "-", "--notation", "word"), "it can be latex, text"),
-        (("elastic_pendulum", "-", "--convention", "x"), "it can be other vertical"),
+        (("elastic_pendulum", "-", "--about", "love"), "the quantities are equation of motion"),
+        (("elastic_pendulum", "-", "--notation", "word"), "the notations are latex, text"),
+        (("elastic_pendulum", "-", "--convention", "x"), "the conventions are other vertical"),
     ],
 )
 def test_bad_input_is_an_input_error(arguments: tuple[str, ...], words: str) -> None:

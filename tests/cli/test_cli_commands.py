@@ -191,7 +191,9 @@ def test_the_console_command_in_a_process_of_its_own() -> None:
     )
     assert ran.returncode == 2
     assert ran.stdout == ""
-    assert ran.stderr.count("\n") == 1
+    told, command, carets = ran.stderr.splitlines()
+    assert told.startswith("error: system 'nothing' is not known")
+    assert command[carets.index("^") : carets.rindex("^") + 1] == "nothing"
 
 
 def test_every_command_stands_in_one_group_of_the_list() -> None:
@@ -217,3 +219,13 @@ def test_the_version_is_that_of_the_package(run: Any) -> None:
     ran = run("--version")
     assert ran.code == 0 and ran.err == ""
     assert ran.out == f"mechanics {version('mechanics')}\n"
+
+
+@pytest.mark.parametrize("route", ["moving_point", "kane"])
+def test_all_routes_print_the_rocker_with_one_sign(run: Any, route: str) -> None:
+    rows = [
+        run("derive", "rocker", "--route", name).out.splitlines()[-1]
+        for name in ("free_body", route)
+    ]
+    assert rows[0].startswith("theta_ddot*(I_C + M*R**2*(cos(theta) + 5/4)) = ")
+    assert rows[0] == rows[1]

@@ -1,4 +1,4 @@
-"""Bad input: exit code 2, one line on stderr that names what is wrong, nothing else."""
+"""Bad input: exit code 2, one line on stderr that names what is wrong, and where it is."""
 
 from pathlib import Path
 from typing import Any

@@ -112,8 +112,8 @@ def test_broken_constraint_is_refused() -> None:
     [
         ({}, {"f": 0}, "gives no value for coordinate theta"),
         ({"theta": 0}, {}, "gives no value for input f"),
-        ({"theta": 0, "phi": 0}, {"f": 0}, "'phi' is no coordinate: there are theta"),
-        ({"theta": 0}, {"f": 0, "tau": 0}, "'tau' is no input: there are f"),
+        ({"theta": 0, "phi": 0}, {"f": 0}, "'phi' is no coordinate: the coordinates are theta"),
+        ({"theta": 0}, {"f": 0, "tau": 0}, "'tau' is no input: the inputs are f"),
     ],
 )
 def test_incomplete_operating_point_is_refused(at: dict, inputs: dict, message: str) -> None:

@@ -12,7 +12,6 @@ from mechanics.claims.names import Match
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.notebook import notebook
 from mechanics.report.answer.spelled import numbered, once, spelled
 from mechanics.report.answer.terminal import answer, plain
 from mechanics.scene import Scene
@@ -70,6 +69,3 @@ class Check:
         counts = Counter(entry.verdict for entry in self.judged)
         words = ", ".join(f"{counts[v]} {v.name}" for v in Verdict if counts[v])
         return f"<Check of {self.scene.name}: {words or 'nothing was checked'}>"
-
-    def _repr_html_(self) -> str:
-        return notebook(self.__rich__())

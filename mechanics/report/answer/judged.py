@@ -8,7 +8,7 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.scene.dimensions import BY_DIMENSION
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Judged:
     """A statement and its verdict.
 
@@ -29,6 +29,9 @@ class Judged:
     right_if: tuple[str, ...] = ()
     blame: Blame | None = None
     open: bool = False
+
+    def __repr__(self) -> str:
+        return f"<{self.verdict.name} {self.statement.source[:160]}>"
 
     @property
     def verdict(self) -> Verdict:

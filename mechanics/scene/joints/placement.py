@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from sympy.physics.vector import Dyadic, Point
 
 from mechanics.errors import SceneError
+from mechanics.nearest import instead
 from mechanics.scene.attachment import moved_by, moving, turning
 from mechanics.scene.bodies import Body, Particle, RigidBody
 from mechanics.scene.declaration import Declaration
@@ -32,8 +33,8 @@ def check_joints(scene: Declaration) -> None:
         for name in (joint.parent, joint.child):
             if name is not None and name not in bodies:
                 raise SceneError(
-                    f"joint {joint.name}: there is no body {name!r}: the bodies are"
-                    f" {', '.join(sorted(bodies))}"
+                    f"joint {joint.name}: there is no body {name!r}:"
+                    f" {instead(name, sorted(bodies), 'bodies')}"
                 )
         if joint.parent == joint.child:
             raise SceneError(f"joint {joint.name}: body {joint.child!r} is tied to itself")

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 
 
 class Status(Enum):
@@ -60,7 +61,8 @@ class Ensemble:
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """One coordinate or speed of all motions, shape (batch, N)."""
         if name not in self.names:
-            raise InputError(f"{name!r}: the coordinates and speeds are {', '.join(self.names)}")
+            names = instead(name, self.names, "coordinates and speeds")
+            raise InputError(f"{name!r}: {names}")
         return self.states[..., self.names.index(name)]
 
     @property

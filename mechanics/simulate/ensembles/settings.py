@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechanics.compiled.model import Model
 from mechanics.errors import InputError
+from mechanics.nearest import instead
 from mechanics.simulate.ensembles.choice import best
 from mechanics.simulate.ensembles.run import ADAPTIVE, FIXED, Method
 from mechanics.simulate.ensembles.task import Task
@@ -89,8 +90,8 @@ def read_method(
 
 def _name_and_size(name: str, tolerance: float | None, step: float | None) -> tuple[str, float]:
     if name not in (AUTO, *ADAPTIVE, *FIXED):
-        names = ", ".join((AUTO, *ADAPTIVE, *FIXED))
-        raise InputError(f"method {name!r}: the methods are {names}")
+        methods = instead(name, (AUTO, *ADAPTIVE, *FIXED), "methods")
+        raise InputError(f"method {name!r}: {methods}")
     if tolerance is not None and step is not None:
         raise InputError("tolerance and step: both are given: give one of them")
     if step is not None:
