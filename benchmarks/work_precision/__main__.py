@@ -87,8 +87,8 @@ def levels(problem: Problem, found: dict[str, list[Point]]) -> str:
             best = min(able, key=lambda p: p.energy)
             cells.append(f"{best.energy:.0e} J")
         else:
-            best = max(able, key=lambda p: p.scd)
-            cells.append(f"{best.scd:.1f}")
+            best = max(able, key=lambda p: p.digits(problem))
+            cells.append(f"{best.digits(problem):.1f}")
         cells += [f"{best.constraint:.0e}"] if with_constraints else []
         lines.append(f"| {name} | {' | '.join(cells)} |")
     return "\n".join(lines)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.work_precision.methods import prepared
-from benchmarks.work_precision.problems import ENERGY, Problem
+from benchmarks.work_precision.problems import ENERGY, MIXED, Problem
 from mechanics import derive
 from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import Integrator, Outcome, Setting
@@ -62,7 +62,11 @@ class Point:
 
     def reaches(self, problem: Problem, level: float) -> bool:
         """Whether it is as accurate as a level of the problem."""
-        return self.energy <= level if problem.measure == ENERGY else self.scd >= level
+        return self.energy <= level if problem.measure == ENERGY else self.digits(problem) >= level
+
+    def digits(self, problem: Problem) -> float:
+        """Correct digits at the end, as the problem counts them."""
+        return self.mescd if problem.measure == MIXED else self.scd
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,8 +130,9 @@ def points(of: Posed, member: Integrator) -> Iterator[Point] | str:
             why = point
             continue
         able.append(point)
-        error = point.energy if of.problem.measure == ENERGY else 10**-point.scd
-        stuck = 0 if error < best / 2 else stuck + 1
+        error = point.energy if of.problem.measure == ENERGY else 10 ** -point.digits(of.problem)
+        small = point.reaches(of.problem, of.problem.levels[0])
+        stuck = 0 if error < best / 2 or not small else stuck + 1
         best = min(best, error)
         if point.seconds > LONGEST or stuck >= STUCK:
             break

@@ -25,7 +25,7 @@ from systems import andrews, double_pendulum, four_bar_chain
 from tests.spatial_loops import bricard
 
 Array = NDArray[np.float64]
-ENERGY, DIGITS = "energy", "digits"
+ENERGY, DIGITS, MIXED = "energy", "digits", "mixed"
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,8 @@ class Problem:
     duration : float
         In s.
     measure : str
-        ``"energy"``: its largest error along the way, in J; ``"digits"``: scd at the end.
+        ``"energy"``: its largest error along the way, in J; ``"digits"``: scd at the end;
+        ``"mixed"``: mescd, where an entry ends near zero.
     levels : tuple of float
         Errors of the energy, or numbers of digits, at which work is compared.
     initial, parameters : mapping
@@ -112,7 +113,7 @@ PROBLEMS: tuple[Problem, ...] = (
     Problem("A04", "IFToMM", lambda: replace(bricard(), redundant="drop"), 10.0, ENERGY, J),
     Problem("Pleiades", "Test Set and SciML", scenes.pleiades, 3.0, published=PLEIADES_END),
     Problem("three bodies", "SciML", scenes.three_bodies, 2 * 17.0652165601579625588917206249,
-            levels=(1, 3, 5, 7), published={"x": 0.994, "y": 0.0}),
+            MIXED, (1, 3, 5, 7), published={"x": 0.994, "y": 0.0}),
     Problem("rigid body", "SciML", scenes.rigid_body, 10.0, compared=("y1", "y2", "y3")),
     Problem("Henon-Heiles", "SciML", scenes.henon_heiles, 100.0, ENERGY, (1e-3, 1e-6, 1e-9, 1e-12),
             energy=_energy(scenes.HENON_HEILES)),

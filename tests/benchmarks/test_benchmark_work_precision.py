@@ -12,6 +12,7 @@ BY_NAME = {problem.name: problem for problem in PROBLEMS}
 RK8 = next(m for m in METHODS if m.name == "C RK8")
 
 
+@pytest.mark.campaign
 def test_digits_are_those_of_the_solution_and_grow_with_work() -> None:
     of = posed(BY_NAME["A01"])
     # A pendulum from level: theta'^2 / 2 = -9.81 sin theta, on a rod of 1 m.
@@ -46,6 +47,7 @@ def test_four_bars_move_as_one_pendulum() -> None:
     assert np.ptp(energy) < 1e-10
 
 
+@pytest.mark.campaign
 def test_the_table_is_printed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -324,3 +324,9 @@ def test_steps_that_go_through_the_times(compiler: str | None) -> None:
     # A step longer than all of the times is taken in parts only.
     once = solved(through, Setting("C RK8", step=2.0))
     assert once.evaluations == 0 and error("elastic_pendulum", once) < 1e-2
+
+
+def test_a_step_that_is_far_too_long_is_refused_in_words() -> None:
+    problem = dataclasses.replace(posed("elastic_pendulum"), times=np.array([0.0, 1e13]))
+    why = MEMBERS["C RK8"].suits(problem, Setting("C RK8", step=1e12))
+    assert "unstable with a step of 1e+12 s" in why
