@@ -31,8 +31,8 @@ FEW = ("SciPy DOP853", "SciPy LSODA", "SUNDIALS CVODES", "heyoka Taylor", *IN_C)
 """Methods that are measured: the others are not the cheapest of any system that ships."""
 COLUMNS = ("system", "target", "ranking", "pick", "misses", "asked/reached", "largest/median",
            "cost")  # fmt: skip
-MOST = 400
-"""Steps between samples at which a search gives up."""
+FINER, MOST = 1.05, 1e4
+"""Ratio of the steps that a search tries, and the steps in all at which it gives up."""
 
 
 @dataclass(frozen=True)
@@ -66,18 +66,17 @@ class Row:
 def exhaustive(case: Case, around: Family, target: float) -> float:
     """Fewest operations for a second of motion that meet a target on all states of a family."""
     best = np.inf
-    span = float(case.times[1])
+    counts = FINER ** np.arange(0, np.log(MOST) / np.log(FINER))
     for name in IN_C:
         for arithmetic in ("double", "single"):
-            for count in range(1, MOST):
-                choice = Choice(Variant(), Setting(name, step=span / count, arithmetic=arithmetic))
+            for count in counts.tolist():
+                setting = Setting(name, step=case.horizon / count, arithmetic=arithmetic)
+                choice = Choice(Variant(), setting)
                 cost = operations(case, choice)
                 if cost >= best:
                     break
-                few, every = 24, len(around.starts)
-                if train(case, [choice], around, few)[0].bound > target:
-                    continue
-                if train(case, [choice], around, every)[0].bound <= target:
+                if all(train(case, [choice], around, states)[0].bound <= target
+                       for states in (1, 24, len(around.starts))):  # fmt: skip
                     best = cost
                     break
     return float(best)
@@ -92,7 +91,7 @@ def rows(name: str, states: int, horizon: float) -> list[Row]:
         found = trade(equations, horizon, members=members)
     except MechanicsError as error:
         return [Row(name, f"not measured: {error}", 0.0, "")]
-    case = Case(equations, found.horizon)
+    case = Case(equations, found.horizon, through=True)
     fresh = family(case, found.yardstick.truth.scale, states, seed=SEED)
     truths = working_truths(case, fresh, found.family.first, found.family.second)
     result = []

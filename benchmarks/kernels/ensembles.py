@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from statistics import median
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -182,9 +182,9 @@ def measured(
     times: dict[str, list[float]] = {name: [] for name in runs}
     for _ in range(rounds):
         for name, run in runs.items():
-            begin = perf_counter()
+            begin = process_time()
             run()
-            times[name].append((perf_counter() - begin) / count)
+            times[name].append((process_time() - begin) / count)
     return [
         Entry(name, median(times[name]), float(np.max(e)), float(np.median(e)))
         for name, e in errors.items()

@@ -1,6 +1,6 @@
 """Kernels timed in turn, in one process, after each has been shown to compute the same.
 
-    ns a state = median over the rounds of (time of some passes / (passes * states))
+    ns a state = processor time of some passes / (passes * states)        a number a round
 
 A kernel that gives other accelerations is an error, not a row of the table.
 """
@@ -8,7 +8,7 @@ A kernel that gives other accelerations is an error, not a row of the table.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from statistics import median
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 
@@ -66,8 +66,17 @@ class DisagreementError(ValueError):
     """A kernel computes something else."""
 
 
-def race(case: Case, contenders: Sequence[Contender], rounds: int) -> dict[str, float]:
-    """Median ns a state of each contender that is present, measured in turn.
+Times = dict[str, list[float]]
+"""Processor time of each contender, ns a state, by round: one thread each."""
+
+
+def ratio(times: Times, ours: str, peer: str) -> float:
+    """Median over the rounds: what disturbs a round disturbs both."""
+    return median(a / b for a, b in zip(times[ours], times[peer], strict=True))
+
+
+def race(case: Case, contenders: Sequence[Contender], rounds: int) -> Times:
+    """Times of each contender that is present, measured in turn.
 
     Raises
     ------
@@ -76,11 +85,11 @@ def race(case: Case, contenders: Sequence[Contender], rounds: int) -> dict[str, 
     """
     laps = {c.name: _checked(c, case) for c in contenders if not c.absent()}
     passes = {name: _passes(lap) for name, lap in laps.items()}
-    times: dict[str, list[float]] = {name: [] for name in laps}
+    times: Times = {name: [] for name in laps}
     for _ in range(rounds):
         for name, lap in laps.items():
             times[name].append(_timed(lap, passes[name]))
-    return {name: median(found) for name, found in times.items()}
+    return times
 
 
 def _checked(contender: Contender, case: Case) -> Lap:
@@ -103,7 +112,7 @@ def _passes(lap: Lap) -> int:
 
 
 def _timed(lap: Lap, passes: int) -> float:
-    start = perf_counter()
+    start = process_time()
     for _ in range(passes):
         lap.run()
-    return (perf_counter() - start) / (passes * lap.together * lap.states) * 1e9
+    return (process_time() - start) / (passes * lap.together * lap.states) * 1e9

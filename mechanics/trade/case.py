@@ -53,6 +53,8 @@ class Case:
     grid : tuple of float, optional
         Times at which the motion is looked at, from 0 to the horizon; by default some of them at
         equal distances.
+    through : bool
+        Whether fixed steps go on through these times; see `Problem`.
     linear : callable
         Makes the linearized equations; refuses where there are none.
     """
@@ -64,6 +66,7 @@ class Case:
     inputs: Mapping[str, Any] = field(default_factory=dict)
     compiler: str | None = "auto"
     grid: tuple[float, ...] | None = None
+    through: bool = False
     linear: Callable[["Case"], Equations] = lambda case: linearized(
         case.equations, case.parameters, case.suggested
     )
@@ -122,7 +125,8 @@ class Case:
         begin = self.start if start is None else start
         # From another start a motion may be faster: what the case can pay for shall not fail there.
         budget = BUDGET if start is None else ELSEWHERE * BUDGET
-        return Problem(model, self.p(model), self.inputs, begin, self.times, budget)
+        p = self.p(model)
+        return Problem(model, p, self.inputs, begin, self.times, budget, self.through)
 
     def with_model(self, model: Model) -> "Case":
         """The same with a model that was compiled already."""

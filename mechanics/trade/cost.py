@@ -7,12 +7,12 @@ of a method in C one step, of another one evaluation. For a target without Pytho
 there it is the operations of a step, counted in its graph, and the memory that it works in.
 """
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechanics.program.routine import Routine
 from mechanics.simulate.integrators import explicit
-from mechanics.simulate.integrators.loop import plan
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.measure import Measurement
@@ -55,8 +55,7 @@ def embeddable(choice: Choice) -> bool:
 
 def operations(case: Case, choice: Choice) -> float:
     """Of an embeddable choice, for a second of motion."""
-    step = _step(case, choice)
-    return float(step.operations * _steps(case, choice) / case.horizon)
+    return _step(case, choice).operations / choice.amount
 
 
 def costs(
@@ -90,11 +89,7 @@ def _cost(case: Case, choice: Choice, measurements: Sequence[Measurement]) -> Co
 def _count(case: Case, found: Measurement) -> int:
     if found.choice.setting.tolerance is not None:
         return max(1, found.evaluations)
-    return _steps(case, found.choice)
-
-
-def _steps(case: Case, choice: Choice) -> int:
-    return sum(count for count, _ in plan(case.times, choice.amount))
+    return math.ceil(case.horizon / found.choice.amount * (1 - 1e-12))
 
 
 def _step(case: Case, choice: Choice) -> Routine:

@@ -107,7 +107,8 @@ def trade(
     wanted(equations, Equations, "trade", "pass derive(scene, route)")
     tell = progress or (lambda words, share: None)
     targets = _targets(target)
-    asked = Case(equations, horizon, initial or {}, parameters or {}, inputs or {}, compiler)
+    numbers = initial or {}, parameters or {}, inputs or {}
+    asked = Case(equations, horizon, *numbers, compiler, through=True)
     tell("reference", 0.0)
     case, stick, notes = yardstick(asked)
     notes += _left(case)

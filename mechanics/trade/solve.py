@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechanics.simulate.integrators.loop import plan
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.family import Family
@@ -154,10 +153,9 @@ def _slope(fine: Trained, coarse: Trained) -> float:
 
 
 def _with(case: Case, choice: Choice, amount: float) -> Choice:
-    """The choice with another amount: steps as they are taken, which end at the samples."""
-    if choice.setting.tolerance is None:
-        ((_, amount),) = plan(case.times[:2], amount)
-    return choice.with_amount(float(amount))
+    """The choice with another amount; a step is at most the whole motion."""
+    step = choice.setting.tolerance is None
+    return choice.with_amount(min(float(amount), case.horizon) if step else float(amount))
 
 
 def _timed(

@@ -159,9 +159,11 @@ def steps(case: Case, truth: Truth) -> tuple[float, ...]:
     slope[:size] = np.maximum(slope[:size], truth.scale[size:].max() * (slope[:size] > 0))
     moving = slope > 0
     tau = float(np.min(truth.scale[moving] / slope[moving])) if moving.any() else case.horizon
-    # As they are taken: several end at the same sample in equally many steps.
-    taken = (plan(case.times[:2], tau * 2.0 ** (-k / 2)) for k in HALVINGS)
-    return tuple(dict.fromkeys(length for ((_, length),) in taken))
+    lengths = (min(tau * 2.0 ** (-k / 2), case.horizon) for k in HALVINGS)
+    if not case.through:
+        # As they are taken: several end at the same sample in equally many steps.
+        lengths = (length for h in lengths for _, length in plan(case.times[:2], h))
+    return tuple(dict.fromkeys(lengths))
 
 
 def vary(case: Case, truth: Truth, found: Survey, base: Choice) -> Variant:

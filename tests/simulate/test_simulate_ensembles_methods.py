@@ -345,3 +345,15 @@ def test_series_are_computed_in_vectors(name: str, tmp_path: Path) -> None:
     packed, single = (len(re.findall(rf"\tv?f?n?(?:mul|m(?:add|sub)\d*){kind}\b", body))
                       for kind in ("pd", "sd"))  # fmt: skip
     assert packed > 20 * max(1, single)
+
+
+@pytest.mark.parametrize("tolerance", [10.0**-k for k in range(3, 14)])
+def test_terms_that_vanish_by_symmetry_do_not_lengthen_a_step(tolerance: float) -> None:
+    """A pendulum released where its rod is level: three of four terms of its series vanish."""
+    motions = ensemble(
+        model_of("rod_pendulum"), 3.0, initial={"theta": [np.pi / 2, -np.pi / 2]},
+        tolerance=tolerance, method="taylor",
+    )  # fmt: skip
+    theta, rate = motions.states[:, -1].T
+    # In J, with all typical values; it starts with none.
+    assert np.all(np.abs(rate**2 / 6 + 5 * np.cos(theta)) < 100 * tolerance)

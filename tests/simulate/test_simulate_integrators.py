@@ -303,3 +303,30 @@ def test_time_in_the_equations_is_known_to_all(in_time, compiler: str | None) ->
             continue
         outcome = member.prepare(problem, setting)()
         assert np.allclose(outcome.states, expected, rtol=0, atol=1e-5), member.name
+
+
+@pytest.mark.parametrize("compiler", ["auto", None])
+def test_steps_that_go_through_the_times(compiler: str | None) -> None:
+    """Each state between two ends is one shorter step from the end before, and costs no other."""
+    problem = posed("elastic_pendulum", compiler)
+    through = dataclasses.replace(problem, through=True)
+    # Steps that end at the times are the same ones.
+    exact = Setting("C RK4", step=0.05)
+    assert np.allclose(solved(problem, exact).states, solved(through, exact).states, atol=1e-15)
+    # 0.08 s: ends at 0.08, 0.16, 0.24, ...; of the times 0.1, 0.2, ... only 0.4 is one.
+    found = solved(through, Setting("C RK4", step=0.08))
+    assert found.evaluations == 4 * 6
+    ends = dataclasses.replace(problem, times=np.array([0.0, 0.08, 0.16]))
+    last = solved(ends, Setting("C RK4", step=0.08)).states[-1]
+    beside = dataclasses.replace(problem, start=last, times=np.array([0.0, 0.04]))
+    expected = solved(beside, Setting("C RK4", step=0.04)).states[-1]
+    assert np.allclose(found.states[2], expected, rtol=0, atol=1e-14)
+    # A step longer than all of the times is taken in parts only.
+    once = solved(through, Setting("C RK8", step=2.0))
+    assert once.evaluations == 0 and error("elastic_pendulum", once) < 1e-2
+
+
+def test_a_step_that_is_far_too_long_is_refused_in_words() -> None:
+    problem = dataclasses.replace(posed("elastic_pendulum"), times=np.array([0.0, 1e13]))
+    why = MEMBERS["C RK8"].suits(problem, Setting("C RK8", step=1e12))
+    assert "unstable with a step of 1e+12 s" in why

@@ -2,8 +2,11 @@
 
    The step is as long as the last two terms stay below the tolerance times the size of each entry
    of the state, the largest of its first three terms (Jorba and Zou, Experimental Mathematics 14
-   (2005), section 3). */
+   (2005), section 3). By symmetry both may vanish: a pendulum released where its rod is level has
+   every fourth term only. So the two before them count as well, as if terms fell off to the last
+   one as a geometric series; those of the upper half where they leave less than a part of that. */
 enum { LONGEST = 40 }; /* log2 of how far a step may differ from the one before */
+#define FARTHER 0.585  /* log2 of how much farther the last four may reach than the upper half */
 
 static void enter(Block *b) { constants(b->held, b->work.constants); }
 
@@ -14,18 +17,22 @@ static void attempt(Block *b)
     expand(n, b->y, b->held, b->work.constants, b->step, b->work.s);
     L ratio;
     for (int i = 0; i < VECTORS; ++i) {
-        I before = (I){0} + INT64_MIN, last = before;
+        V scale[SIZE], reach = every(LONGEST);
         for (int k = 0; k < SIZE; ++k) {
             const L *c = b->work.s[k];
-            V scale = largest(size(c[0].at[i]), every(0x1p-600));
-            scale = largest(scale, largest(size(c[1].at[i]), size(c[2].at[i])));
-            I x = (I)size(c[n - 1].at[i]) - (I)scale, y = (I)size(c[n].at[i]) - (I)scale;
-            before = (I)choose(x > before, (V)x, (V)before);
-            last = (I)choose(y > last, (V)y, (V)last);
+            scale[k] = largest(size(c[0].at[i]), every(0x1p-600));
+            scale[k] = largest(scale[k], largest(size(c[1].at[i]), size(c[2].at[i])));
         }
-        V reach = least((share - logarithm(before)) * (1.0 / (n - 1)),
-                        (share - logarithm(last)) * (1.0 / n));
-        reach = largest(least(reach, every(LONGEST)), every(-LONGEST));
+        for (int j = n / 2; j <= n; ++j) {
+            I most = (I){0} + INT64_MIN;
+            for (int k = 0; k < SIZE; ++k) {
+                const I x = (I)size(b->work.s[k][j].at[i]) - (I)scale[k];
+                most = (I)choose(x > most, (V)x, (V)most);
+            }
+            const double allowed = share / (j < n - 1 ? n : j) + (j < n - 3 ? FARTHER : 0.0);
+            reach = least(reach, allowed - logarithm(most) * (1.0 / j));
+        }
+        reach = largest(reach, every(-LONGEST));
         V h = b->step.at[i] * power(reach);
         b->taken.at[i] = least(h, b->left.at[i]);
         ratio.at[i] = b->taken.at[i] / b->step.at[i];

@@ -12,7 +12,7 @@ import numpy as np
 from mechanics.compiled.machine.native import affordable, load
 from mechanics.compiled.right_hand_side import INNER, Compiled
 from mechanics.program.routine import Routine
-from mechanics.simulate.integrators.loop import NOT_FINITE, plan, stopped
+from mechanics.simulate.integrators.loop import NOT_FINITE, spans, stopped
 from mechanics.simulate.integrators.problem import Outcome, Problem, Setting
 
 HEAD = """\
@@ -20,16 +20,19 @@ static long long steps(long long count, @ t, @ h, @ *y, @ *inputs, const @ *p)
 {
     (void)t; (void)inputs; (void)p;"""
 RUN = """
-long long mechanics_run(long long spans, const long long *count, const @ *t, const @ *h, @ *y,
-    @ *inputs, const @ *p, @ *states, long long *spent)
+long long mechanics_run(long long spans, const long long *count, const @ *t, const @ *h,
+    const @ *rest, @ *y, @ *inputs, const @ *p, @ *states, long long *spent)
 {
     for (long long i = 0; i < spans; ++i) {
         const long long taken = steps(count[i], t[i], h[i], y, inputs, p);
         *spent += taken < 0 ? -taken : taken;
         if (taken < 0)
             return i;
+        @ *at = states + i * SIZE;
         for (int n = 0; n < SIZE; ++n)
-            states[i * SIZE + n] = y[n];
+            at[n] = y[n];
+        if (rest[i] > 0 && steps(1, t[i] + (@)count[i] * h[i], rest[i], at, inputs, p) < 0)
+            return i;
     }
     return spans;
 }
@@ -54,23 +57,23 @@ def compiled_march(
     kind, size = setting.kind, len(problem.start)
     library = _library(problem, kind, code, body)
     run = library.mechanics_run
-    run.restype, run.argtypes = ctypes.c_longlong, [ctypes.c_longlong, *[ctypes.c_void_p] * 8]
-    steps = plan(problem.times, setting.step or 0.0)
-    spans = len(steps)
-    count = np.array([count for count, _ in steps], dtype=np.int64)
-    lengths, inputs = [h for _, h in steps], problem.signals(0.0)
-    given = (problem.times[:-1], lengths, problem.start, inputs, problem.p)
-    t, h, start, w, p = (np.array(array, dtype=kind) for array in given)
+    run.restype, run.argtypes = ctypes.c_longlong, [ctypes.c_longlong, *[ctypes.c_void_p] * 9]
+    steps = spans(problem, setting.step or 0.0)
+    wanted = len(steps)
+    count = np.array([span.count for span in steps], dtype=np.int64)
+    columns = ([getattr(span, name) for span in steps] for name in ("begin", "step", "rest"))
+    given = (*columns, problem.start, problem.signals(0.0), problem.p)
+    t, h, rest, start, w, p = (np.array(array, dtype=kind) for array in given)
 
     def solve() -> Outcome:
-        y, states = start.copy(), np.empty((spans, size), kind)
+        y, states = start.copy(), np.empty((wanted, size), kind)
         spent = np.zeros(1, dtype=np.int64)
-        arrays = (count, t, h, y, w, p, states, spent)
-        done = int(run(spans, *(array.ctypes.data for array in arrays)))
+        arrays = (count, t, h, rest, y, w, p, states, spent)
+        done = int(run(wanted, *(array.ctypes.data for array in arrays)))
         finite = np.all(np.isfinite(states[:done]), axis=1)
         reached = done if finite.all() else int(np.argmin(finite))
         words = ""
-        if reached < spans:
+        if reached < wanted:
             words = stopped(name, t[reached], failure if reached == done else NOT_FINITE)
         found = np.vstack([problem.start, states[:reached].astype(float)])
         return Outcome(found, int(spent[0]), words)

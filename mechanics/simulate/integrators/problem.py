@@ -47,6 +47,9 @@ class Problem:
         When the state is wanted, in s: increasing from 0.
     budget : int
         Evaluations of the right-hand side after which an integrator gives up.
+    through : bool
+        Whether fixed steps, but CasADi's, go on through the times: the state at a time is then a
+        shorter step of the same method from the last end before it. Else steps end at the times.
     """
 
     model: Model
@@ -55,6 +58,7 @@ class Problem:
     start: Array
     times: Array
     budget: int = BUDGET
+    through: bool = False
 
     @cached_property
     def signals(self) -> Signals:

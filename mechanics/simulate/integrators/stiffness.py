@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
 
 from mechanics.compiled.step import Tableau
 from mechanics.simulate.integrators.problem import Problem
@@ -71,5 +72,6 @@ def _amplification(tableau: Tableau, z: complex) -> float:
     stages = len(tableau.a)
     a = np.array([[*map(float, row), *[0.0] * (stages - len(row))] for row in tableau.a])
     b = np.array([float(entry) for entry in tableau.b])
-    inner = np.linalg.solve(np.eye(stages) - z * a, np.ones(stages))
+    # Unit lower triangular: never singular, however long the step.
+    inner = solve_triangular(-z * a, np.ones(stages), lower=True, unit_diagonal=True)
     return max(abs(complex(1 + z * b @ inner)), math.ulp(0.0))

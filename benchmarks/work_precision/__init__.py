@@ -1,0 +1,1 @@
+"""Time and work against error on problems of published collections, beside other integrators."""
