@@ -11,7 +11,7 @@ import logging
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError, Executor
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -83,10 +83,21 @@ def workers(cluster: str | None = None, processes: int | None = None) -> Iterato
             ) from None
 
 
-def spread(team: Team, function: Callable[..., T], arguments: Iterable[Any], *more: Any) -> list[T]:
-    """A function of each argument, in their order, wherever it was computed."""
+def team_of(cluster: str | None, processes: int | None) -> AbstractContextManager[Team | None]:
+    """Workers where a person asks for them, else none."""
+    return nullcontext() if cluster is processes is None else workers(cluster, processes)
+
+
+def spread(
+    team: Team | None, function: Callable[..., T], arguments: Iterable[Any], *more: Any
+) -> Iterator[T]:
+    """A function of each argument, in their order; computed here where there is no team."""
+    if team is None:
+        yield from (function(argument, *more) for argument in arguments)
+        return
     waiting = [team.executor.submit(function, argument, *more) for argument in arguments]
-    return [future.result() for future in waiting]
+    for future in waiting:
+        yield future.result()
 
 
 def _distributed() -> Any:
