@@ -85,7 +85,9 @@ def workers(cluster: str | None = None, processes: int | None = None) -> Iterato
 
 def team_of(cluster: str | None, processes: int | None) -> AbstractContextManager[Team | None]:
     """Workers where a person asks for them, else none."""
-    return nullcontext() if cluster is processes is None else workers(cluster, processes)
+    if cluster is None and processes is None:
+        return nullcontext()
+    return workers(cluster, processes)
 
 
 def spread(
