@@ -1,7 +1,10 @@
 """Workers for campaigns: ``--processes N`` or ``--cluster tcp://...``.
 
-Workers elsewhere need this repository, installed with the extra ``cluster``, as their folder.
+Workers elsewhere need this repository, installed with the extra ``cluster``, as their folder. The
+package is not imported before workers are asked for: its mutants need a process without it.
 """
+
+from __future__ import annotations
 
 import argparse
 import pickle
@@ -9,9 +12,10 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from mechanics.cluster import ADDRESS, Team, spread, team_of
+if TYPE_CHECKING:
+    from mechanics.cluster import Team
 
 T = TypeVar("T")
 
@@ -20,11 +24,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Let a person ask for workers."""
     either = parser.add_mutually_exclusive_group()
     either.add_argument("--processes", type=int, metavar="N", help="workers on this machine")
-    either.add_argument("--cluster", metavar=ADDRESS, help="scheduler of Dask's")
+    either.add_argument("--cluster", metavar="tcp://host:8786", help="scheduler of Dask's")
 
 
 def team(options: argparse.Namespace) -> AbstractContextManager[Team | None]:
     """The workers that were asked for."""
+    from mechanics.cluster import team_of
+
     return team_of(options.cluster, options.processes)
 
 
@@ -36,6 +42,8 @@ def spread_alone(
     The worker's own threads draw random numbers, and whoever watches what a person's code changes
     takes that for the code's.
     """
+    from mechanics.cluster import spread
+
     if some is None:
         return spread(None, function, arguments, *more)
     return spread(some, _alone, [(function, argument, *more) for argument in arguments])
