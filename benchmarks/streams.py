@@ -6,7 +6,8 @@
 First the last states of so many motions of the elastic pendulum over 10 s, from theta between 2.4
 and 2.6 rad: in memory by `mechanics.ensemble` (a block of it, as often as is needed), then streamed
 to a folder. Then 1,001 samples of fewer motions, beside what the disk takes of plain files of the
-same size, each of them synchronised. Memory is the largest of the process, and of its workers.
+same size, each of them synchronised, by turns. Processor time tells what a core could do on a quiet
+machine. Memory is the largest of the process, and of its workers.
 At the end what the process that leads does for a motion, from which the plan for 1e9 follows.
 """
 
@@ -20,6 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from time import perf_counter, process_time
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,11 +31,11 @@ from mechanics.crosscheck import derive
 from mechanics.simulate import ensemble, write_ensemble
 from mechanics.simulate.ensembles.grid import read_grid
 from mechanics.simulate.ensembles.motions import read_motions
-from mechanics.simulate.ensembles.stream import BYTES
+from mechanics.simulate.ensembles.stream import BYTES, WRITERS
 from mechanics.simulate.ensembles.tables import packed
 from systems import elastic_pendulum
 
-DURATION, SAMPLES = 10.0, 1001
+DURATION, SAMPLES, ROUNDS = 10.0, 1001, 10
 BLOCK = 20_000
 """Motions in memory at a time."""
 LARGE, ROWS = 10**9, 100_000
@@ -56,7 +58,7 @@ def main() -> None:
     ):
         folder = Path(scratch)
         write_ensemble(model, DURATION, folder / "warm", {"theta": (2.4, 2.6, 1000)},
-                       executor=team.executor, workers=team.size)  # fmt: skip
+                       executor=team.executor, workers=team.size, here=team.here)  # fmt: skip
         used = process_time()
         memory = in_memory(model, asked.motions, side)
         cores = process_time() - used
@@ -69,27 +71,59 @@ def main() -> None:
         parts = len([*(folder / "ends" / "motions").glob("part-*")])
         share = f"{memory / stream:.0%} of the speed in memory"
         _line("the same, streamed", stream, f"{share}, {size / asked.motions:.0f} bytes a motion")
-        used = process_time()
-        disk = written(folder / "disk", asked.sampled * SAMPLES * 8 * 4)
-        plain, used = process_time() - used, process_time()
-        sampled = streamed(model, folder / "samples", asked.sampled, SAMPLES, team)
-        busy = process_time() - used
-        amount = bytes_in(folder / "samples") / 1e6
-        computed = in_memory(model, asked.sampled, side, SAMPLES)
-        _line(f"{asked.sampled} motions, {SAMPLES} samples, in memory", computed, "")
-        _line("the same, streamed", sampled,
-              f"{amount / 1e3:.2f} GB, {amount / sampled:.0f} MB/s,"
-              f" {computed / sampled:.0%} of the speed in memory")  # fmt: skip
-        _line("as many bytes as plain files", disk,
-              f"{amount / disk:.0f} MB/s: streamed at {disk / sampled:.0%} of it")  # fmt: skip
-        if not asked.processes:
-            _line("processor time of the last two", busy,
-                  f"a core feeds {amount / busy:.0f} MB/s; {plain:.1f} s plain files")  # fmt: skip
+        samples(model, folder, asked.sampled, side, team, bool(asked.processes))
     own, others = (resource.getrusage(who).ru_maxrss / 1e3
                    for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))  # fmt: skip
     print(f"largest memory: {own:.0f} MB, of a worker or a compiler {others:.0f} MB")
     if asked.processes:
         plan(model, asked.motions, cores, leads, size, parts)
+
+
+def samples(model: Model, folder: Path, count: int, side: int, team: Team, elsewhere: bool) -> None:
+    """Samples and as many bytes of plain files, by turns, since what a disk takes changes."""
+    block, turns = -(-count // ROUNDS), list[Turn]()
+    for k in range(ROUNDS):
+        place = folder / f"samples{k}"
+        computed, cores = spent(in_memory, model, block, side, SAMPLES)
+        seconds, used = spent(streamed, model, place, block, SAMPLES, team)
+        amount = bytes_in(place)
+        shutil.rmtree(place)
+        disk, plain = spent(written, folder / "disk", amount)
+        turns.append(Turn(amount / 1e6, computed, cores, seconds, used, disk, plain))
+    one = Turn(*map(sum, zip(*turns, strict=True)))
+    low, middle, high = np.quantile([turn.disk / turn.streamed for turn in turns], (0, 0.5, 1))
+    _line(f"{count} motions, {SAMPLES} samples, in memory", one.computed,
+          f"{one.amount / one.computed:.0f} MB/s")  # fmt: skip
+    _line("as many bytes as plain files", one.disk, f"{one.amount / one.disk:.0f} MB/s")
+    _line("streamed", one.streamed,
+          f"{one.amount / 1e3:.2f} GB, {one.amount / one.streamed:.0f} MB/s,"
+          f" {one.computed / one.streamed:.0%} of the speed in memory,"
+          f" {one.disk / one.streamed:.0%} of what the disk takes"
+          f" ({low:.0%} to {high:.0%} in {ROUNDS} turns, {middle:.0%} in the middle)")  # fmt: skip
+    if not elsewhere:
+        print("processor time, and what a core does: in memory"
+              f" {one.cores:.1f} s, {one.amount / one.cores:.0f} MB/s; streamed {one.used:.1f} s,"
+              f" {one.amount / one.used:.0f} MB/s; plain files {one.plain:.1f} s,"
+              f" {one.amount / one.plain:.0f} MB/s")  # fmt: skip
+
+
+class Turn(NamedTuple):
+    """MB, and seconds and processor time in memory, streamed, and of plain files."""
+
+    amount: float
+    computed: float
+    cores: float
+    streamed: float
+    used: float
+    disk: float
+    plain: float
+
+
+def spent(call: Callable[..., float], *given: Any) -> tuple[float, float]:
+    """Seconds, and processor time of this process."""
+    used = process_time()
+    seconds = call(*given)
+    return seconds, process_time() - used
 
 
 def _line(what: str, seconds: float, words: str) -> None:
@@ -135,7 +169,7 @@ def in_memory(model: Model, count: int, threads: int, samples: int = 2) -> float
     """Seconds, block by block; nothing is kept."""
     grid = read_grid({"theta": (2.4, 2.6, count)})
     times = np.linspace(0.0, DURATION, samples)
-    block = max(16, BLOCK * 2 // samples)
+    block = BLOCK if samples == 2 else threads * BYTES // (32 * samples)
 
     def run() -> None:
         for first in range(0, count, block):
@@ -150,23 +184,23 @@ def streamed(model: Model, folder: Path, count: int, samples: int, team: Team) -
     vary = {"theta": (2.4, 2.6, count)}
     return timed(lambda: write_ensemble(
         model, DURATION, folder, vary, samples=samples, executor=team.executor,
-        workers=team.size,
+        workers=team.size, here=team.here,
     ))  # fmt: skip
 
 
-def written(folder: Path, amount: int, piece: int = 8 * 2**20) -> float:
-    """Seconds for so many bytes as plain files, each synchronised, as parts are."""
+def written(folder: Path, amount: int) -> float:
+    """Seconds for so many bytes as plain files, synchronised, and as many at a time, as parts."""
     folder.mkdir()
-    content = np.random.default_rng(1).bytes(piece)
+    content = np.random.default_rng(1).bytes(BYTES)
 
-    def run() -> None:
-        for k in range(-(-amount // piece)):
-            with (folder / str(k)).open("wb") as stream:
-                stream.write(content[: min(piece, amount - k * piece)])
-                stream.flush()
-                os.fsync(stream.fileno())
+    def write(k: int) -> None:
+        with (folder / str(k)).open("wb") as stream:
+            stream.write(content[: min(BYTES, amount - k * BYTES)])
+            stream.flush()
+            os.fsync(stream.fileno())
 
-    seconds = timed(run)
+    with ThreadPoolExecutor(WRITERS) as pool:
+        seconds = timed(lambda: list(pool.map(write, range(-(-amount // BYTES)))))
     shutil.rmtree(folder)
     return seconds
 

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.cluster import spread, workers
+from benchmarks.workers import add_options, team
+from mechanics.cluster import spread
 from mechanics.crosscheck import derive
 from mechanics.errors import MechanicsError
 from mechanics.simulate.integrators import INTEGRATORS, Setting
@@ -151,18 +152,14 @@ def main() -> None:
     parser.add_argument("systems", nargs="*", default=[system.name for system in ALL])
     parser.add_argument("--states", type=int, default=STATES)
     parser.add_argument("--horizon", type=float, default=HORIZON)
-    parser.add_argument("--cluster", default=None)
-    parser.add_argument("--processes", type=int, default=None)
+    add_options(parser)
     asked = parser.parse_args()
-    if asked.cluster or asked.processes:
-        with workers(asked.cluster, asked.processes) as team:
-            groups = spread(team, rows, asked.systems, asked.states, asked.horizon)
-    else:
-        groups = []
-        for name in asked.systems:
-            groups.append(rows(name, asked.states, asked.horizon))
+    found = []
+    with team(asked) as some:
+        groups = spread(some, rows, asked.systems, asked.states, asked.horizon)
+        for name, group in zip(asked.systems, groups, strict=True):
+            found += group
             print(f"{name} done", flush=True)
-    found = [row for group in groups for row in group]
     print(table(found))
     print(f"\n{summary(found)}")
 

@@ -11,7 +11,7 @@ import logging
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError, Executor
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -32,10 +32,13 @@ class Team:
     executor : concurrent.futures.Executor
     size : callable
         How many parts they work on at a time now; workers may come and go.
+    here : bool
+        Whether they run on this machine, with its disk.
     """
 
     executor: Executor
     size: Callable[[], int]
+    here: bool = True
 
 
 @contextmanager
@@ -62,7 +65,9 @@ def workers(cluster: str | None = None, processes: int | None = None) -> Iterato
     with ExitStack() as stack:
         client = stack.enter_context(_client(distributed, cluster, processes, stack))
         try:
-            yield Team(client.get_executor(), lambda: sum(client.ncores().values()))
+            yield Team(
+                client.get_executor(), lambda: sum(client.ncores().values()), cluster is None
+            )
         except distributed.scheduler.KilledWorker as error:
             raise InputError(
                 f"workers: a part ended {error.allowed_failures + 1} workers, the last one at"
@@ -78,10 +83,23 @@ def workers(cluster: str | None = None, processes: int | None = None) -> Iterato
             ) from None
 
 
-def spread(team: Team, function: Callable[..., T], arguments: Iterable[Any], *more: Any) -> list[T]:
-    """A function of each argument, in their order, wherever it was computed."""
+def team_of(cluster: str | None, processes: int | None) -> AbstractContextManager[Team | None]:
+    """Workers where a person asks for them, else none."""
+    if cluster is None and processes is None:
+        return nullcontext()
+    return workers(cluster, processes)
+
+
+def spread(
+    team: Team | None, function: Callable[..., T], arguments: Iterable[Any], *more: Any
+) -> Iterator[T]:
+    """A function of each argument, in their order; computed here where there is no team."""
+    if team is None:
+        yield from (function(argument, *more) for argument in arguments)
+        return
     waiting = [team.executor.submit(function, argument, *more) for argument in arguments]
-    return [future.result() for future in waiting]
+    for future in waiting:
+        yield future.result()
 
 
 def _distributed() -> Any:
@@ -104,7 +122,10 @@ def _client(distributed: Any, cluster: str | None, processes: int | None, stack:
             n_workers=processes, threads_per_worker=1, dashboard_address=None,
             local_directory=folder, silence_logs=logging.CRITICAL,
         )  # fmt: skip
-        return distributed.Client(stack.enter_context(local), set_as_default=False)
+        # Results come from the workers, not by way of the scheduler: half the copies.
+        return distributed.Client(
+            stack.enter_context(local), set_as_default=False, direct_to_workers=True
+        )
     try:
         client = distributed.Client(cluster, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:

@@ -1,11 +1,15 @@
-"""``python -m benchmarks.corpus [--sealed] [--only NAME]``: figures, then what falls short."""
+"""Figures of the corpus, then what falls short.
+
+python -m benchmarks.corpus [--sealed] [--only NAME] [--processes N]
+"""
 
 import argparse
 from collections.abc import Iterator, Sequence
 from statistics import median
 
 from benchmarks.corpus.load import cases, sealed
-from benchmarks.corpus.trial import Trial, tried
+from benchmarks.corpus.trial import Trial, tried_all
+from benchmarks.workers import add_options, spread_alone, team
 
 SHOWN = ("PROVED", "CERTIFIED")
 
@@ -16,12 +20,17 @@ def main() -> None:
     parser.add_argument("--sealed", action="store_true", help="the part that was set aside")
     parser.add_argument("--only", default="", help="cases whose names hold this")
     parser.add_argument("--quiet", action="store_true", help="figures only")
+    add_options(parser)
     options = parser.parse_args()
     trials, again = [], []
+    parts: dict[str, list[str]] = {}
     for case in sealed() if options.sealed else cases():
         if options.only in case.name:
-            trials.append(tried(case))
-            again += [tried(case, with_options=True)] if case.options else []
+            parts.setdefault(case.source, []).append(case.name)
+    with team(options) as some:
+        for one, more in spread_alone(some, tried_all, parts.values(), options.sealed):
+            trials += one
+            again += more
     print("\n".join(figures(trials, again)))
     if not options.quiet:
         print()

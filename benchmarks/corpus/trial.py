@@ -13,7 +13,7 @@ from typing import Any
 from sympy import N
 from sympy.matrices import MatrixBase
 
-from benchmarks.corpus.load import SUFFIXES, Case, scene_of
+from benchmarks.corpus.load import SUFFIXES, Case, cases, scene_of, sealed
 from mechanics import check
 from mechanics.blame.result import Edit
 from mechanics.errors import MechanicsError
@@ -64,6 +64,16 @@ def tried(case: Case, *, with_options: bool = False) -> Trial:
     seconds = process_time() - start
     words = "; ".join(_words(found))
     return Trial(case, found.verdict.name, words, _place(case, found, _mended_rows(case)), seconds)
+
+
+def tried_all(names: Sequence[str], closed: bool) -> tuple[list[Trial], list[Trial]]:
+    """Cases by name, without options, and again with those that they have."""
+    trials, again = [], []
+    for case in sealed() if closed else cases():
+        if case.name in names:
+            trials.append(tried(case))
+            again += [tried(case, with_options=True)] if case.options else []
+    return trials, again
 
 
 def _checked(case: Case, text: str, **options: Any) -> Check:

@@ -1,6 +1,6 @@
 """How good the checker is, on mutants and rewritings of right equations.
 
-    python -m benchmarks.detection --count 20000 --jobs 2
+    python -m benchmarks.detection --count 20000 --processes 2
     python -m benchmarks.detection --only m17 r4
 
 Every case is drawn from its number and the seed alone, so that a miss is seen again with --only.
@@ -12,19 +12,19 @@ import json
 import platform
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
-from functools import partial
 from itertools import islice
 from pathlib import Path
 
 from benchmarks.detection.figures import line, missed, summary, tables
-from benchmarks.detection.trial import Result, judged
-from benchmarks.detection.whole import WHOLE, judged_whole
+from benchmarks.detection.trial import Result
+from benchmarks.detection.whole import WHOLE, judged_all
+from benchmarks.workers import add_options, spread_alone, team
+from mechanics.cluster import Team
 from systems import ALL
 
 PART = 50
-"""Cases that a process takes at a time."""
+"""Cases that a worker takes at a time."""
 
 
 def names(count: int, rewritings: int, conventions: int, whole: int) -> list[str]:
@@ -35,31 +35,14 @@ def names(count: int, rewritings: int, conventions: int, whole: int) -> list[str
 
 
 def run(
-    wanted: Sequence[str], seed: int, systems: Sequence[str], blamed: int, jobs: int = 1,
-    errors: int | None = None,
+    wanted: Sequence[str], seed: int, systems: Sequence[str], blamed: int,
+    errors: int | None = None, workers: Team | None = None,
 ) -> Iterator[Result]:  # fmt: skip
     """Results of cases, in order; the first `blamed` mutants are blamed too."""
-    ask = partial(_part, seed=seed, systems=tuple(systems), blamed=blamed, errors=errors)
     rest = iter(wanted)
     parts = iter(lambda: list(islice(rest, PART)), [])
-    if jobs == 1:
-        for part in parts:
-            yield from ask(part)
-        return
-    with ProcessPoolExecutor(jobs) as pool:
-        for found in pool.map(ask, parts):
-            yield from found
-
-
-def _part(
-    wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int, errors: int | None
-) -> list[Result]:
-    return [
-        judged_whole(name, seed, systems)
-        if name[0] in WHOLE
-        else judged(name, seed, systems, name[0] == "m" and int(name[1:]) < blamed, errors)
-        for name in wanted
-    ]
+    for found in spread_alone(workers, judged_all, parts, seed, tuple(systems), blamed, errors):
+        yield from found
 
 
 def _told(result: Result) -> str:
@@ -84,7 +67,7 @@ def main() -> None:
     parser.add_argument("--errors", type=int, help="mistakes of a mutant; one or two")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--systems", nargs="+", choices=known, default=known, metavar="SYSTEM")
-    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    add_options(parser)
     parser.add_argument("--only", nargs="+", metavar="ID", help="these cases, in full")
     parser.add_argument("--json", type=Path, help="file for all results")
     options = parser.parse_args()
@@ -100,12 +83,13 @@ def main() -> None:
     whole = count // 40 if options.whole is None else options.whole
     wanted = names(count, rewritings, conventions, whole)
     results = []
-    for result in run(
-        wanted, options.seed, options.systems, options.blame, options.jobs, options.errors
-    ):
-        results.append(result)
-        if len(results) % 1000 == 0:
-            print(f"{len(results)} of {len(wanted)}", file=sys.stderr, flush=True)
+    with team(options) as some:
+        for result in run(
+            wanted, options.seed, options.systems, options.blame, options.errors, some
+        ):
+            results.append(result)
+            if len(results) % 1000 == 0:
+                print(f"{len(results)} of {len(wanted)}", file=sys.stderr, flush=True)
     print(f"{platform.machine()}, seed {options.seed}, {len(options.systems)} systems:"
           f" {', '.join(options.systems)}\n")  # fmt: skip
     print("\n".join(summary(results)))

@@ -16,7 +16,7 @@ from benchmarks.detection.case import MOST_DRAWS, Case, NothingToDrawError, muta
 from benchmarks.detection.forms.code import python
 from benchmarks.detection.models import OBJECTS, wrong_model
 from benchmarks.detection.rows import Subject, subject
-from benchmarks.detection.trial import Result
+from benchmarks.detection.trial import Result, judged
 from mechanics import BlackBox
 from mechanics.errors import MechanicsError
 from mechanics.scene.actions import frictions
@@ -109,3 +109,15 @@ def judged_whole(name: str, seed: int, systems: Sequence[str]) -> Result:
     seconds = (process_time() - start) / count
     return Result(name, drawn.about.system.name, drawn.row, drawn.form, drawn.form, drawn.kinds,
                   drawn.made, verdict, words, (), seconds, drawn.text)  # fmt: skip
+
+
+def judged_all(
+    wanted: list[str], seed: int, systems: tuple[str, ...], blamed: int, errors: int | None
+) -> list[Result]:
+    """Cases of all kinds; the first `blamed` mutants are blamed too."""
+    return [
+        judged_whole(name, seed, systems)
+        if name[0] in WHOLE
+        else judged(name, seed, systems, name[0] == "m" and int(name[1:]) < blamed, errors)
+        for name in wanted
+    ]

@@ -1,6 +1,6 @@
 """Faults planted one at a time: does the cross-check notice, without published equations?
 
-    python -m benchmarks.faults --jobs 2
+    python -m benchmarks.faults --processes 2
     python -m benchmarks.faults --scenes elastic_pendulum arm --only "gravity pushes up"
     python -m benchmarks.faults --only joints.roll joints.rope
     python -m benchmarks.faults --scenes shipped --budget 100
@@ -18,15 +18,15 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
-from functools import partial
 
 from benchmarks.faults.fault import Fault
 from benchmarks.faults.plan import Plan, plans
 from benchmarks.faults.scenes import GROUPS, SCENES
 from benchmarks.faults.summary import Trial, scenes_table, summary
 from benchmarks.faults.table import FAULTS
+from benchmarks.workers import add_options, team
+from mechanics.cluster import Team, spread
 
 PART = 40
 """Faults that a process takes at a time."""
@@ -78,11 +78,12 @@ def _trial(fault: Fault, found: dict[str, dict]) -> Trial:
     )
 
 
-def clean_runs(scenes: Sequence[str], jobs: int = 1) -> dict[str, dict]:
+def clean_runs(scenes: Sequence[str], workers: Team | None = None) -> dict[str, dict]:
     """Of each scene without a fault: its numbers, the functions that it calls, and how often."""
-    with ThreadPoolExecutor(jobs) as pool:
-        runs = pool.map(lambda part: answers([(None, part)], None)[0], _shares(scenes, jobs))
-    found = {name: entry for run in runs for name, entry in run.items()}
+    many = workers.size() if workers else 1
+    shares = [[(None, scenes[i::many])] for i in range(min(many, len(scenes)))]
+    runs = spread(workers, answers, shares, None)
+    found = {name: entry for (run,) in runs for name, entry in run.items()}
     silent = [name for name in scenes if "numbers" not in found[name]]
     if silent:
         raise SystemExit(
@@ -92,25 +93,23 @@ def clean_runs(scenes: Sequence[str], jobs: int = 1) -> dict[str, dict]:
 
 
 def campaign(
-    faults: Sequence[Fault], clean: dict[str, dict], made: Sequence[Plan], jobs: int = 1
+    faults: Sequence[Fault],
+    clean: dict[str, dict],
+    made: Sequence[Plan],
+    workers: Team | None = None,
 ) -> Iterator[Trial]:
     """Plant each of the faults, in order, in the scenes of the plan."""
     numbers = {name: entry["numbers"] for name, entry in clean.items()}
     asked = [(fault, [p.scene for p in made if fault in p.planted]) for fault in faults]
     parts = [asked[i : i + PART] for i in range(0, len(asked), PART)]
-    with ThreadPoolExecutor(jobs) as pool:
-        for part in pool.map(partial(tried, clean=numbers), parts):
-            yield from part
-
-
-def _shares(scenes: Sequence[str], jobs: int) -> list[Sequence[str]]:
-    return [scenes[i::jobs] for i in range(min(jobs, len(scenes)))]
+    for found in spread(workers, tried, parts, numbers):
+        yield from found
 
 
 def main() -> None:
     """Print the figures."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--jobs", type=int, default=1, help="processes at a time")
+    add_options(parser)
     parser.add_argument("--scenes", nargs="+", default=list(SCENES), choices=[*GROUPS, *SCENES],
                         metavar="SCENE", help=f"of {', '.join([*GROUPS, *SCENES])}")  # fmt: skip
     parser.add_argument(
@@ -127,9 +126,10 @@ def main() -> None:
         or any(part in f"{fault.module}: {fault.what}" for part in options.only)
     ]  # fmt: skip
     scenes = [name for each in options.scenes for name in GROUPS.get(each, (each,))]
-    clean = clean_runs(scenes, options.jobs)
-    made = plans(faults, clean, options.budget * 10**6)
-    trials = [*campaign(faults, clean, made, options.jobs)]
+    with team(options) as some:
+        clean = clean_runs(scenes, some)
+        made = plans(faults, clean, options.budget * 10**6)
+        trials = [*campaign(faults, clean, made, some)]
     print(summary(trials, made), scenes_table(trials, made), sep="\n\n")
 
 

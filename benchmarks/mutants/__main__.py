@@ -4,6 +4,7 @@
     python -m benchmarks.mutants --folder kernel     one folder
     python -m benchmarks.mutants --seed 2 --drawn 100    others than those that tests were made for
     python -m benchmarks.mutants --sample 12         some of the kernel that are known to be noticed
+    python -m benchmarks.mutants --processes 2       the same by workers, or by those of a --cluster
 
 Of all mutants 500 are drawn by their names, so that a change in one file draws no others elsewhere.
 Each runs the tests that cover its file, the quickest first, up to the first that fails; running out
@@ -12,6 +13,8 @@ file; ``equivalent.json`` names those that change nothing, each with the reason.
 each time, since tests may have come. Prints Markdown; exit code 1 if one survives that has no
 reason.
 """
+
+from __future__ import annotations
 
 import argparse
 import json
@@ -22,10 +25,15 @@ from hashlib import sha256
 from itertools import islice
 from math import inf
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from benchmarks.mutants.covering import FOLDERS, tests_of
 from benchmarks.mutants.operators import STRICT, Mutant, is_python, mutants
-from benchmarks.mutants.trial import ENOUGH, ROOT, try_files, try_functions, warm_up
+from benchmarks.mutants.trial import ENOUGH, ROOT, tried, try_files, try_functions, warm_up
+from benchmarks.workers import add_options, spread_alone, team
+
+if TYPE_CHECKING:
+    from mechanics.cluster import Team
 
 HERE = Path(__file__).parent
 RESULTS, EQUIVALENT = HERE / "results.json", HERE / "equivalent.json"
@@ -55,8 +63,8 @@ def hash_of(path: str) -> str:
 
 
 def campaign(
-    drawn: Sequence[Mutant], results: dict, *, again: bool = False
-) -> dict[str, bool]:  # fmt: skip
+    drawn: Sequence[Mutant], results: dict, *, again: bool = False, workers: Team | None = None
+) -> dict[str, bool]:
     """Whether each of the mutants survives, by key; what was noticed before is not tried again."""
     outcome: dict[str, bool] = {}
     reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
@@ -79,17 +87,26 @@ def campaign(
         if not again:
             RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
 
-    warm_up()
     # Survivors of before come last: they take the longest, and most stay.
     asked.sort(key=lambda m: m.key in results[m.path]["alive"])
     groups: dict[tuple[str, ...], list[Mutant]] = {}
     for mutant in asked:
         if mutant.in_function:
             groups.setdefault(tests_of(mutant.path), []).append(mutant)
-    for tests, group in groups.items():
-        # What was noticed is noticed on slow machines, too.
-        try_functions(group, tests, report, inf if again else ENOUGH)
-    try_files([m for m in asked if not m.in_function], tests_of, report)
+    # What was noticed is noticed on slow machines, too.
+    enough, whole = inf if again else ENOUGH, [m for m in asked if not m.in_function]
+    if workers is None:
+        warm_up()
+        for tests, group in groups.items():
+            try_functions(group, tests, report, enough)
+        try_files(whole, report)
+        return outcome
+    many, by_key = workers.size(), {m.key: m for m in asked}
+    parts = [(group[k::many], tests) for tests, group in [*groups.items(), ((), whole)]
+             for k in range(min(many, len(group)))]  # fmt: skip
+    for found in spread_alone(workers, tried, parts, enough):
+        for key, alive in found:
+            report(by_key[key], alive)
     return outcome
 
 
@@ -118,6 +135,7 @@ def main() -> int:
     parser.add_argument("--seed", default=SEED, help="another one draws others")
     parser.add_argument("--strict", action="store_true", help="bounds, signs, comparisons only")
     parser.add_argument("--sample", type=int, help="that many of those known to be noticed")
+    add_options(parser)
     options = parser.parse_args()
     results = json.loads(RESULTS.read_text(encoding="utf-8"))
     reasons = json.loads(EQUIVALENT.read_text(encoding="utf-8"))
@@ -130,7 +148,11 @@ def main() -> int:
         known = {key for kept in results.values() for key in kept["noticed"]}
         here = [m for m in drawn if m.path.startswith("kernel/") and m.in_function]
         drawn = [m for m in here if m.key in known][: options.sample]
-    outcome = campaign(drawn, results, again=bool(options.sample))
+    if options.processes or options.cluster:
+        with team(options) as some:
+            outcome = campaign(drawn, results, again=bool(options.sample), workers=some)
+    else:
+        outcome = campaign(drawn, results, again=bool(options.sample))
     print(summary(drawn, outcome, reasons))
     return int(any(outcome[m.key] for m in drawn if m.key not in reasons))
 

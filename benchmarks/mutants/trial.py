@@ -24,6 +24,7 @@ from typing import Any
 import pytest
 
 from benchmarks.faults.fault import code_of, function_of
+from benchmarks.mutants.covering import tests_of
 from benchmarks.mutants.operators import Mutant
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -193,9 +194,7 @@ def try_functions(
         )
 
 
-def try_files(
-    mutants: Iterable[Mutant], tests_of: Callable[[str], Sequence[str]], report: Report
-) -> None:
+def try_files(mutants: Iterable[Mutant], report: Report) -> None:
     """Try mutants outside of functions, each in a copy of the tree."""
     with TemporaryDirectory() as name:
         folder = Path(name)
@@ -213,6 +212,31 @@ def try_files(
                 status = forked(lambda tests=tests: _whole(folder, tests))
             path.write_text(text, encoding="utf-8")
             report(mutant, status == 0)
+
+
+def tried(
+    part: tuple[Sequence[Mutant], Sequence[str]], enough: float
+) -> list[tuple[str, bool]]:  # fmt: skip
+    """On a worker, in a process of its own: keys of mutants, and whether each survives.
+
+    Parameters
+    ----------
+    part : (sequence of Mutant, sequence of str)
+        Mutants in functions and their test files, or others without any.
+    enough : float
+    """
+    found: list[tuple[str, bool]] = []
+
+    def report(mutant: Mutant, alive: bool) -> None:
+        found.append((mutant.key, alive))
+
+    warm_up()
+    mutants, tests = part
+    if tests:
+        try_functions(mutants, tests, report, enough)
+    else:
+        try_files(mutants, report)
+    return found
 
 
 def _whole(folder: Path, tests: Sequence[str]) -> int:

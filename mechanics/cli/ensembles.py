@@ -93,8 +93,8 @@ def ensemble(
         found = write_ensemble(
             model, duration, out, grid, initial=initial, parameters=parameters, inputs=inputs,
             samples=samples, tolerance=tolerance, step=step, method=method,
-            beyond_domain=beyond_domain, executor=team.executor, workers=team.size, part=part,
-            progress=progress,
+            beyond_domain=beyond_domain, executor=team.executor, workers=team.size, here=team.here,
+            part=part, progress=progress,
         )  # fmt: skip
     console = Console(soft_wrap=True)
     console.print(escape(f"{scene.name}: {found.method}"))

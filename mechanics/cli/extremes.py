@@ -83,7 +83,7 @@ def extremes(
             status.update(f"walking {len(loaded)} systems")
             with workers(cluster, processes) as team:
                 texts = [(json.dumps(to_json(s.scene())), s.name, s.paths) for s in loaded]
-                results = spread(team, walked, texts, route, forms)
+                results = list(spread(team, walked, texts, route, forms))
         if plot is not None:
             write_file(heat_plot(results[0]), plot)
         if report is not None:

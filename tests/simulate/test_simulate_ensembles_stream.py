@@ -1,6 +1,7 @@
 """Ensembles in parts: neither parts, nor order, nor workers, nor a stop can be seen in a result."""
 
 import json
+import shutil
 import sys
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
@@ -66,11 +67,13 @@ def states_in(folder: Path, table: str = "motions") -> np.ndarray:
 @needs_compiler
 def test_parts_and_workers_change_no_bit(tmp_path: Path) -> None:
     expected = in_memory(np.array([0.0, 1.0]))[:, -1]
-    for part in (7, 100, 1000):
+    for part, here in ((7, False), (8, True), (100, False), (1000, True)):
+        folder = tmp_path / str(part)
         with ThreadPoolExecutor(2) as executor:
-            found = write(tmp_path / str(part), part=part, executor=executor, workers=lambda: 2)
+            found = write(folder, part=part, executor=executor, workers=lambda: 2, here=here)
         assert found.complete and found.endings == {"finished": 100} and found.before == 0
-        assert np.array_equal(states_in(tmp_path / str(part)), expected)
+        assert np.array_equal(states_in(folder), expected)
+        assert not [*folder.glob("*/*.new")]
 
 
 @needs_compiler
@@ -114,6 +117,26 @@ def test_a_stopped_run_goes_on_and_does_nothing_twice(tmp_path: Path) -> None:
     assert np.array_equal(states_in(folder), in_memory(np.array([0.0, 1.0]))[:, -1])
     third = Counting(0)
     assert write(folder, executor=third).before == 100
+
+
+class Careless(Counting):
+    """Loses the folder before its parts are computed."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(99)
+        self.folder = folder
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> "Future[Any]":
+        shutil.rmtree(self.folder, ignore_errors=True)
+        return super().submit(fn, *args, **kwargs)
+
+
+@needs_compiler
+@pytest.mark.parametrize("here", [False, True])
+def test_a_disk_that_goes_away_is_told_in_one_line(here: bool, tmp_path: Path) -> None:
+    lost = Careless(tmp_path / "a" / "motions")
+    with pytest.raises(InputError, match=r"folder .*a.*: it cannot be written: No such file"):
+        write(tmp_path / "a", executor=lost, here=here)
 
 
 @needs_compiler

@@ -65,26 +65,33 @@ static void attempt(Block *b)
     b->work.length = h;
 }
 
+/* The terms of what is between the ends: the change, what the slopes at the ends add, and more. */
 static void between(Block *b)
 {
-    L at[SIZE];
-    more_stages(b->work.old, b->held, b->work.length, b->work.slopes, at);
+    L at[SIZE], (*const k)[SIZE] = b->work.slopes;
+    const L h = b->work.length;
+    more_stages(b->work.old, b->held, h, k, at);
+    for (int n = 0; n < SIZE; ++n) {
+        L *f = b->work.terms[n];
+        f[0] = sub(b->next[n], b->work.old[n]);
+        f[1] = sub(mul(h, k[0][n]), f[0]);
+        f[2] = rest(h, add(k[0][n], k[STAGES][n]), add(f[0], f[0]));
+        for (int i = 0; i < DENSE; ++i) {
+            L sum = all(0.0);
+            for (int j = 0; j < STAGES + 1 + MORE; ++j)
+                sum = fused(all(dense[i][j]), k[j][n], sum);
+            f[3 + i] = mul(h, sum);
+        }
+    }
 }
 
-static double inside(Block *b, int lane, int k, double part)
+static L inside(const Block *b, int n, L part)
 {
-    const double h = LANE(&b->work.length, lane), old = LANE(&b->work.old[k], lane);
-    const double change = LANE(&b->next[k], lane) - old;
-    const double begin = LANE(&b->work.slopes[0][k], lane);
-    const double end = LANE(&b->work.slopes[STAGES][k], lane);
-    double f[3 + DENSE] = {change, h * begin - change, 2 * change - h * (begin + end)};
-    for (int i = 0; i < DENSE; ++i)
-        for (int j = 0; j < STAGES + 1 + MORE; ++j)
-            f[3 + i] += h * dense[i][j] * LANE(&b->work.slopes[j][k], lane);
-    double y = 0;
+    const L left = sub(all(1.0), part);
+    L y = all(0.0);
     for (int i = 2 + DENSE; i >= 0; --i)
-        y = (y + f[i]) * (i % 2 ? 1 - part : part);
-    return old + y;
+        y = mul(add(y, b->work.terms[n][i]), i % 2 ? left : part);
+    return add(b->work.old[n], y);
 }
 
 static void settle(Block *b, const M *accepted)

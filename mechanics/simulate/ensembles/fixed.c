@@ -7,11 +7,11 @@ int64_t mechanics_room(void) { return (int64_t)sizeof(Block); }
 
 /* `count` motions over the same times with the same steps: steps[i] of lengths[i] in span i.
 
-   start (count, SIZE), held (count, HELD), states (count, samples, SIZE). Samples that are not
-   finite are not reached. */
-void mechanics_march(int64_t count, int64_t samples, const int64_t *steps, const double *lengths,
-                     const double *start, const double *held, double *states, int64_t *reached,
-                     void *room)
+   start (count, SIZE), held (count, HELD); states (SIZE, count, samples), an entry so many numbers
+   behind the one before. Samples that are not finite are not reached. */
+void mechanics_march(int64_t count, int64_t samples, int64_t entry, const int64_t *steps,
+                     const double *lengths, const double *start, const double *held,
+                     double *states, int64_t *reached, void *room)
 {
     Block *b = room;
     for (int64_t from = 0; from < count; from += LANES) {
@@ -25,7 +25,7 @@ void mechanics_march(int64_t count, int64_t samples, const int64_t *steps, const
             for (int n = 0; n < HELD; ++n)
                 LANE(&b->held[n], lane) = held[i * HELD + n];
             for (int n = 0; n < SIZE && lane < lanes; ++n)
-                states[i * samples * SIZE + n] = start[i * SIZE + n];
+                states[n * entry + i * samples] = start[i * SIZE + n];
             end[lane] = samples;
         }
         for (int64_t span = 0; span + 1 < samples; ++span) {
@@ -37,12 +37,12 @@ void mechanics_march(int64_t count, int64_t samples, const int64_t *steps, const
                     b->y[n] = fused(h, slope(b->slopes, n), b->y[n]);
             }
             for (int lane = 0; lane < lanes; ++lane) {
-                double *out = states + ((from + lane) * samples + span + 1) * SIZE;
+                double *out = states + (from + lane) * samples + span + 1;
                 int finite = end[lane] == samples;
                 for (int n = 0; n < SIZE; ++n)
                     finite &= isfinite(LANE(&b->y[n], lane)) != 0;
                 for (int n = 0; n < SIZE; ++n)
-                    out[n] = finite ? LANE(&b->y[n], lane) : NAN;
+                    out[n * entry] = finite ? LANE(&b->y[n], lane) : NAN;
                 if (!finite && end[lane] == samples)
                     end[lane] = span + 1;
             }

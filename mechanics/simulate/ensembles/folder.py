@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from mechanics.errors import InputError
+from mechanics.simulate.ensembles.files import FRESH, MOTIONS, SAMPLES, fresh, writable
 from mechanics.simulate.ensembles.tables import ENDING, MACHINE
 from mechanics.simulate.parquet import parquet
 
@@ -25,10 +26,9 @@ try:
 except ImportError:  # Windows: two runs at once write the same files twice.
     fcntl = None  # type: ignore[assignment]
 
-Buffer = Any
-"""Bytes, or what gives them without a copy."""
-MANIFEST, LOCK, FRESH = "ensemble.json", ".lock", ".new"
-MOTIONS, SAMPLES = "motions", "samples"
+Content = Any
+"""Bytes, what gives them without a copy, or the path of a fresh file that holds them."""
+MANIFEST, LOCK = "ensemble.json", ".lock"
 PART = "part"
 """Motions in a part: chosen when a folder is begun, and kept."""
 
@@ -50,10 +50,10 @@ class Folder:
     part: int
     done: frozenset[int]
 
-    def add(self, number: int, motions: Buffer, samples: Buffer) -> None:
-        """Write a part: what `tables.written` gives."""
-        with _writable(self.path):
-            if memoryview(samples).nbytes:
+    def add(self, number: int, motions: Content, samples: Content | None) -> None:
+        """Add a part: what `tables.written` gives."""
+        with writable(self.path):
+            if samples is not None:
                 _put(_file(self.path / SAMPLES, number), samples)
             _put(_file(self.path / MOTIONS, number), motions)
 
@@ -75,25 +75,19 @@ def opened(path: Path, about: Mapping[str, Any]) -> Iterator[Folder]:
         for one that cannot be written.
     """
     with ExitStack() as stack:
-        with _writable(path):
+        with writable(path):
             _made(path)
             _lock(path, stack.enter_context((path / LOCK).open("w")))
             part = _begun(path, about)
-            for file in path.glob(f"*/*{FRESH}"):
-                file.unlink()
+            _clean(path)
             done = frozenset(int(file.stem.split("-")[1]) for file in _parts(path))
         yield Folder(path, part, done)
+        _clean(path)
 
 
-@contextmanager
-def _writable(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise InputError(
-            f"folder {path}: it cannot be written: {error.strerror or error}: mend that, and the"
-            " same call goes on, or name another folder"
-        ) from None
+def _clean(path: Path) -> None:
+    for file in path.glob(f"*/*{FRESH}"):
+        file.unlink(missing_ok=True)
 
 
 def _lock(path: Path, file: IO[str]) -> None:
@@ -166,11 +160,13 @@ def _begun(path: Path, about: Mapping[str, Any]) -> int:
     return part
 
 
-def _put(file: Path, content: Buffer) -> None:
+def _put(file: Path, content: Content) -> None:
     """Whole, or not at all, whatever stops this machine."""
-    fresh = file.with_suffix(FRESH)
-    with fresh.open("wb") as stream:
-        stream.write(content)
-        stream.flush()
+    there = isinstance(content, Path)
+    path = content if there else fresh(file.parent)
+    with path.open("r+b" if there else "wb") as stream:
+        if not there:
+            stream.write(content)
+            stream.flush()
         os.fsync(stream.fileno())
-    os.replace(fresh, file)
+    os.replace(path, file)

@@ -4,7 +4,7 @@
                     attempt  a step no longer than what is left: next, taken, and step, the
                              length that it proposes; taken is zero where it was refused
                     between  what `inside` needs
-                    inside   an entry of the state within the step
+                    inside   an entry of the state, for each lane somewhere within the step
                     settle   last, with the lanes whose step was accepted
 
    A lane whose motion has ended takes the next one. */
@@ -12,7 +12,7 @@ enum { FINISHED, NOT_FINITE, STALLED, TOO_LONG };
 enum { IDLE = -1 };
 
 typedef struct {
-    int64_t count, samples;
+    int64_t count, samples, entry;
     const double *times, *start, *held;
     double *states;
     int64_t *status, *reached, *steps, *tries;
@@ -39,7 +39,7 @@ static void take(Queue *q, Block *b, int lane)
     q->due[lane] = 1;
     q->wild[lane] = 0;
     for (int k = 0; k < SIZE && !idle; ++k)
-        q->states[i * q->samples * SIZE + k] = q->start[i * SIZE + k];
+        q->states[k * q->entry + i * q->samples] = q->start[i * SIZE + k];
 }
 
 static int finish(Queue *q, Block *b, int lane, int64_t status)
@@ -49,26 +49,49 @@ static int finish(Queue *q, Block *b, int lane, int64_t status)
     q->reached[i] = q->due[lane];
     q->steps[i] = (int64_t)LANE(&b->accepted, lane);
     q->tries[i] = (int64_t)LANE(&b->tried, lane);
-    for (int64_t k = q->due[lane] * SIZE; k < q->samples * SIZE; ++k)
-        q->states[i * q->samples * SIZE + k] = NAN;
+    for (int k = 0; k < SIZE; ++k)
+        for (int64_t d = q->due[lane]; d < q->samples; ++d)
+            q->states[k * q->entry + i * q->samples + d] = NAN;
     take(q, b, lane);
     return 1;
 }
 
-/* Samples that the step has passed; whether the motion has ended. */
+/* Samples that accepted steps have passed: the next one of every lane, until no lane has one. */
+static void sample(Queue *q, const Block *b, const M *accepted)
+{
+    for (;;) {
+        int64_t place[LANES], any = 0;
+        L part = b->t;
+        for (int lane = 0; lane < LANES; ++lane) {
+            const int64_t d = q->due[lane];
+            const int due = WHERE(accepted, lane) && d < q->samples
+                            && q->times[d] <= LANE(&b->t, lane);
+            place[lane] = due ? q->who[lane] * q->samples + d : IDLE;
+            if (due)
+                LANE(&part, lane) = q->times[d];
+            q->due[lane] += due;
+            any |= due;
+        }
+        if (!any)
+            return;
+        part = over(sub(sub(part, b->begun), b->lost), b->taken);
+        for (int k = 0; k < SIZE; ++k) {
+            L y = inside(b, k, part);
+            for (int i = 0; i < VECTORS; ++i)
+                y.at[i] = choose(part.at[i] < 1, y.at[i], b->next[k].at[i]);
+            for (int lane = 0; lane < LANES; ++lane)
+                if (place[lane] != IDLE)
+                    q->states[k * q->entry + place[lane]] = LANE(&y, lane);
+        }
+    }
+}
+
+/* Whether the motion has ended. */
 static int look(Queue *q, Block *b, int lane, int finite)
 {
     const double t = LANE(&b->t, lane), taken = LANE(&b->taken, lane);
-    const double begun = LANE(&b->begun, lane), lost = LANE(&b->lost, lane);
     if (finite && taken > 0) {
         q->wild[lane] = 0;
-        double *out = q->states + q->who[lane] * q->samples * SIZE;
-        for (; q->due[lane] < q->samples && q->times[q->due[lane]] <= t; ++q->due[lane]) {
-            const int64_t d = q->due[lane];
-            const double part = ((q->times[d] - begun) - lost) / taken;
-            for (int k = 0; k < SIZE; ++k)
-                out[d * SIZE + k] = part < 1 ? inside(b, lane, k, part) : LANE(&b->next[k], lane);
-        }
         if (q->due[lane] == q->samples)
             return finish(q, b, lane, FINISHED);
         LANE(&b->due, lane) = q->times[q->due[lane]];
@@ -113,8 +136,10 @@ static int advance(Queue *q, Block *b)
         any |= some(odd.at[i]);
     }
     int changed = 0;
-    if (any)
+    if (any) {
         between(b);
+        sample(q, b, &accepted);
+    }
     for (int k = 0; k < SIZE; ++k)
         for (int i = 0; i < VECTORS; ++i)
             b->y[k].at[i] = choose(accepted.at[i], b->next[k].at[i], b->y[k].at[i]);
@@ -131,17 +156,17 @@ int64_t mechanics_room(void) { return (int64_t)sizeof(Block); }
 
 /* `count` motions from their start to the last of the times.
 
-   start (count, SIZE), held (count, HELD), states (count, samples, SIZE); one number a motion for
-   status, samples reached, steps, and tries. */
-void mechanics_march(int64_t count, int64_t samples, const double *times, const double *start,
-                     const double *held, double *states, int64_t *status, int64_t *reached,
-                     int64_t *steps, int64_t *tries, double tolerance, int64_t order,
-                     int64_t budget, void *room)
+   start (count, SIZE), held (count, HELD); states (SIZE, count, samples), an entry so many numbers
+   behind the one before; one number a motion for status, samples reached, steps, and tries. */
+void mechanics_march(int64_t count, int64_t samples, int64_t entry, const double *times,
+                     const double *start, const double *held, double *states, int64_t *status,
+                     int64_t *reached, int64_t *steps, int64_t *tries, double tolerance,
+                     int64_t order, int64_t budget, void *room)
 {
     Block *b = room;
     const double end = times[samples - 1];
-    Queue q = {.count = count, .samples = samples, .times = times, .start = start, .held = held,
-               .states = states, .status = status, .reached = reached, .steps = steps,
+    Queue q = {.count = count, .samples = samples, .entry = entry, .times = times,
+               .start = start, .held = held, .states = states, .status = status, .reached = reached, .steps = steps,
                .tries = tries, .end = end, .first = end / 64, .budget = budget};
     memset(b, 0, sizeof *b);
     b->tolerance = tolerance;

@@ -69,7 +69,10 @@ class Method(NamedTuple):
 
 
 class Found(NamedTuple):
-    """States (batch, N, size), and a number a motion: status, samples reached, steps, tries."""
+    """States (batch, N, size), and a number a motion: status, samples reached, steps, tries.
+
+    An entry of the states lies in memory as a column: motions, each with its samples.
+    """
 
     states: Array
     status: Counts
@@ -124,11 +127,11 @@ def _adaptive(
     """Every motion with steps of its own."""
     count, size = start.shape
     numbers = (np.zeros(count, dtype=np.int64) for _ in range(4))
-    found = Found(np.full((count, len(times), size), np.nan), *numbers)
+    found = Found(_columns(count, len(times), size), *numbers)
 
     def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
         march(
-            many, ctypes.c_int64(len(times)), at(times), *rows, ctypes.c_double(method.by),
+            many, *_sizes(found.states), at(times), *rows, ctypes.c_double(method.by),
             ctypes.c_int64(order(method.by)), ctypes.c_int64(method.budget), room,
         )  # fmt: skip
 
@@ -140,16 +143,26 @@ def _fixed(
     library: Library, method: Method, start: Array, held: Array, times: Array, threads: int
 ) -> Found:
     """All motions with the same steps, which end at the times."""
-    states = np.full((len(start), len(times), start.shape[1]), np.nan)
+    states = _columns(len(start), len(times), start.shape[1])
     spans = plan(times, method.by)
     counts = np.array([number for number, _ in spans], dtype=np.int64)
     lengths = np.array([length for _, length in spans])
     reached = np.zeros(len(start), dtype=np.int64)
 
     def call(march: Any, many: Any, rows: list[Any], room: Any) -> None:
-        march(many, ctypes.c_int64(len(times)), at(counts), at(lengths), *rows, room)
+        march(many, *_sizes(states), at(counts), at(lengths), *rows, room)
 
     library.march([start, held, states, reached], call, threads)
     early = np.where(reached == len(times), 0, CODES.index(Status.NOT_FINITE))
     steps = np.concatenate([[0], np.cumsum(counts)])[np.maximum(reached - 1, 0)]
     return Found(states, early.astype(np.int64), reached, steps, steps)
+
+
+def _columns(count: int, samples: int, size: int) -> Array:
+    """States in which nothing stands yet: C writes all of them."""
+    return np.empty((size, count, samples)).transpose(1, 2, 0)
+
+
+def _sizes(states: Array) -> tuple[ctypes.c_int64, ctypes.c_int64]:
+    """How many samples, and numbers from one entry to the next."""
+    return ctypes.c_int64(states.shape[1]), ctypes.c_int64(states.shape[0] * states.shape[1])

@@ -1,6 +1,6 @@
 """More motions than memory holds: parts of a grid, integrated by workers, to a folder of Parquet.
 
-Grid --part--> rows --worker--> bytes of Parquet --> Folder          so many parts at a time
+Grid --part--> rows --worker--> Parquet --> Folder          so many parts at a time
 """
 
 import shutil
@@ -95,6 +95,7 @@ def write_ensemble(
     beyond_domain: bool = False,
     executor: Executor | None = None,
     workers: Callable[[], int] = lambda: 1,
+    here: bool = False,
     part: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Written:
@@ -124,6 +125,9 @@ def write_ensemble(
         Where parts are integrated; by default in a thread of this process.
     workers : callable
         How many parts the executor works on at a time; twice as many are under way.
+    here : bool
+        Whether the executor's workers can write to the folder, as threads and processes of this
+        machine; else what they have written comes back as bytes.
     part : int, optional
         Motions in a part.
     progress : callable, optional
@@ -178,7 +182,8 @@ def write_ensemble(
         _refuse_full(place, grid, task, labels)
         with nullcontext(executor) if executor is not None else ThreadPoolExecutor(1) as pool:
             assert pool is not None
-            before = _fill(place, grid, rows, task, labels, pool, workers, progress)
+            target = place.path.absolute() if here or executor is None else None
+            before = _fill(place, grid, rows, task, labels, target, pool, workers, progress)
         endings, machines = summary(path)
     return Written(path, grid.count, before, endings, machines, task.method.words)
 
@@ -253,7 +258,8 @@ def _refuse_full(place: Folder, grid: Grid, task: Task, labels: Labels) -> None:
 
 def _fill(
     place: Folder, grid: Grid, rows: Callable[[int, int], Motions], task: Task, labels: Labels,
-    executor: Executor, workers: Callable[[], int], progress: Callable[[float], None] | None,
+    target: Path | None, executor: Executor, workers: Callable[[], int],
+    progress: Callable[[float], None] | None,
 ) -> int:  # fmt: skip
     """Write the parts that are not there; how many motions were."""
     text, count = to_text(task), -(-grid.count // place.part)
@@ -267,7 +273,7 @@ def _fill(
         start, held = (packed(array) for array in rows(first, last).rows)
         varied = [grid.columns(first, last)[name] for name in grid.axes]
         return executor.submit(
-            written, text, labels, (first, last), varied, start, held, len(task.times) > 2
+            written, text, labels, (first, last), varied, start, held, len(task.times) > 2, target
         )
 
     def limit() -> int:

@@ -7,11 +7,14 @@ Numbers stand as they are, 8 bytes each; a column that repeats itself takes almo
 """
 
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.simulate.ensembles.files import MOTIONS, SAMPLES, fresh, writable
 from mechanics.simulate.ensembles.outcome import CODES
 from mechanics.simulate.ensembles.run import Found
 from mechanics.simulate.ensembles.task import Task, from_text, integrate, machine
@@ -21,6 +24,8 @@ Array = NDArray[np.float64]
 Column = float | Array
 MOTION, TIME, ENDING, STEPS, EVALUATIONS = "motion", "t", "ending", "steps", "evaluations"
 MACHINE = b"machine"
+BATCH = 2**18
+"""Numbers that the writer of Parquet takes at a time."""
 START = "_start"
 """Follows the name of an initial value that is varied: the name itself is the last state's."""
 
@@ -60,9 +65,9 @@ def unpacked(columns: Sequence[Column], count: int) -> Array:
 
 def written(
     text: str, labels: Labels, numbers: tuple[int, int], varied: Sequence[Array],
-    start: Sequence[Column], held: Sequence[Column], samples: bool,
+    start: Sequence[Column], held: Sequence[Column], samples: bool, folder: Path | None = None,
 ) -> tuple[Any, Any]:  # fmt: skip
-    """On a worker: motions from one number to another, integrated, as buffers of two files.
+    """On a worker: motions from one number to another, integrated, as two files.
 
     Parameters
     ----------
@@ -74,16 +79,20 @@ def written(
     varied : sequence of array
     start, held : sequences of columns
     samples : bool
-        Whether the second file is wanted; else it is empty.
+        Whether the second file is wanted; else it is None.
+    folder : Path, optional
+        Where the worker writes fresh files and returns their paths; else it returns buffers.
     """
     count = numbers[1] - numbers[0]
     task = from_text(text)
     found = integrate(text, unpacked(start, count), unpacked(held, count))
     motions = np.arange(*numbers)
-    first = _file(_motions(task, labels, motions, varied, found), labels, (ENDING,), (MOTION,))
+    table = _table(_motions(task, labels, motions, varied, found), labels)
+    first = _file(table, folder and folder / MOTIONS, (ENDING,), (MOTION,))
     if not samples:
-        return first, b""
-    return first, _file(_samples(task, labels, motions, found), labels, (MOTION, TIME))
+        return first, None
+    table = _table(_samples(task, labels, motions, found), labels)
+    return first, _file(table, folder and folder / SAMPLES, (MOTION, TIME))
 
 
 def _motions(
@@ -115,20 +124,30 @@ def _samples(
     }
 
 
-def _file(
-    columns: Mapping[str, Any], labels: Labels, few: Sequence[str], rising: Sequence[str] = ()
-) -> Any:
-    """A Parquet file, as a buffer; columns with few values, or that rise, take little room."""
-    pyarrow, writer = parquet("samples")
+def _table(columns: Mapping[str, Any], labels: Labels) -> Any:
+    pyarrow, _ = parquet("samples")
     arrays = {name: pyarrow.array(values) for name, values in columns.items()}
     fields = [
-        pyarrow.field(name, array.type, metadata={"unit": labels.units.get(name, "")})
+        pyarrow.field(name, array.type, nullable=False,
+                      metadata={"unit": labels.units.get(name, "")})
         for name, array in arrays.items()
-    ]
+    ]  # fmt: skip
     schema = pyarrow.schema(fields, metadata={MACHINE: machine()})
-    target = pyarrow.BufferOutputStream()
-    writer.write_table(
-        pyarrow.table(list(arrays.values()), schema=schema), target, compression="none",
-        use_dictionary=[*few], column_encoding={name: "DELTA_BINARY_PACKED" for name in rising},
-    )  # fmt: skip
-    return target.getvalue()
+    return pyarrow.table(list(arrays.values()), schema=schema)
+
+
+def _file(table: Any, folder: Path | None, few: Sequence[str], rising: Sequence[str] = ()) -> Any:
+    """Parquet as a buffer, or the path of a fresh file.
+
+    Columns with few values, or that rise, take little room. Of the others, which are all different,
+    there are no statistics: they would take as long as the rest.
+    """
+    pyarrow, writer = parquet("samples")
+    target: Any = pyarrow.BufferOutputStream() if folder is None else fresh(folder)
+    with nullcontext() if folder is None else writable(folder):
+        writer.write_table(
+            table, target, compression="none", use_dictionary=[*few],
+            column_encoding={name: "DELTA_BINARY_PACKED" for name in rising},
+            write_statistics=[*few, *rising], write_batch_size=BATCH,
+        )  # fmt: skip
+    return target.getvalue() if folder is None else target

@@ -50,13 +50,13 @@ static void attempt(Block *b)
 
 static void between(Block *b) { (void)b; }
 
-/* Entry k of the state when `part` of the step has passed. */
-static double inside(Block *b, int lane, int k, double part)
+/* Entry k of the state when a part of the step has passed. */
+static L inside(const Block *b, int k, L part)
 {
-    const double z = part * LANE(&b->work.ratio, lane);
-    double y = 0;
-    for (int j = b->order; j >= 0; --j)
-        y = y * z + LANE(&b->work.s[k][j], lane);
+    const L *c = b->work.s[k], z = mul(part, b->work.ratio);
+    L y = c[b->order];
+    for (int j = b->order - 1; j >= 0; --j)
+        y = fused(y, z, c[j]);
     return y;
 }
 
