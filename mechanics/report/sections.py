@@ -113,6 +113,7 @@ class Section:
     result: SystemResult
     tally: list[tuple[Verdict, int]]
     drawing: Markup
+    coordinates: list[tuple[tuple[str, ...], Markup]]
     derivations: list[Derivation]
     marks: list[str]
     motions: list[LedgerResult]

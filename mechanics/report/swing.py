@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from mechanics.report.animation import moving_picture
-from mechanics.report.drawing import attached, few_of, paper_for
+from mechanics.report.drawing import attached, paper_for
 from mechanics.report.projection import View
 from mechanics.report.result import Swing
 from mechanics.scene import Scene
@@ -24,9 +24,7 @@ TURN = 0.3
 
 
 def swings(scene: Scene, modes: tuple[Swing, ...]) -> list[tuple[str, str]]:
-    """Words and a picture for each mode; none where coordinates are too many to be drawn."""
-    if not few_of(scene):
-        return []
+    """Words and a picture for each mode."""
     return [(_words(mode), _picture(scene, mode)) for mode in modes]
 
 
