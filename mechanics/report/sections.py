@@ -133,7 +133,7 @@ class Section:
 
     @property
     def common(self) -> bool:
-        """Whether every route ends in the equations on top."""
+        """Whether states and inputs are parted in the equations on top."""
         return has_common_form(self.result.scene)
 
     @property
