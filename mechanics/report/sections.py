@@ -1,7 +1,7 @@
 """What a section of the report shows of one system, taken from its result."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 from sympy import Symbol
@@ -216,7 +216,7 @@ def shown_steps(
 def motion_rows(result: SystemResult) -> list[LedgerResult]:
     """Published equations of motion, each once."""
     rows = [e for e in result.published if isinstance(e.row.quantity, EquationOfMotion)]
-    return list({typeset.chain(entry.row.sides): entry for entry in reversed(rows)}.values())[::-1]
+    return list({typeset.published(entry.row): entry for entry in reversed(rows)}.values())[::-1]
 
 
 def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
@@ -308,9 +308,9 @@ def published_rows(result: SystemResult, number: int) -> list[PublishedRow]:
     for i, entry in enumerate(result.published):
         row, sides = entry.row, entry.row.sides
         if isinstance(row.quantity, ReactionValue) and len(sides) == 1:
-            sides = (Symbol(row.quantity.name), *sides)
+            row = replace(row, sides=(Symbol(row.quantity.name), *sides))
         anchor = f"row-{number}-{i + 1}"
-        found.append(PublishedRow(anchor, entry, typeset.ledger_row(row.tag, sides)))
+        found.append(PublishedRow(anchor, entry, typeset.published(row)))
     return found
 
 
