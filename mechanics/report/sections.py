@@ -20,6 +20,7 @@ from mechanics.routes.multipliers import multipliers_of
 from mechanics.routes.steps.form import has_common_form
 from mechanics.routes.steps.writer import FULL
 from mechanics.scene import Scene
+from mechanics.scene.linear_quantities import LinearizedEquation
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 ROUTES = {
@@ -214,8 +215,11 @@ def shown_steps(
 
 
 def motion_rows(result: SystemResult) -> list[LedgerResult]:
-    """Published equations of motion, each once."""
-    rows = [e for e in result.published if isinstance(e.row.quantity, EquationOfMotion)]
+    """Published equations of motion, or where there are none linearized ones, each once."""
+    kinds = (EquationOfMotion, LinearizedEquation)
+    rows: list[LedgerResult] = []
+    for kind in kinds:
+        rows = rows or [e for e in result.published if isinstance(e.row.quantity, kind)]
     return list({typeset.published(entry.row): entry for entry in reversed(rows)}.values())[::-1]
 
 
