@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from mechanics.report.coordinate_drawings import coordinate_drawings
 from mechanics.report.drawing import drawing
 from mechanics.report.style import colours, drawing_rules
 from mechanics.scene.system import System
@@ -29,7 +30,7 @@ OPTIONS = (
     "--hide-scrollbars",
 )
 SHOTS = ((1280, False), (1280, True), (390, False), (390, True))
-TALL = {1280: 3400, 390: 10200}
+TALL = {1280: 4200, 390: 14500}
 """Pixels that all systems take, by the width."""
 
 
@@ -40,10 +41,12 @@ def drawings() -> Iterator[tuple[str, str]]:
 
 
 def picture(system: System) -> str:
-    """The drawing of one system, about a line for each element."""
+    """The drawings of one system, about a line for each element: its own, and of coordinates."""
     made = system.scene()
     scene = getattr(made, "scene", made)
-    return drawing(scene, scene.example).replace("/><", "/>\n<") + "\n"
+    every = [drawing(scene, scene.example)]
+    every += [svg for _, svg in coordinate_drawings(scene, scene.example)]
+    return "\n".join(svg.replace("/><", "/>\n<") for svg in every) + "\n"
 
 
 def page() -> str:
@@ -60,6 +63,8 @@ def page() -> str:
         " body { margin: 1rem; display: grid; gap: 1rem; background: var(--paper);"
         " grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); color: var(--ink);"
         " font: 14px var(--sans); } figure { margin: 0; break-inside: avoid; }"
+        " svg + svg { display: inline-block !important; width: 32% !important;"
+        " margin: .3rem .3rem 0 0; }"
         f"</style>{figures}</html>"
     )
 

@@ -132,7 +132,9 @@ def math(self: Any, node: Any) -> None:
     typeset = mathml(re.sub(r"\\tag\{.*?\}", "", latex).strip())
     if isinstance(node, nodes.math_block):
         tag = f'<span class="tag">({number[1]})</span>' if number else ""
-        typeset = f'<div class="formula">{typeset}{tag}</div>'
+        # What scrolls on a phone has to be reached by the keyboard.
+        box = '<div class="formula" tabindex="0" role="group" aria-label="formula">'
+        typeset = f"{box}{typeset}{tag}</div>"
     self.body.append(typeset)
     raise nodes.SkipNode
 

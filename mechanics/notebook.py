@@ -116,10 +116,9 @@ def trajectory_html(motion: "Trajectory") -> str:
     """The scene as it moves, and its curves."""
     from mechanics.report.animation import moving_picture
     from mechanics.report.charts import line_chart
-    from mechanics.report.drawing import few_of
 
     parts = [Markup("<p>{}: {}</p>").format(motion.title, motion.note)]
-    if motion.scene is not None and few_of(motion.scene):
+    if motion.scene is not None:
         parts.append(Markup(moving_picture(motion.scene, motion.times, motion.coordinates)))
     groups: dict[str, dict[str, Any]] = {}
     for name, values in motion.coordinates.items():

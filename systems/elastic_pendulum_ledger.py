@@ -76,6 +76,7 @@ PUBLISHED: tuple[Published, ...] = (
         T - 2 * k * x,
         m * x_ddot,
         label="horizontal momentum principle of the carriage",
+        latex=r"T-2 k x=\frac{d p_{x}}{d t}=m \ddot{x}",
         note=P_X_TWICE,
     ),
     published(
@@ -97,6 +98,11 @@ PUBLISHED: tuple[Published, ...] = (
         -T,
         M * (x_ddot + L / 2 * (theta_ddot * cos(theta) - theta_dot**2 * sin(theta))),
         label="horizontal momentum principle of the pendulum",
+        latex=(
+            r"-T=\frac{d p_{x}}{d t}=\frac{d}{d t} M\left(\dot{x}+\frac{L}{2} \dot{\theta} "
+            r"\cos \theta\right)=M\left[\ddot{x}+\frac{L}{2}\left(\ddot{\theta} \cos "
+            r"\theta-\dot{\theta}^{2} \sin \theta\right)\right]"
+        ),
     ),
     published(
         "(4)",
@@ -110,6 +116,11 @@ PUBLISHED: tuple[Published, ...] = (
         N - M * g,
         M * L / 2 * (theta_ddot * sin(theta) + theta_dot**2 * cos(theta)),
         label="vertical momentum principle of the pendulum",
+        latex=(
+            r"N-M g=\frac{d p_{y}}{d t}=\frac{d}{d t}\left(M \frac{L}{2} \dot{\theta} \sin "
+            r"\theta\right)=M \frac{L}{2}\left(\ddot{\theta} \sin \theta+\dot{\theta}^{2} "
+            r"\cos \theta\right)"
+        ),
     ),
     published(
         "(5)",
@@ -117,6 +128,10 @@ PUBLISHED: tuple[Published, ...] = (
         T * L / 2 * cos(theta) - N * L / 2 * sin(theta),
         M * L**2 / 12 * theta_ddot,
         label="angular momentum principle of the pendulum about C",
+        latex=(
+            r"T \frac{L}{2} \cos \theta-N \frac{L}{2} \sin \theta=\frac{d H_{C}}{d t}="
+            r"\frac{M L^{2}}{12} \ddot{\theta}"
+        ),
     ),
     published(
         "(6)",
@@ -127,6 +142,10 @@ PUBLISHED: tuple[Published, ...] = (
         - M * L / 2 * theta_dot**2 * sin(theta),
         0,
         label="equation of motion, horizontal",
+        latex=(
+            r"(M+m) \ddot{x}+2 k x+M \frac{L}{2} \ddot{\theta} \cos \theta-M \frac{L}{2} "
+            r"\dot{\theta}^{2} \sin \theta=0"
+        ),
     ),
     published(
         "(7)",
@@ -134,6 +153,10 @@ PUBLISHED: tuple[Published, ...] = (
         M * L / 2 * x_ddot * cos(theta) + M * L**2 / 3 * theta_ddot + M * g * L / 2 * sin(theta),
         0,
         label="equation of motion, about the pivot",
+        latex=(
+            r"M \frac{L}{2} \ddot{x} \cos \theta+M \frac{L^{2}}{3} \ddot{\theta}+M g "
+            r"\frac{L}{2} \sin \theta=0"
+        ),
     ),
     published(
         "(ii) system",
@@ -160,6 +183,12 @@ PUBLISHED: tuple[Published, ...] = (
         -2 * k * x,
         (M + m) * x_ddot + M * L / 2 * (theta_ddot * cos(theta) - theta_dot**2 * sin(theta)),
         label="equivalent to (6)",
+        latex=(
+            r"-2 k x=\frac{d}{d t}\left(m \dot{x}+p_{x}\right)=\frac{d}{d t}\left[m \dot{x}+"
+            r"M\left(\dot{x}+\frac{L}{2} \dot{\theta} \cos \theta\right)\right]=(M+m) "
+            r"\ddot{x}+M \frac{L}{2}\left(\ddot{\theta} \cos \theta-\dot{\theta}^{2} \sin "
+            r"\theta\right)"
+        ),
     ),
     published(
         "tau_B",
@@ -246,5 +275,11 @@ PUBLISHED: tuple[Published, ...] = (
         -M * g * L / 2 * sin(theta),
         M * L**2 / 3 * theta_ddot + M * L / 2 * x_ddot * cos(theta),
         label="equivalent to (7)",
+        latex=(
+            r"-M g \frac{L}{2} \sin \theta=\frac{d}{d t}\left[M \frac{L^{2}}{3} "
+            r"\dot{\theta}+M \frac{L}{2} \dot{x} \cos \theta\right]+M \frac{L}{2} "
+            r"\dot{\theta} \dot{x} \sin \theta=M \frac{L^{2}}{3} \ddot{\theta}+M "
+            r"\frac{L}{2} \ddot{x} \cos \theta"
+        ),
     ),
 )

@@ -50,6 +50,10 @@ PUBLISHED: tuple[Published, ...] = (
         (I_C + Rational(9, 4) * M * R**2) * theta.diff(t, 2) - M * g * R / 2 * theta,
         3 * R / 2 * f,
         label="linearized equation of motion",
+        latex=(
+            r"\left(I_{C}+\frac{9}{4} M R^{2}\right) \ddot{\theta}-M g \frac{R}{2} \theta="
+            r"\frac{3 R}{2} f(t)"
+        ),
     ),
     published(
         "I_A'",

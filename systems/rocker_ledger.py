@@ -71,6 +71,10 @@ PUBLISHED: tuple[Published, ...] = (
         N - M * g,
         -M * R / 2 * (theta_ddot * sin(theta) + theta_dot**2 * cos(theta)),
         label="vertical momentum principle",
+        latex=(
+            r"N-M g=\frac{d P_{y}}{d t}=-M \frac{R}{2}\left(\ddot{\theta} \sin \theta+"
+            r"\dot{\theta}^{2} \cos \theta\right)"
+        ),
     ),
     published(
         "(6)",
@@ -78,6 +82,10 @@ PUBLISHED: tuple[Published, ...] = (
         N * R / 2 * sin(theta) - T * (R + R / 2 * cos(theta)),
         I_C * theta_ddot,
         label="angular momentum principle about C, clockwise",
+        latex=(
+            r"N \frac{R}{2} \sin \theta-T\left(R+\frac{R}{2} \cos \theta\right)=\frac{d "
+            r"H_{C}}{d t}=I_{C} \ddot{\theta}"
+        ),
     ),
     published(
         "(7)",
@@ -87,6 +95,11 @@ PUBLISHED: tuple[Published, ...] = (
         - M * g * R / 2 * sin(theta),
         f * (R + R / 2 * cos(theta)),
         label="equation of motion",
+        latex=(
+            r"\left[I_{C}+M R^{2}\left(\frac{5}{4}+\cos \theta\right)\right] "
+            r"\ddot{\theta}-M \frac{R^{2}}{2} \dot{\theta}^{2} \sin \theta-M g \frac{R}{2} "
+            r"\sin \theta=f(t)\left(R+\frac{R}{2} \cos \theta\right)"
+        ),
         note="printed twice, after each procedure",
     ),
     published(

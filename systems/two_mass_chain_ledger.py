@@ -56,6 +56,10 @@ MOMENTUM: tuple[Published, ...] = (
         Derivative(3 * m * x1.diff(t), t),
         3 * m * x1.diff(t, 2),
         label="momentum principle for the mass 3 m",
+        latex=(
+            r"-k x_{1}+k\left(x_{2}-x_{1}\right)=\frac{d}{d t}\left(3 m \dot{x}_{1}\right)="
+            r"3 m \ddot{x}_{1}"
+        ),
     ),
     published(
         "second mass",
@@ -64,6 +68,10 @@ MOMENTUM: tuple[Published, ...] = (
         Derivative(2 * m * x2.diff(t), t),
         2 * m * x2.diff(t, 2),
         label="momentum principle for the mass 2 m",
+        latex=(
+            r"-k\left(x_{2}-x_{1}\right)=\frac{d}{d t}\left(2 m \dot{x}_{2}\right)=2 m "
+            r"\ddot{x}_{2}"
+        ),
     ),
 )
 
@@ -74,6 +82,13 @@ MODES: tuple[Published, ...] = (
         -K * x,
         M * x.diff(t, 2),
         label="equations of motion in matrix form",
+        latex=(
+            r"-\left[\begin{array}{rr} 2 k & -k\\ -k & k "
+            r"\end{array}\right]\left\{\begin{array}{l} x_{1} \\ x_{2} \end{array}\right\}="
+            r"\left[\begin{array}{rr} 3 m & 0 \\ 0 & 2 m "
+            r"\end{array}\right]\left\{\begin{array}{l} \ddot{x}_{1} \\ \ddot{x}_{2} "
+            r"\end{array}\right\}"
+        ),
     ),
     published(
         "trial",

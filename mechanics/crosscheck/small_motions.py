@@ -24,14 +24,14 @@ def small_motions(
     """Modes about q = 0 without inputs, or remarks that say why there are none."""
     equations = next((e for e in derived.values() if e.conjugate), next(iter(derived.values())))
     scene = equations.scene
-    if scene.constraints:
-        return (), ("Small motions are not shown for scenes with constraints.",)
+    if scene.constraints and not equations.conjugate:
+        return (), ("No small motions: equations with constraints have to be Lagrange's.",)
     try:
         rest = {q.name: 0 for q in scene.q}
         linear = linearize(equations, rest, {f.name: 0 for f in scene.input_symbols})
     except MechanicsError as error:
         return (), (f"No small motions about q = 0: {error}",)
-    if len(linear.coordinates) > LARGEST_EXACT:
+    if len(linear.coordinates) > LARGEST_EXACT or scene.constraints:
         return _numeric(linear)
     try:
         return (_exact(linear),), ()
@@ -85,6 +85,12 @@ def _numeric(linear: Linear) -> tuple[tuple[Modes, ...], tuple[str, ...]]:
 
 
 def _damped(linear: Linear) -> Modes:
-    words = damped_modes(linear).words
-    rows = tuple((rf"s_{{{i + 1}}}", None, text) for i, text in enumerate(words))
-    return Modes("Damped modes about q = 0, typical values", rows)
+    found = damped_modes(linear)
+    rows = tuple((rf"s_{{{i + 1}}}", None, text) for i, text in enumerate(found.words))
+    names = [q.name for q in linear.coordinates if q not in linear.cyclic]
+    swings = tuple(
+        Swing(i, float(s.imag), dict(zip(names, shape, strict=True)), float(s.real))
+        for i, (s, shape) in enumerate(zip(found.poles, found.shapes.T, strict=True), 1)
+        if s.imag > 0 and shape.any()
+    )
+    return Modes("Damped modes about q = 0, typical values", rows, swings)

@@ -51,6 +51,7 @@ from mechanics.kernel import Finding, Verdict
 from mechanics.linear.ledger import OF_PROGRAMS, check_linear_row, linear_equations
 from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes.derivation import as_program, by_route, goal_of, steps_of
+from mechanics.routes.steps.one_joint import large_steps
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.joints.fixed import absolute_coordinates
@@ -296,6 +297,7 @@ def _without_textbook(
                 programs.operations(name),
                 models[name].form,
                 models[name].program("forward_dynamics").operations,
+                steps=large_steps(scene) if name == "free_body" else (),
             )
             for name in programs.routes
         },

@@ -65,7 +65,8 @@ def moving_picture(
     duration = float(times[-1])
     count = int(np.clip(rate * duration, FEWEST, MOST)) + 1
     # The view of the farthest places says how long springs are drawn that the scene leaves out.
-    first = View(scene, {name: float(np.abs(x).max()) for name, x in coordinates.items()})
+    farthest = {name: float(np.abs(x).max()) for name, x in coordinates.items()}
+    first = View(scene, farthest, motion=coordinates)
     views = [
         first.at({name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
         for t in np.linspace(0, duration, count)

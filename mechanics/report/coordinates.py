@@ -7,7 +7,7 @@ Which of the two a coordinate is, and where it begins, is found from poses of th
 other coordinates held.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -17,8 +17,9 @@ from mechanics.report import ink
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import Paper
-from mechanics.scene import Body, Gravity, RigidBody
-from mechanics.scene.symbols import name_of
+from mechanics.scene import Body, RigidBody
+from mechanics.scene.rotations import Rotation
+from mechanics.scene.symbols import plain_symbol
 
 THIRD = 2 * np.pi / 3
 SAMPLES = 33
@@ -32,6 +33,10 @@ SPIRAL = 7.0
 """Pixels by which an arc grows with every turn."""
 ARROW = 40.0
 """Length of the arrow of a coordinate that is zero, in pixels."""
+AXES = 62.0
+"""Length of the axes of a body that a quaternion turns, in pixels."""
+PLACES = 160
+"""Along a motion."""
 
 
 class Turn(NamedTuple):
@@ -53,13 +58,16 @@ class Turn(NamedTuple):
 
 
 def moved(view: View, coordinate: Symbol) -> Body | None:
-    """The first body that the coordinate moves."""
-    for body in view.scene.bodies:
-        if coordinate in view.scene.position(body.centre).free_symbols or _turned(
-            view, body, coordinate
-        ):
-            return body
-    return None
+    """The body that the coordinate moves, and the fewest others; of several the first."""
+    scene, coordinates = view.scene, {*view.scene.q}
+    moving = []
+    for body in scene.bodies:
+        free = scene.position(body.centre).free_symbols
+        if isinstance(body, RigidBody):
+            free = free | scene.rotation(body.frame).free_symbols
+        if coordinate in free:
+            moving.append((len(free & coordinates), body))
+    return min(moving, key=lambda one: one[0])[1] if moving else None
 
 
 def _turned(view: View, body: Body, coordinate: Symbol) -> bool:
@@ -96,11 +104,28 @@ def turn_of(view: View, body: Body, coordinate: Symbol) -> Turn | None:
     axis = axis / np.linalg.norm(axis)
     if round_middle and reaches[0] > 1e-9:
         return Turn(middle, arms[0] / reaches[0], axis, float(reaches[0]))
-    # It turns about its own centre, or goes on as it rolls: an axis of the body is shown.
+    # It turns about its own centre, or goes on as it rolls: where a joint holds it, or an axis.
+    arm = _held_aside(view, body, axis)
+    if arm is not None:
+        reach = float(np.linalg.norm(arm))
+        start = frames[0] @ view.frame(body.frame).T @ arm / reach
+        return Turn(view.place(body.centre), start, axis, reach)
     y, x, z = frames[0][:, 1], frames[0][:, 0], frames[0][:, 2]
     start = next(a for a in (y, x, z) if abs(a @ axis) < 0.9)
     start = start - (start @ axis) * axis
     return Turn(view.place(body.centre), start / np.linalg.norm(start), axis, 0.0)
+
+
+def _held_aside(view: View, body: RigidBody, axis: np.ndarray) -> np.ndarray | None:
+    """From the centre to the first joint with another body, across an axis."""
+    for reaction in view.scene.reactions:
+        pair = (reaction.on, reaction.by)
+        if reaction.at is not None and None not in pair and body.name in pair:
+            arm = view.place(reaction.at) - view.place(body.centre)
+            arm = arm - (arm @ axis) * axis
+            if np.linalg.norm(arm) > 1e-9:
+                return arm
+    return None
 
 
 def _three(view: View, coordinate: Symbol, look: Callable[[View], np.ndarray]) -> np.ndarray:
@@ -127,8 +152,7 @@ def coordinate_picture(
         not move: then what is almost zero is drawn large enough to show its sense.
     """
     body = moved(view, coordinate)
-    quaternions = {name_of(c) for r in view.scene.rotations for c in r.coordinates}
-    if body is None or coordinate.name in quaternions:
+    if body is None or coordinate in view.scene.quaternions:
         return ""
     turn = turn_of(view, body, coordinate)
     still = aside is None
@@ -146,10 +170,14 @@ def _reaches(view: View, body: Body, turn: Turn) -> bool:
 
 
 def zero_end(view: View, coordinate: Symbol) -> np.ndarray | None:
-    """Where the dashed line of an angle ends, in m on paper."""
+    """Where the dashed line of an angle ends, or the arrow of a length begins, in m on paper."""
     body = moved(view, coordinate)
-    turn = None if body is None else turn_of(view, body, coordinate)
-    return None if turn is None else view.project(turn.at(0.0, turn.reach))
+    if body is None or coordinate in view.scene.quaternions:
+        return None
+    turn = turn_of(view, body, coordinate)
+    if turn is None:
+        return set_to(view, coordinate, 0.0).point(body.centre)
+    return view.project(turn.at(0.0, turn.reach))
 
 
 def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, still: bool) -> str:
@@ -224,8 +252,10 @@ def coordinate_words(view: View, coordinate: Symbol) -> str:
     The words hold at every state: where zero itself moves with other coordinates they say so.
     """
     body = moved(view, coordinate)
-    if coordinate in view.scene.quaternions or body is None:
+    if body is None:
         return "coordinate"
+    if coordinate in view.scene.quaternions:
+        return _part_words(view, body, coordinate)
     turn = turn_of(view, body, coordinate)
     other = view.at({q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
     if turn is None:
@@ -264,10 +294,8 @@ def _along(view: View, direction: np.ndarray) -> str:
 
 
 def _from(view: View, direction: np.ndarray) -> str:
-    down = next((g.field for g in view.scene.loads if isinstance(g, Gravity)), None)
-    if down is not None:
-        pull = view.numbers(view.scene.vector(down)).ravel()
-        share = float(pull @ direction / np.linalg.norm(pull))
+    if view.field is not None:
+        share = float(view.field @ direction / np.linalg.norm(view.field))
         if abs(abs(share) - 1) < 1e-9:
             return "from hanging straight down" if share > 0 else "from the upright"
     name = _axis_name(direction)
@@ -275,19 +303,81 @@ def _from(view: View, direction: np.ndarray) -> str:
 
 
 def _sense(view: View, axis: np.ndarray) -> str:
-    name = _axis_name(axis)
     if view.planar:
-        return ", counterclockwise" if name == "z" else ", clockwise"
+        towards = np.cross(*view.projection) @ axis
+        return ", counterclockwise" if towards > 0 else ", clockwise"
+    name = _axis_name(axis)
     return f", about {name}" if name else ""
 
 
+def _part_words(view: View, body: Body, coordinate: Symbol) -> str:
+    """What a part of a quaternion is, by its place."""
+    parts = next(p for r in view.scene.rotations if coordinate in (p := parts_of(r)))
+    place = parts.index(coordinate)
+    what = (
+        "cosine of half the angle" if not place else f"{' xyz'[place]} of the axis times its sine"
+    )
+    return f"part of the unit quaternion that turns {_the(body)}: {what}"
+
+
+def parts_of(rotation: Rotation) -> tuple[Symbol, ...]:
+    """The parts of a quaternion as plain symbols, the scalar first."""
+    return tuple(plain_symbol(part) for part in rotation.coordinates)
+
+
+def orientation_picture(view: View, paper: Paper, rotation: Rotation) -> str:
+    """What a quaternion turns: its axes at no turn, dashed, and as they are; and the arc."""
+    parts = parts_of(rotation)
+    body = moved(view, parts[1])
+    if not isinstance(body, RigidBody):
+        return ""
+    none = view.at({**view.state, **dict(zip((p.name for p in parts), (1, 0, 0, 0), strict=True))})
+    before, now = none.frame(body.frame), view.frame(body.frame)
+    middle = view.place(body.centre)
+
+    def pixel(direction: np.ndarray, length: float) -> np.ndarray:
+        return paper.place(view.project(middle + length / paper.scale * direction))
+
+    drawn = [ink.path([pixel(a, 0), pixel(a, 1.1 * AXES)], "zero") for a in before.T]
+    for name, axis in zip("xyz", now.T, strict=True):
+        drawn.append(ink.arrow(pixel(axis, 0), pixel(axis, AXES), "motion"))
+        drawn.append(ink.text(pixel(axis, AXES + 14), svg_name(name), "motion-name"))
+    turn = now @ before.T
+    angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1, 1)))
+    if angle > LEAST:
+        axis = np.linalg.svd(turn - np.eye(3))[2][2]
+        across = before[:, int(np.argmin(np.abs(axis @ before)))]
+        start = across - (across @ axis) * axis
+        start /= np.linalg.norm(start)
+        if np.cross(axis, start) @ turn @ start < 0:
+            axis = -axis
+        swept = Turn(middle, start, axis, 0.0)
+        arc = [pixel(swept.at(a, 1.0) - middle, AXES / 2) for a in np.linspace(0, angle, SAMPLES)]
+        drawn += [ink.path(arc, "motion"), ink.head(arc[-1], arc[-1] - arc[-3], "motion")]
+    return "".join(drawn)
+
+
 def trace(view: View, body: Body) -> np.ndarray | None:
-    """The circle of a point that one coordinate leads round, in m on paper; None for others."""
+    """The way of a point mass, in m on paper: the circle that one coordinate leads it round.
+
+    Where several move it, its way along the motion that the view holds. None for other bodies.
+    """
     moving = [q for q in view.scene.q if q in view.scene.position(body.centre).free_symbols]
-    if len(moving) != 1 or isinstance(body, RigidBody):
+    if isinstance(body, RigidBody):
+        return None
+    if len(moving) > 1 and view.motion is not None:
+        return _way_along(view, body, view.motion)
+    if len(moving) != 1:
         return None
     turn = turn_of(view, body, moving[0])
     if turn is None:
         return None
     around = np.linspace(0, 2 * np.pi, 61)
     return np.array([view.project(turn.at(angle, turn.reach)) for angle in around])
+
+
+def _way_along(view: View, body: Body, motion: Mapping[str, np.ndarray]) -> np.ndarray:
+    count = len(next(iter(motion.values())))
+    samples = np.unique(np.linspace(0, count - 1, PLACES).astype(int))
+    states = ({name: float(values[k]) for name, values in motion.items()} for k in samples)
+    return np.array([view.at(state).point(body.centre) for state in states])

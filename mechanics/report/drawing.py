@@ -14,9 +14,10 @@ from sympy.physics.vector import Dyadic, Point
 
 from mechanics.report import ink
 from mechanics.report.coordinates import coordinate_picture, trace, zero_end
+from mechanics.report.label_places import apart
 from mechanics.report.labels import length_labels, point_labels
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, normal, unit
+from mechanics.report.projection import View, closed, normal, unit
 from mechanics.report.supports import (
     BLOCK,
     Paper,
@@ -34,31 +35,40 @@ PUSHED = 96.0
 """Room for the arrow of a force beyond its point, or for a spring before it."""
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
-MARKED = 6
-"""Coordinates up to which they are drawn."""
+MARKED, MARKED_IN_SPACE = 6, 2
+"""Coordinates up to which one drawing marks them; more have a drawing each."""
 CORNER = (160.0, 92.0)
 """Room for axes and gravity, in pixels."""
 
 
-def drawing(scene: Scene, state: Mapping[str, float]) -> str:
+def drawing(
+    scene: Scene, state: Mapping[str, float], motion: Mapping[str, np.ndarray] | None = None
+) -> str:
     """A scene at a state as an SVG element.
 
     Parameters
     ----------
     scene : Scene
     state : mapping of str to float
-        Values by plain name; what is missing is zero, parameters are typical ones.
+        Values by plain name; what is missing is zero, or closes the loops; parameters are typical.
+    motion : mapping of str to array, optional
+        Coordinates along a motion, by plain name: the ways of point masses are drawn.
     """
-    view = View(scene, state)
+    view = View(scene, closed(scene, state), motion=motion)
     paper = paper_for([view])
     parts = picture(view, paper)
     if len(scene.bodies) <= FEW:
         parts.append(point_labels(view, paper, parts))
         parts.append(length_labels(view, paper, parts))
-    title = escape(_title(scene))
+    corner = directions(view, paper, parts)
+    return svg((*apart(parts, [corner], (WIDTH, HEIGHT)), corner), _title(scene))
+
+
+def svg(parts: Sequence[str], title: str, size: tuple[float, float] = (WIDTH, HEIGHT)) -> str:
+    """Parts of a drawing as an element that says what it shows."""
     return (
-        f'<svg class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
-        f' aria-label="{title}">{"".join((*parts, directions(view, paper, parts)))}</svg>'
+        f'<svg class="drawing" viewBox="0 0 {size[0]:.0f} {size[1]:.0f}" role="img"'
+        f' aria-label="{escape(title)}">{"".join(parts)}</svg>'
     )
 
 
@@ -71,24 +81,44 @@ def _title(scene: Scene) -> str:
 
 
 def few_of(scene: Scene) -> tuple[Symbol, ...]:
-    """The coordinates that are drawn: all, or none of many."""
-    return tuple(scene.q) if len(scene.q) <= MARKED else ()
+    """The coordinates that are marked in one drawing: all, or none of many."""
+    most = MARKED if View(scene, {}).planar else MARKED_IN_SPACE
+    return tuple(scene.q) if len(scene.q) <= most and not scene.quaternions else ()
 
 
-def paper_for(views: Sequence[View]) -> Paper:
-    """The paper on which a scene at all of these states, in metres, fills the drawing."""
+def paper_for(
+    views: Sequence[View],
+    few: Sequence[Symbol] | None = None,
+    size: tuple[float, float] = (WIDTH, HEIGHT),
+) -> Paper:
+    """The paper on which a scene at all of these states, in metres, fills the drawing.
+
+    `few` are the coordinates that are marked, `few_of` the scene by default.
+    """
     scene = views[0].scene
     pushed = any(isinstance(o, Force) or is_slack_at_anchor(views[0], o) for o in scene.loads)
-    margin = PUSHED if pushed else MARGIN
-    points = [view.point(point) for view in views for point in _loaded(scene)]
+    margin = PUSHED if pushed and size[0] == WIDTH else MARGIN * size[0] / WIDTH
+    few = few_of(scene) if few is None else few
+    points = [view.point(point) for view in views for point in view.loaded]
     for view in views:
         points += [corner for body in scene.bodies for corner in outline(view, body)]
     # A line at zero is long as its body is far: a few of the views tell where it ends.
     for view in views[:: max(1, len(views) // 8)]:
-        points += [zero for q in few_of(scene) if (zero := zero_end(view, q)) is not None]
+        points += [zero for q in few if (zero := zero_end(view, q)) is not None]
     for body in scene.bodies:
         points += list(circle) if (circle := trace(views[0], body)) is not None else []
-    return _paper(views[0], points, margin)
+    return paper_of([*points, views[0].point(scene.origin)], margin, size)
+
+
+def plain_picture(view: View, paper: Paper, moving: bool = False) -> tuple[list[str], list[str]]:
+    """Ground, traces and bodies: those with an extension, and dots that lie above all else."""
+    extended: list[str] = []
+    small: list[str] = []
+    for body in view.scene.bodies:
+        corners = outline(view, body)
+        (small if len(corners) == 1 else extended).append(body_shape(view, paper, body, corners))
+    traces = (_trace(view, paper, body) for body in view.scene.bodies)
+    return [ground(view, paper, moving), *traces, *extended], small
 
 
 def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None) -> list[str]:
@@ -104,16 +134,10 @@ def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None
         coordinate_picture(view, paper, q, None if asides is None else asides[k])
         for k, q in enumerate(few)
     ]
-    extended: list[str] = []
-    small: list[str] = []
-    for body in scene.bodies:
-        corners = outline(view, body)
-        (small if len(corners) == 1 else extended).append(body_shape(view, paper, body, corners))
     moves = asides is not None
+    large, small = plain_picture(view, paper, moves)
     return [
-        ground(view, paper, moves),
-        *(_trace(view, paper, body) for body in scene.bodies),
-        *extended,
+        *large,
         *arrows,
         *small,
         *(load_symbol(view, paper, load) for load in scene.loads),
@@ -148,12 +172,6 @@ def _free_corner(drawn: str) -> tuple[float, float]:
     corners = [(x, y) for y in (0.0, HEIGHT - height) for x in (0.0, WIDTH - width)]
     inside = [np.sum(np.all((places > c) & (places < np.add(c, CORNER)), axis=1)) for c in corners]
     return corners[int(np.argmin(inside))]
-
-
-def _loaded(scene: Scene) -> list[Point]:
-    """The points at which loads act, on bodies and on the ground."""
-    ends = (vars(load).get(name) for load in scene.loads for name in ("at", "first", "second"))
-    return [end for end in ends if isinstance(end, Point)]
 
 
 def attached(scene: Scene, body: Body) -> list[Point]:
@@ -223,12 +241,13 @@ def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
     return view.project(first), view.project(other)
 
 
-def _paper(view: View, points: list[np.ndarray], margin: float) -> Paper:
-    corners = np.array([*points, view.point(view.scene.origin)])
+def paper_of(points: Sequence[np.ndarray], margin: float, size: tuple[float, float]) -> Paper:
+    """The paper that these points fill but for a margin."""
+    corners = np.array(points)
     low, high = corners.min(axis=0), corners.max(axis=0)
     span = np.maximum(high - low, 1e-9)
-    scale = min((WIDTH - 2 * margin) / span[0], (HEIGHT - 2 * margin) / span[1], 1e6)
-    middle = np.array([WIDTH, HEIGHT]) / 2
+    scale = min(*((np.array(size) - 2 * margin) / span), 1e6)
+    middle = np.array(size) / 2
     return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
 
 

@@ -26,7 +26,7 @@ def environment() -> Environment:
         anchor=typeset.anchor,
         bar=lambda share: Markup(charts.bar(share)),
         bound=words.bound,
-        chain=typeset.chain,
+        as_published=typeset.published,
         chip=words.chip,
         count=words.count,
         duration=words.duration,

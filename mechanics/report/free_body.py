@@ -21,7 +21,8 @@ from mechanics.mechanism import Mechanism
 from mechanics.program import interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.report import ink
-from mechanics.report.drawing import body_shape, outline
+from mechanics.report.drawing import body_shape, outline, paper_of
+from mechanics.report.label_places import apart
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import View, normal, unit
 from mechanics.report.supports import Paper, label
@@ -116,7 +117,7 @@ def free_body_diagram(
     points = [corner for shape in shapes for corner in shape]
     points += [view.project(arrow.at) for arrow in acting if np.any(arrow.force)]
     points += [] if centre is None else [centre]
-    paper = _paper(points)
+    paper = paper_of(points, MARGIN, (WIDTH, HEIGHT))
     parts = [body_shape(view, paper, b, s) for b, s in zip(bodies, shapes, strict=True)]
     used: list[tuple[np.ndarray, np.ndarray]] = []
     parts += [_arrow(view, paper, arrow, _middle(view, paper, arrow), used) for arrow in acting]
@@ -127,7 +128,7 @@ def free_body_diagram(
     title += f"; moments about {diagram.centre}" if diagram.centre else ""
     return (
         f'<svg class="drawing free" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
-        f' aria-label="{escape(title)}">{"".join(parts)}</svg>'
+        f' aria-label="{escape(title)}">{"".join(apart(parts, [], (WIDTH, HEIGHT)))}</svg>'
     )
 
 
@@ -151,15 +152,6 @@ def _place(mechanism: Mechanism, view: View, diagram: Diagram) -> np.ndarray | N
     known = {symbol.name: value for symbol, value in view.values.items()}
     values = interpret(program, Arrays(), known, release=False)["entries"]
     return view.project(np.array([float(value) for value in values]))
-
-
-def _paper(points: Sequence[np.ndarray]) -> Paper:
-    corners = np.array(points)
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    span = np.maximum(high - low, 1e-9)
-    scale = min((WIDTH - 2 * MARGIN) / span[0], (HEIGHT - 2 * MARGIN) / span[1], 1e6)
-    middle = np.array([WIDTH, HEIGHT]) / 2
-    return Paper(scale, middle - scale * (low + high) / 2 * np.array([1, -1]), middle)
 
 
 def _middle(view: View, paper: Paper, arrow: Arrow) -> np.ndarray:

@@ -5,12 +5,15 @@ phone, and prints.
 """
 
 from collections.abc import Sequence
+from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
 from mechanics.report import words
 from mechanics.report.animation import moving_picture
-from mechanics.report.drawing import drawing, few_of
+from mechanics.report.coordinate_drawings import coordinate_drawings
+from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
@@ -71,7 +74,10 @@ def _section(number: int, result: SystemResult) -> Section:
         number=number,
         result=result,
         tally=words.tally(words.all_findings(result)),
-        drawing=Markup(drawing(result.scene, state)),
+        drawing=Markup(drawing(result.scene, state, _way(result))),
+        coordinates=[
+            (names, Markup(svg)) for names, svg in coordinate_drawings(result.scene, state)
+        ],
         derivations=steps,
         marks=classes,
         motions=motion_rows(result),
@@ -100,9 +106,15 @@ def _section(number: int, result: SystemResult) -> Section:
 
 
 def _moving(result: SystemResult) -> Markup:
-    """The scene as it moves, where there is a motion and its coordinates are drawn."""
-    motion = result.motion
-    if motion is None or not few_of(result.scene):
+    """The scene as it moves, where there is a motion."""
+    coordinates = _way(result)
+    if result.motion is None or coordinates is None:
         return Markup("")
-    coordinates = {q.name: motion.columns[q.name] for q in result.scene.q}
-    return Markup(moving_picture(result.scene, motion.columns["t"], coordinates))
+    return Markup(moving_picture(result.scene, result.motion.columns["t"], coordinates))
+
+
+def _way(result: SystemResult) -> dict[str, Any] | None:
+    """The coordinates along the motion, where there is one."""
+    if result.motion is None:
+        return None
+    return {q.name: np.asarray(result.motion.columns[q.name]) for q in result.scene.q}

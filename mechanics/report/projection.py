@@ -1,6 +1,7 @@
 """A scene as numbers on paper: p = P r, with the values of one state and typical parameters.
 
-A scene that keeps the plane z = 0 is seen along z, any other along (-1, -1, -1), z upwards.
+A scene that keeps the plane z = 0 is seen along z, any other along (-1, -1, -1), z upwards. Where
+gravity would point up, the scene is turned about x by half a turn first.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,12 +17,17 @@ from mechanics.program import Builder, Program, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.sympy_reader import read
 from mechanics.scene import Gravity, Scene, Spring
+from mechanics.scene.joints import Rope
 from mechanics.scene.rates import TIME
+from mechanics.scene.symbols import plain_symbol
 
 ISOMETRIC = np.array([[-0.7071, 0.7071, 0.0], [-0.4082, -0.4082, 0.8165]])
 FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-# Arrows of inputs and of parameters without a typical value need some length.
+TURNED = np.diag([1.0, -1.0, -1.0])
+# Inputs that move points are at rest.
+# Arrows of other inputs and of parameters without a typical value need some length.
 UNKNOWN = 1.0
+ITERATIONS = 40
 ARRAYS = Arrays()
 
 
@@ -40,13 +46,15 @@ class View:
     ----------
     scene : Scene
     state : mapping of str to float
-        Values by plain name; what is missing is 0 for coordinates and speeds.
+        Values by plain name; coordinates and speeds that are missing are 0, quaternions no turn.
     known : mapping of Symbol to float, optional
         Parameters, where another view of the scene has them already, see `at`.
     apart : mapping of Point to ndarray, optional
         The shifts of `slack` that another view has: they are the same at all states of a motion.
     program : callable, optional
         `_program`, with what it made: the same are asked for at all states of a motion.
+    motion : mapping of str to array, optional
+        Coordinates along a motion, by plain name: where points go that several coordinates move.
     """
 
     scene: Scene
@@ -54,10 +62,11 @@ class View:
     known: Mapping[Symbol, float] | None = None
     apart: Mapping[Point, np.ndarray] | None = None
     program: Callable[..., Program] = field(default_factory=lambda: cache(_program))
+    motion: Mapping[str, Any] | None = None
 
     def at(self, state: Mapping[str, float]) -> "View":
         """The scene at another state."""
-        return View(self.scene, state, self.constants, self.slack, self.program)
+        return View(self.scene, state, self.constants, self.slack, self.program, self.motion)
 
     @cached_property
     def constants(self) -> Mapping[Symbol, float]:
@@ -69,9 +78,15 @@ class View:
         """A number for every symbol of the scene."""
         scene = self.scene
         table = dict(self.constants)
-        table |= {symbol: UNKNOWN for symbol in scene.input_symbols}
+        places = [scene.position(point).free_symbols for point in self.loaded]
+        shaking = set[Symbol]().union(*places)
+        table |= {s: 0.0 if s in shaking else UNKNOWN for s in scene.input_symbols}
         for symbol in (*scene.q, *scene.qd, *scene.u, *scene.ud):
             table[symbol] = float(self.state.get(symbol.name, 0.0))
+        for rotation in scene.rotations:
+            parts = [plain_symbol(part) for part in rotation.coordinates]
+            if not any(table[part] for part in parts):
+                table[parts[0]] = 1.0
         # Where the scene holds the time, it is seen at the start.
         return {TIME: 0.0, **table}
 
@@ -79,6 +94,13 @@ class View:
     def inputs(self) -> dict[str, float]:
         """The same by name."""
         return {symbol.name: value for symbol, value in self.values.items()}
+
+    @property
+    def loaded(self) -> list[Point]:
+        """The points at which loads act, on bodies and on the ground."""
+        names = ("at", "first", "second")
+        ends = (vars(load).get(name) for load in self.scene.loads for name in names)
+        return [end for end in ends if isinstance(end, Point)]
 
     def _constant(self, symbol: Symbol) -> float:
         """A parameter by its definition, else its typical value."""
@@ -98,12 +120,22 @@ class View:
         return all(entry == 0 for entry in (*positions, *normals))
 
     @cached_property
+    def field(self) -> np.ndarray | None:
+        """Gravity in inertial components, or None."""
+        field = next((g.field for g in self.scene.loads if isinstance(g, Gravity)), None)
+        return None if field is None else self.numbers(self.scene.vector(field)).ravel()
+
+    @cached_property
+    def projection(self) -> np.ndarray:
+        """P, 2 x 3: paper from inertial components."""
+        upright = FRONT if self.planar else ISOMETRIC
+        turned = self.field is not None and (upright @ self.field)[1] > 1e-9
+        return upright @ TURNED if turned else upright
+
+    @property
     def down(self) -> np.ndarray | None:
         """Direction of gravity on paper, or None."""
-        for load in self.scene.loads:
-            if isinstance(load, Gravity):
-                return unit(self.direction(load.field))
-        return None
+        return None if self.field is None else unit(self.project(self.field))
 
     @cached_property
     def slack(self) -> Mapping[Point, np.ndarray]:
@@ -115,6 +147,9 @@ class View:
         if self.apart is not None:
             return self.apart
         found: dict[Point, np.ndarray] = {}
+        for rope in self.scene.joints:
+            if isinstance(rope, Rope):
+                self._hang(rope, found)
         if self.scene.reactions:
             return found
         largest = max(abs(self.values[q]) for q in self.scene.q)
@@ -123,6 +158,17 @@ class View:
                 along = unit(self.direction(load.along))
                 found[load.second] = found.get(load.first, 0.0) + 4 * (largest or 1.0) * along
         return found
+
+    def _hang(self, rope: Rope, found: dict[Point, np.ndarray]) -> None:
+        """The ends of a rope beside each other, where the scene has all of it on one line."""
+        ends = [point for _, point in rope.ends]
+        places = np.array([self.point_itself(point) for point in ends])
+        if len(ends) != 3 or np.ptp(places[:, 0]) > 1e-9:
+            return
+        wide = np.ptp(places[:, 1]) / 3 or UNKNOWN
+        middle = found.setdefault(ends[1], np.zeros(2))
+        for end, sign in ((ends[0], -1), (ends[2], 1)):
+            found[end] = middle + sign * np.array([wide, 0.0])
 
     def number(self, expression: Any) -> float:
         """Value of an expression in plain or dynamic symbols."""
@@ -136,7 +182,8 @@ class View:
 
     def project(self, position: np.ndarray) -> np.ndarray:
         """Inertial components to paper, both in m; x to the right, y upwards."""
-        return (FRONT if self.planar else ISOMETRIC) @ position.ravel()
+        projected: np.ndarray = self.projection @ position.ravel()
+        return projected
 
     def place(self, point: Point) -> np.ndarray:
         """Inertial components of a point, in m."""
@@ -148,7 +195,11 @@ class View:
 
     def point(self, point: Point) -> np.ndarray:
         """A point of the scene on paper."""
-        return self.project(self.place(point)) + self.slack.get(point, 0.0)
+        return self.point_itself(point) + self.slack.get(point, 0.0)
+
+    def point_itself(self, point: Point) -> np.ndarray:
+        """The same without a shift."""
+        return self.project(self.place(point))
 
     def direction(self, vector: Vector) -> np.ndarray:
         """A vector of the scene on paper."""
@@ -159,13 +210,37 @@ class View:
         return self.project(self.numbers(self.scene.position(point), coordinate))
 
     def turns(self, vector: Vector) -> bool:
-        """Whether the direction of a vector depends on a coordinate."""
-        return bool(self.scene.vector(vector).free_symbols & set(self.scene.q))
+        """Whether the direction of a vector depends on a coordinate or the time."""
+        return bool(self.scene.vector(vector).free_symbols & {*self.scene.q, TIME})
+
+    def swings(self, point: Point) -> bool:
+        """Whether the point depends on a coordinate."""
+        return bool(self.scene.position(point).free_symbols & {*self.scene.q})
 
     def moves(self, point: Point) -> bool:
         """Whether the point depends on a coordinate or an input."""
         free: set[Expr] = self.scene.position(point).free_symbols
         return bool(free & {*self.scene.q, *self.scene.input_symbols})
+
+
+def closed(scene: Scene, state: Mapping[str, float]) -> Mapping[str, float]:
+    """A state whose loops are closed: c(q) = 0 by Newton's method, from where the state is.
+
+    Coordinates that the state names keep their values where the others can close the loops.
+    """
+    closing = [scene.plain(c.expression) for c in scene.constraints if c.holonomic]
+    named = [q for q in scene.q if q.name not in state and q not in scene.quaternions]
+    for free in (named, [q for q in scene.q if q not in scene.quaternions]):
+        view = View(scene, state)
+        slopes = Matrix(closing).jacobian(free) if closing and free else Matrix()
+        for _ in range(ITERATIONS if slopes else 0):
+            off = view.numbers(Matrix(closing)).ravel()
+            if np.max(np.abs(off)) < 1e-10:
+                return view.state
+            step = np.linalg.lstsq(view.numbers(slopes), off, rcond=None)[0]
+            moved = {q.name: view.values[q] - d for q, d in zip(free, step, strict=True)}
+            view = view.at({**view.state, **moved})
+    return state
 
 
 def unit(vector: np.ndarray) -> np.ndarray:

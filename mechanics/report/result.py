@@ -59,11 +59,16 @@ class ResidualResult:
 
 @dataclass(frozen=True)
 class Swing:
-    """A natural mode in numbers: its number, omega in rad/s, amplitudes by coordinate."""
+    """A mode in numbers: exp(growth t) Re(a exp(i omega t)).
+
+    Its number, omega in rad/s, amplitudes a by coordinate, complex where they have phases, and
+    growth in 1/s, negative where it is damped.
+    """
 
     number: int
     omega: float
-    shape: Mapping[str, float]
+    shape: Mapping[str, complex]
+    growth: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """What a section of the report shows of one system, taken from its result."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 from sympy import Symbol
@@ -20,6 +20,7 @@ from mechanics.routes.multipliers import multipliers_of
 from mechanics.routes.steps.form import has_common_form
 from mechanics.routes.steps.writer import FULL
 from mechanics.scene import Scene
+from mechanics.scene.linear_quantities import LinearizedEquation
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 
 ROUTES = {
@@ -113,6 +114,7 @@ class Section:
     result: SystemResult
     tally: list[tuple[Verdict, int]]
     drawing: Markup
+    coordinates: list[tuple[tuple[str, ...], Markup]]
     derivations: list[Derivation]
     marks: list[str]
     motions: list[LedgerResult]
@@ -132,7 +134,7 @@ class Section:
 
     @property
     def common(self) -> bool:
-        """Whether every route ends in the equations on top."""
+        """Whether states and inputs are parted in the equations on top."""
         return has_common_form(self.result.scene)
 
     @property
@@ -213,9 +215,12 @@ def shown_steps(
 
 
 def motion_rows(result: SystemResult) -> list[LedgerResult]:
-    """Published equations of motion, each once."""
-    rows = [e for e in result.published if isinstance(e.row.quantity, EquationOfMotion)]
-    return list({typeset.chain(entry.row.sides): entry for entry in reversed(rows)}.values())[::-1]
+    """Published equations of motion, or where there are none linearized ones, each once."""
+    kinds = (EquationOfMotion, LinearizedEquation)
+    rows: list[LedgerResult] = []
+    for kind in kinds:
+        rows = rows or [e for e in result.published if isinstance(e.row.quantity, kind)]
+    return list({typeset.published(entry.row): entry for entry in reversed(rows)}.values())[::-1]
 
 
 def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
@@ -307,9 +312,9 @@ def published_rows(result: SystemResult, number: int) -> list[PublishedRow]:
     for i, entry in enumerate(result.published):
         row, sides = entry.row, entry.row.sides
         if isinstance(row.quantity, ReactionValue) and len(sides) == 1:
-            sides = (Symbol(row.quantity.name), *sides)
+            row = replace(row, sides=(Symbol(row.quantity.name), *sides))
         anchor = f"row-{number}-{i + 1}"
-        found.append(PublishedRow(anchor, entry, typeset.ledger_row(row.tag, sides)))
+        found.append(PublishedRow(anchor, entry, typeset.published(row)))
     return found
 
 

@@ -1,5 +1,6 @@
 """What holds and drives the bodies of a drawing: ground, springs, dampers, forces, gravity."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,8 +69,16 @@ def ground(view: View, paper: Paper, moving: bool = False) -> str:
     for reaction in view.scene.reactions:
         if reaction.by is None and reaction.at is not None and reaction not in tensions:
             groups.setdefault(reaction.at, []).append(reaction)
-    supports = (_support(view, paper, at, held, moving) for at, held in groups.items())
-    return "".join((*drawn, *supports))
+    planes: list[Point] = []
+    for at, held in groups.items():
+        if _is_on_plane(view, at, held):
+            planes.append(at)
+        else:
+            drawn.append(_support(view, paper, at, held, moving))
+    if planes:
+        around = [paper.middle] if moving else [paper.place(view.point(at)) for at in planes]
+        drawn.insert(0, _plane(view, around, (0.74 if moving else 0.34) * paper.middle[0]))
+    return "".join(drawn)
 
 
 def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: bool) -> str:
@@ -78,14 +87,11 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: 
     pushes = [unit(paper.turn(view.direction(reaction.along))) for reaction in held]
     push = max(pushes, key=lambda p: abs(p @ down))
     into = push if push @ down > 0 else -push
-    closing = {name for c in view.scene.constraints if c.holonomic for name in c.reactions}
-    if not view.moves(at) or closing >= {reaction.name for reaction in held}:
+    if _is_pin(view, at, held):
         return ink.pin(place, into)
-    if not view.planar:
-        return _plane(view, *((paper.middle, 170) if moving else (place, 78)))
-    body = view.scene.body(held[0].on)
-    if not isinstance(body, RigidBody) and all(view.turns(reaction.along) for reaction in held):
+    if _is_led(view, held):
         return ""  # a point mass on a string, a rod or a curve: its trace is drawn, not which
+    body = view.scene.body(held[0].on)
     block = not isinstance(body, RigidBody) or body.centre == at
     foot = place + (BLOCK[1] / 2) * into if block else place
     if moving and not any(view.turns(reaction.along) for reaction in held):
@@ -94,11 +100,29 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: 
     return ink.hatching(foot, normal(into), into, 110 if len(pushes) > 1 else 72)
 
 
-def _plane(view: View, place: np.ndarray, reach: float) -> str:
-    """The plane of x and y around a pixel."""
-    x, y = (view.project(np.eye(3)[:, i]) * np.array([1, -1]) for i in range(2))
-    corners = [place + reach * (a * x + b * y) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
-    return ink.path(corners, "plane", closed=True)
+def _is_pin(view: View, at: Point, held: list[Reaction]) -> bool:
+    closing = {name for c in view.scene.constraints if c.holonomic for name in c.reactions}
+    return not view.moves(at) or closing >= {reaction.name for reaction in held}
+
+
+def _is_led(view: View, held: list[Reaction]) -> bool:
+    """Whether a point mass is held in directions that turn."""
+    body = view.scene.body(held[0].on)
+    return not isinstance(body, RigidBody) and all(view.turns(r.along) for r in held)
+
+
+def _is_on_plane(view: View, at: Point, held: list[Reaction]) -> bool:
+    """Whether a body in space stands or rolls on the ground there."""
+    return not view.planar and not _is_pin(view, at, held) and not _is_led(view, held)
+
+
+def _plane(view: View, places: Sequence[np.ndarray], reach: float) -> str:
+    """The plane of x and y around some pixels."""
+    axes = np.column_stack([view.project(np.eye(3)[:, i]) * np.array([1, -1]) for i in range(2)])
+    inside = np.linalg.solve(axes, np.array(places).T)
+    low, high = inside.min(axis=1) - reach, inside.max(axis=1) + reach
+    around = ((low[0], low[1]), (low[0], high[1]), (high[0], high[1]), (high[0], low[1]))
+    return ink.path([axes @ np.array(corner) for corner in around], "plane", closed=True)
 
 
 def load_symbol(view: View, paper: Paper, load: Load) -> str:
@@ -159,7 +183,7 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
         if is_slack_at_anchor(view, load):
             # The anchor stands where the spring is free; it is drawn at a length that shows it.
             start = start - SLACK * along
-        if not view.moves(load.first):
+        if not view.swings(load.first):
             wall = ink.hatching(start, normal(along), -along, 24)
         else:
             start = start + _inset(view, load, load.first, load.first_on) * along
@@ -181,7 +205,7 @@ def is_slack_at_anchor(view: View, load: Load) -> bool:
     return (
         isinstance(load, Spring | Damper)
         and load.along is not None
-        and not view.moves(load.first)
+        and not view.swings(load.first)
         and not view.slack
         and (isinstance(load, Damper) or load.length == 0)
     )

@@ -1,7 +1,9 @@
 """Mode shapes that swing: the scene along each shape, in one period after the other.
 
-q = A a sin(omega t), of a size that can be seen: what moves farthest moves `FARTHEST` on paper.
-Periods are drawn equally long, whatever omega is, which the words beside a picture tell.
+q = A exp(growth t) Re(a exp(i omega t)), of a size that can be seen: what moves farthest moves
+`FARTHEST` on paper. Periods are drawn equally long, whatever omega is, which the words beside a
+picture tell; of a mode that is damped, or grows, a few of them. Coordinates without an amplitude
+of their own close the loops.
 """
 
 import math
@@ -10,11 +12,15 @@ from collections.abc import Mapping
 import numpy as np
 
 from mechanics.report.animation import moving_picture
-from mechanics.report.drawing import attached, few_of, paper_for
-from mechanics.report.projection import View
+from mechanics.report.drawing import attached, paper_for
+from mechanics.report.projection import View, closed
 from mechanics.report.result import Swing
 from mechanics.scene import Scene
 
+PERIODS = 3
+"""Of a mode that is damped or grows."""
+STEADY = 1e-12
+"""Growth in a radian that is rounding."""
 PERIOD = 2.0
 """Seconds that a period takes on the page."""
 FARTHEST = 36.0
@@ -24,26 +30,41 @@ TURN = 0.3
 
 
 def swings(scene: Scene, modes: tuple[Swing, ...]) -> list[tuple[str, str]]:
-    """Words and a picture for each mode; none where coordinates are too many to be drawn."""
-    if not few_of(scene):
-        return []
+    """Words and a picture for each mode."""
     return [(_words(mode), _picture(scene, mode)) for mode in modes]
 
 
 def _words(mode: Swing) -> str:
     frequency = mode.omega / (2 * math.pi)
-    return f"Mode {mode.number}: {frequency:.4g} Hz, a period drawn in {PERIOD:g} s"
+    size = math.hypot(mode.growth, mode.omega)
+    damping = f", damping ratio {-mode.growth / size:.3g}" if _changes(mode) else ""
+    return f"Mode {mode.number}: {frequency:.4g} Hz{damping}, a period drawn in {PERIOD:g} s"
+
+
+def _changes(mode: Swing) -> bool:
+    return abs(mode.growth) > STEADY * mode.omega
 
 
 def _picture(scene: Scene, mode: Swing) -> str:
     size = _size(scene, mode.shape)
-    times = np.linspace(0, PERIOD, 25)
-    phase = size * np.sin(2 * math.pi * times / PERIOD)
-    columns = {q.name: mode.shape.get(q.name, 0.0) * phase for q in scene.q}
-    return moving_picture(scene, times, columns, title=f"{scene.name}: mode {mode.number}")
+    periods = PERIODS if _changes(mode) else 1
+    times = np.linspace(0, periods * PERIOD, 24 * periods + 1)
+    phase = 2 * math.pi * times / PERIOD
+    growth = mode.growth / mode.omega * phase if _changes(mode) else 0 * phase
+    # A quarter of a period later, so that it begins at rest where all phases are one.
+    wave = size * np.exp(growth - growth.max()) * np.exp(1j * (phase - math.pi / 2))
+    columns = {name: (amplitude * wave).real for name, amplitude in mode.shape.items()}
+    if any(c.holonomic for c in scene.constraints):
+        states = [
+            closed(scene, {name: float(values[k]) for name, values in columns.items()})
+            for k in range(len(times))
+        ]
+        columns = {q.name: np.array([s.get(q.name, 0.0) for s in states]) for q in scene.q}
+    every = {q.name: columns.get(q.name, 0.0 * times) for q in scene.q}
+    return moving_picture(scene, times, every, title=f"{scene.name}: mode {mode.number}")
 
 
-def _size(scene: Scene, shape: Mapping[str, float]) -> float:
+def _size(scene: Scene, shape: Mapping[str, complex]) -> float:
     """A, with which the point that moves farthest does so by `FARTHEST`, to first order."""
     rest = View(scene, {})
     paths = [

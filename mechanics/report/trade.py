@@ -58,6 +58,12 @@ def trade_html(found: Trade) -> str:
     return environment.get_template("trade.html").render(
         found=found,
         front=found.front,
+        best=min(
+            (pick for pick in found.recommendations if pick.measurement is not None),
+            key=lambda pick: pick.target,
+            default=None,
+        ),
+        noisy=sum(m.noisy for m in found.front),
         wide=Markup(trade_plot.work_precision(found, trade_plot.WIDE)),
         narrow=Markup(trade_plot.work_precision(found, trade_plot.NARROW)),
         keys=[(Markup(trade_plot.key(c)), c.name) for c in trade_plot.curves(found)],

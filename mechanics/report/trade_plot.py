@@ -190,12 +190,17 @@ def _curve(line: Curve, scales: Scales) -> str:
     places = [scales.place(m) for m in line.points]
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in places)
     dots = "".join(
-        f'<circle class="dot {line.family}" cx="{a:.1f}" cy="{b:.1f}" r="2.2">'
+        f'<circle class="dot {line.family}{_noise(m)}" cx="{a:.1f}" cy="{b:.1f}" r="2.2">'
         f"<title>{escape(_title(m))}</title></circle>"
         for m, (a, b) in zip(line.points, places, strict=True)
     )
     dash = f' stroke-dasharray="{line.dash}"' if line.dash else ""
     return f'<polyline class="line {line.family}"{dash} points="{points}"/>{dots}'
+
+
+def _noise(m: Measurement) -> str:
+    """The class of a dot whose time is noise."""
+    return " noisy" if m.noisy else ""
 
 
 def _other(m: Measurement, scales: Scales) -> str:

@@ -23,6 +23,7 @@ text { font-size: 13px; fill: var(--muted); }
 .target-name { fill: var(--ink); font-weight: 600; }
 .pick { fill: var(--ink); stroke: var(--paper); stroke-width: 1.5; }
 .pick-line { stroke: var(--ink); stroke-width: 1.4; }
+.dot.noisy { fill: var(--paper); stroke: var(--muted); }
 .leader { fill: none; stroke: var(--line); } .name { font-weight: 600; }
 """ + "".join(
     f".line.{f}, .single.{f}, .cross.{f} {{ stroke: var(--{f}); }}"

@@ -14,7 +14,9 @@ from markupsafe import Markup, escape
 
 from mechanics.equations import Line, Side
 from mechanics.report.breaking import broken
+from mechanics.report.latex_items import terms
 from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
+from mechanics.scene.published import Published
 
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
 FOLDED = 260
@@ -130,6 +132,20 @@ def ledger_row(tag: str, sides: Sequence[Any]) -> Markup:
     return chain(sides)
 
 
+def as_typed(source: str) -> Markup:
+    """An equation as its source types it, with its LaTeX to copy."""
+    opened = Markup(
+        '<details class="tex"><summary title="LaTeX of this equation">LaTeX</summary>'
+        "<code>{}</code></details>"
+    ).format(source)
+    return _row([Piece(part) for part in terms(source)], "", opened)
+
+
+def published(row: Published) -> Markup:
+    """A published equation: as its source types it where that is kept, else its sides."""
+    return as_typed(row.latex) if row.latex else ledger_row(row.tag, row.sides)
+
+
 def tag(text: str) -> Markup:
     """A number or short label; one that is a letter, or LaTeX, is typeset."""
     if "\\" in text and "$" not in text:
@@ -196,9 +212,9 @@ def _piece(part: Piece) -> Markup:
 
 
 def _folded(line: Line, typeset: Markup) -> Markup:
-    terms = len(_side(line.right))
+    many = len(_side(line.right))
     head = maths(named(line.left)) if isinstance(line.left, str) else Markup("")
-    words = f"{terms} terms" if terms > 1 else "a long expression"
+    words = f"{many} terms" if many > 1 else "a long expression"
     title = Markup("{} = … ").format(head) if head else Markup("")
     return Markup(
         '<details class="fold"><summary>{}<span class="note">{}{}</span></summary>{}</details>'

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from mechanics.equations import Equations, Line, Rows, Step
 from mechanics.kernel.ring import TooLarge
@@ -15,7 +15,7 @@ from mechanics.routes.steps import free_body as free_body_steps
 from mechanics.routes.steps import kane as kane_steps
 from mechanics.routes.steps import lagrange as lagrange_steps
 from mechanics.routes.steps import moving_point as moving_point_steps
-from mechanics.routes.steps.form import common_form, has_common_form
+from mechanics.routes.steps.form import common_form
 from mechanics.routes.steps.writer import Writer
 from mechanics.routes.textbook import textbook
 from mechanics.scene import Scene
@@ -106,23 +106,26 @@ def steps_of(equations: Equations, goal: tuple[Line, ...] = ()) -> tuple[Step, .
     if equations.mechanism is None or equations.rows is None:
         return (equations.result,)
     printer = Printer(equations.scene, equations.mechanism)
-    common = has_common_form(equations.scene)
-    own = () if common else tuple(replace(x, number="") for x in common_form(equations))
-    goal = own or goal or goal_of((equations,))
-    writer = Writer(printer, equations.mechanism, goal, common)
+    pressing = {
+        equations.mechanism.reactions[f.reaction].name for f in equations.mechanism.frictions
+    }
+    pressed = {s: value for s, value in equations.reactions if s.name in pressing}
+    writer = Writer(printer, equations.mechanism, goal or goal_of((equations,)), pressed)
     return _named(equations.rows.route).steps(writer)
 
 
 def goal_of(derived: Sequence[Equations]) -> tuple[Line, ...]:
     """What all routes give, once: by the first of them whose rows are power-conjugate to u.
 
-    Where none is, Kane's are derived. Empty where the scene is too large to be written out.
+    Where none is, Lagrange's or, without multipliers, Kane's are derived. Empty where the scene is
+    too large to be written out.
     """
     written = [one for one in derived if one.textbook is not None]
     if not written:
         return ()
     conjugate = (one for one in written if one.conjugate)
-    first = next(conjugate, None) or by_route("kane", written[0].scene)
+    other = "lagrange" if written[0].scene.constraints else "kane"
+    first = next(conjugate, None) or by_route(other, written[0].scene)
     return common_form(first if first.textbook is not None else written[0])
 
 

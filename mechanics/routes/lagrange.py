@@ -44,7 +44,7 @@ def derive(mechanism: Mechanism) -> Rows:
         load.reaction: build.input(mechanism.reactions[load.reaction].name)
         for load in mechanism.frictions
     }
-    wrenches = [*other(mechanism, motions), *_pressing(mechanism, motions, pressing)]
+    wrenches = [*other(mechanism, motions), *pressing_loads(mechanism, motions, pressing)]
     forces = virtual_power(mechanism, motions, wrenches)
     rows = [row - force for row, force in zip(conservative, forces, strict=True)]
     multipliers = tuple(build.input(f"lambda{i + 1}") for i in range(len(mechanism.constraints)))
@@ -99,7 +99,9 @@ def _conservative(mechanism: Mechanism) -> tuple[Node, ...]:
     return tuple(rate - slope for rate, slope in zip(rates, gradients[:n], strict=True))
 
 
-def _pressing(mechanism: Mechanism, motions: Motions, unknown: Mapping[int, Node]) -> list[Wrench]:
+def pressing_loads(
+    mechanism: Mechanism, motions: Motions, unknown: Mapping[int, Node]
+) -> list[Wrench]:
     """Reactions that press, with their friction, as loads."""
     units = loads.acting_reactions(mechanism, motions.poses) if unknown else []
     return [

@@ -29,6 +29,9 @@ class Published:
         What the row states, in words.
     note : str
         How a misprint was read, or another remark.
+    latex : str
+        The equality as its source types it, where it is kept: shown as it is, and read by a test
+        that proves it equal to the sides.
     """
 
     tag: str
@@ -36,12 +39,15 @@ class Published:
     sides: tuple[Any, ...]
     label: str
     note: str = ""
+    latex: str = ""
 
     def __repr__(self) -> str:
         return f"<published {self.tag}: {self.label[:120]}>"
 
 
-def published(tag: str, quantity: Quantity, *sides: Any, label: str, note: str = "") -> Published:
+def published(
+    tag: str, quantity: Quantity, *sides: Any, label: str, note: str = "", latex: str = ""
+) -> Published:
     """One row of a ledger: see `Published`.
 
     Examples
@@ -51,4 +57,4 @@ def published(tag: str, quantity: Quantity, *sides: Any, label: str, note: str =
     >>> published("(3)", KineticEnergy(), m * l**2 * theta.diff() ** 2 / 6, label="energy").sides
     (l**2*m*Derivative(theta(t), t)**2/6,)
     """
-    return Published(tag, quantity, sides, label, note)
+    return Published(tag, quantity, sides, label, note, latex)

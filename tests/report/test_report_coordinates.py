@@ -4,8 +4,9 @@ import re
 
 import numpy as np
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from mechanics.report.coordinate_drawings import SIZE, coordinate_drawings
 from mechanics.report.coordinates import (
     coordinate_picture,
     coordinate_words,
@@ -14,11 +15,19 @@ from mechanics.report.coordinates import (
     trace,
     turn_of,
 )
-from mechanics.report.drawing import paper_for
-from mechanics.report.projection import View
+from mechanics.report.drawing import drawing, paper_for
+from mechanics.report.projection import View, closed
 from mechanics.report.sections import symbol_rows
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction
-from systems import EVERY, acrobot, cartpole, elastic_pendulum, spinning_top
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    gravity,
+    parameters,
+    quaternion,
+    reaction,
+)
+from systems import EVERY, acrobot, cartpole, elastic_pendulum, slider_crank, spinning_top
 
 FEW = [system for system in EVERY if len(system.scene().q) <= 4]
 
@@ -117,3 +126,64 @@ def pendulum() -> Scene:
         loads=(gravity(-g * ground.y),),
         reactions=(reaction("S", at=bob, on="bob", by=None, along=string.y),),
     )  # fmt: skip
+
+
+def _turned_body(*parts: float) -> Scene:
+    ground, origin = ReferenceFrame("N"), Point("O")
+    spin = quaternion("e0 e1 e2 e3", "wx wy wz")
+    frame = spin.orient("A", ground)
+    (m, i) = parameters("m i", "kg kg*m^2", "1 0.1")
+    body = RigidBody("plate", origin, frame, m, inertia(frame, i, i, 2 * i))
+    return Scene("turned", ground, origin, (), (body,), rotations=(spin,))
+
+
+def test_a_quaternion_is_the_arc_of_its_turn_about_its_axis() -> None:
+    scene = _turned_body()
+    half = 0.6
+    state = {"e0": np.cos(half), "e3": np.sin(half)}
+    ((names, svg),) = coordinate_drawings(scene, state)
+    assert names == ("e0", "e1", "e2", "e3")
+    view = View(scene, state)
+    (arc,) = re.findall(r'<polyline class="motion" points="([^"]*)"/>(?=<polygon)', svg)[-1:]
+    corners = np.array([list(map(float, pair.split(","))) for pair in arc.split()])
+    middle = corners[0] * 0 + np.array(SIZE) / 2
+    flat = np.linalg.solve(view.projection[:, :2], ((corners - middle) * [1, -1]).T)
+    turned = np.unwrap(np.arctan2(flat[1], flat[0]))
+    assert np.isclose(turned[-1] - turned[0], 2 * half, atol=0.02)
+    words = [coordinate_words(view, q) for q in scene.q]
+    assert words[0].endswith("turns the plate: cosine of half the angle")
+    assert words[3].endswith("z of the axis times its sine")
+
+
+def test_gravity_points_down_on_paper_in_every_scene() -> None:
+    for system in EVERY:
+        made = system.scene()
+        view = View(getattr(made, "scene", made), {})
+        if view.down is not None:
+            assert view.down[1] < 0, system.name
+        # Seen from in front: no mirror.
+        across = np.cross(*view.projection)
+        assert np.allclose(view.projection @ across, 0, atol=1e-9)
+        assert np.linalg.det(np.vstack([view.projection, across])) > 0
+
+
+def test_a_drawing_closes_the_loops_and_keeps_what_is_named() -> None:
+    scene = slider_crank.scene()
+    state = closed(scene, {"theta": 0.5})
+    view = View(scene, state)
+    assert state["theta"] == 0.5
+    assert all(abs(view.number(c.expression)) < 1e-9 for c in scene.constraints)
+    assert state["x"] > 0
+
+
+def test_a_point_of_several_coordinates_shows_its_way() -> None:
+    ground, origin, x, y = ReferenceFrame("N"), Point("O"), *dynamicsymbols("x y")
+    (m,) = parameters("m", "kg", "1")
+    place = origin.locatenew("P", x * ground.x + y * ground.y)
+    scene = Scene("stone", ground, origin, (x, y), (Particle("stone", place, m),))
+    times = np.linspace(0, 1, 50)
+    motion = {"x": times, "y": times - times**2}
+    assert 'class="trace"' not in drawing(scene, {})
+    assert 'class="trace"' in drawing(scene, {}, motion)
+    way = trace(View(scene, {}, motion=motion), scene.bodies[0])
+    assert np.allclose(way, np.column_stack([times, times - times**2]))

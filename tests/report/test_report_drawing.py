@@ -14,7 +14,10 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import systems
 from mechanics.report.charts import Axis, bar, line_chart, round_step
+from mechanics.report.coordinate_drawings import coordinate_drawings
 from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline
+from mechanics.report.label_places import box_of, overlap
+from mechanics.report.labels import TEXT
 from mechanics.report.projection import View
 from mechanics.scene import (
     Particle,
@@ -204,3 +207,15 @@ def test_coordinates_of_one_body_stand_clear_of_each_other() -> None:
     (one, two) = (np.array(list(map(float, name))) for name in names)
     assert np.hypot(*(one - two)) > 16
     assert all(0 < y < HEIGHT for _, y in (one, two))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_name_lies_on_another(name: str) -> None:
+    scene = scenes()[name]
+    for text in (
+        drawing(scene, scene.example),
+        *(svg for _, svg in coordinate_drawings(scene, {})),
+    ):
+        boxes = [box_of(match) for match in TEXT.finditer(text.split("<g transform")[0])]
+        for k, box in enumerate(boxes):
+            assert overlap(box, np.array(boxes[:k]).reshape(-1, 4)) <= 0.4, (name, text)

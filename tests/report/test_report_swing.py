@@ -9,7 +9,14 @@ from mechanics import derive
 from mechanics.crosscheck.small_motions import small_motions
 from mechanics.report.projection import View
 from mechanics.report.swing import swings
-from systems import acrobot, elastic_pendulum, rocker, two_mass_chain
+from systems import (
+    acrobot,
+    cylinder_in_cylinder,
+    elastic_pendulum,
+    half_car,
+    rocker,
+    two_mass_chain,
+)
 
 
 def modes(scene):
@@ -61,3 +68,43 @@ def test_what_stands_between_free_masses_is_as_long_at_every_state() -> None:
     for body, way in zip(scene.bodies, (0.1, 0.2), strict=True):
         path = view.point(body.centre) - moved.point(body.centre)
         np.testing.assert_allclose(path, [way, 0], atol=1e-12)
+
+
+@pytest.mark.campaign
+def test_a_damped_mode_decays_as_its_pole_says() -> None:
+    scene = half_car.scene()
+    found, _ = small_motions({"kane": derive(scene, "kane")})
+    swinging = found[0].swings
+    assert len(swinging) == 4
+    for mode, (words, text) in zip(swinging, swings(scene, swinging), strict=True):
+        assert mode.growth < 0
+        assert "damping ratio 0." in words
+        assert "nan" not in text
+        assert {e.get("dur") for e in ElementTree.fromstring(text).iter("animate")} == {"6s"}
+    # x'' + 2 zeta omega x' + omega^2 x = 0 of each pole, by its ratio after a period.
+    mode = swinging[0]
+    _, text = swings(scene, (mode,))[0]
+    body = next(e for e in ElementTree.fromstring(text).iter("polyline") if e.get("class") == "rim")
+    heights = np.array(
+        [float(p.split()[0].split(",")[1]) for p in str(body[0].get("values")).split(";")]
+    )
+    swing = heights - heights[-1]
+    first, second = np.abs(swing[:24]).max(), np.abs(swing[24:48]).max()
+    assert second / first == pytest.approx(np.exp(2 * np.pi * mode.growth / mode.omega), rel=0.15)
+
+
+@pytest.mark.campaign
+def test_what_rolls_swings_with_its_constraint() -> None:
+    scene = cylinder_in_cylinder.scene()
+    found, remarks = small_motions({"lagrange": derive(scene, "lagrange")})
+    assert not remarks
+    (mode,) = found[0].swings
+    ((words, text),) = swings(scene, (mode,))
+    assert words.startswith("Mode ")
+    R, a, g = (
+        float(p.typical)
+        for p in (cylinder_in_cylinder.R, cylinder_in_cylinder.a, cylinder_in_cylinder.g)
+    )
+    # A cylinder that rolls inside another one: omega^2 = 2 g / (3 (R - r)).
+    assert mode.omega**2 == pytest.approx(2 * g / (3 * (R - a)))
+    assert "<animate" in text

@@ -19,7 +19,15 @@ from mechanics.routes.derivation import ROUTES, by_route, goal_of, is_written_ou
 from mechanics.routes.steps.writer import Writer, combination, multiplied_out
 from mechanics.scene import Scene, reaction
 from mechanics.symbolic.decide import prove_zero
-from systems import ALL, elastic_pendulum, four_bar, rocker, rod_pendulum, two_mass_chain
+from systems import (
+    ALL,
+    cartpole_friction,
+    elastic_pendulum,
+    four_bar,
+    rocker,
+    rod_pendulum,
+    two_mass_chain,
+)
 
 SMALL = (elastic_pendulum.scene, rocker.scene, rod_pendulum.scene, two_mass_chain.scene)
 REFERENCE = re.compile(r"\(([A-Z]\d+)\)")
@@ -49,7 +57,14 @@ def test_every_equation_of_a_derivation_holds_along_every_motion(route, make) ->
         assert prove_zero(line.number, left - right).shown, (line.number, line.label)
 
 
-@pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
+CONSTRAINED = (four_bar.scene, cartpole_friction.scene)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [*SMALL, *(pytest.param(make, marks=pytest.mark.campaign) for make in CONSTRAINED)],
+    ids=lambda make: make().name,
+)
 def test_all_routes_end_in_one_form_and_say_how(make) -> None:
     scene = make()
     derived = [route.derive(scene) for route in ROUTES]
@@ -57,7 +72,21 @@ def test_all_routes_end_in_one_form_and_say_how(make) -> None:
     for equations in derived:
         last = steps_of(equations, goal)[-1]
         assert last.lines == goal
-        assert {line.number for line in goal} <= set(REFERENCE.findall(last.text))
+        derived_here = goal[: len(goal) - len(scene.constraints)]
+        assert {line.number for line in derived_here} <= set(REFERENCE.findall(last.text))
+
+
+def test_a_rate_is_shown_by_the_chain_rule_before_it_is_collected() -> None:
+    scene = rocker.scene()
+    lines = [x for s in steps_of(by_route("moving_point", scene)) for x in s.lines]
+    spin, *_ = [x for x in lines if x.left == "H_{B}" and x.label == "collected"]
+    first, second = [x for x in lines if x.left == r"\dot{H}_{B}"]
+    (theta,), (rate,), (acceleration,) = scene.q, scene.qd, scene.ud
+    by_hand = spin.right.diff(theta) * rate + spin.right.diff(rate) * acceleration
+    assert expand(value(first.right) - by_hand) == 0
+    assert expand(value(second.right) - by_hand) == 0
+    (crossed,) = [x for x in lines if x.between]
+    assert crossed.between == "v_{B,{x}} p_{y} - v_{B,{y}} p_{x}"
 
 
 @pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
@@ -110,7 +139,7 @@ def test_a_row_that_is_no_combination_is_not_called_one() -> None:
     scene = elastic_pendulum.scene()
     equations = by_route("lagrange", scene)
     goal = goal_of([equations])
-    writer = Writer(Printer(scene, equations.mechanism), equations.mechanism, goal, common=True)
+    writer = Writer(Printer(scene, equations.mechanism), equations.mechanism, goal, {})
     rows = [value(line.left) - value(line.right) for line in goal]
     mixed = [rows[0] - 2 * rows[1], rows[1]]
     assert combination(rows, mixed, writer) == [[1, 2], [0, 1]]

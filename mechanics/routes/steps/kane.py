@@ -19,7 +19,15 @@ from mechanics.program.derivatives import gradient
 from mechanics.program.vectors import Vector, add, cross, dot, scale, times
 from mechanics.routes.kane import unknown_reactions
 from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
-from mechanics.routes.steps.writer import FULL, Numbers, Writer, arrival, kinematics, worked_out
+from mechanics.routes.steps.writer import (
+    FULL,
+    Numbers,
+    Writer,
+    arrival,
+    kinematics,
+    pressed_step,
+    worked_out,
+)
 
 
 def steps(writer: Writer) -> tuple[Step, ...]:
@@ -55,6 +63,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         lines = worked_out(numbers, terms, words)
         rows += lines
         ends.append((lines[-1].number, Add(*(term.value for term in terms))))
+    pressed, ends = pressed_step(writer, numbers, ends)
     few = "" if shown == mechanism.u else " Shown for the first speed; the others go alike."
     left_out = (
         ""
@@ -80,6 +89,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
             tuple(inertia),
         ),
         Step("Kane's equations", "Active and inertia forces are in balance.", tuple(rows)),
+        *pressed,
         arrival(writer, ends),
     )
 

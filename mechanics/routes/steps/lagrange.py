@@ -1,9 +1,11 @@
 r"""Lagrange's method step by step.
 
-d/dt (dL/dq') - dL/dq = Q,      L = T - V
+d/dt (dL/dq') - dL/dq = Q + A^T lambda,      L = T - V
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from sympy import Add, Expr, Rational, S
 
@@ -13,21 +15,32 @@ from mechanics.kinematics.motion import poses
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
 from mechanics.program.forward import tangent
-from mechanics.routes.lagrange import kinetic_energy, kinetic_parts, virtual_power
+from mechanics.routes.lagrange import (
+    kinetic_energy,
+    kinetic_parts,
+    pressing_loads,
+    virtual_power,
+)
 from mechanics.routes.loads import Wrench, other, potential
-from mechanics.routes.steps.writer import FULL, Numbers, Writer, arrival, shortest, worked_out
+from mechanics.routes.rows import acceleration_forms
+from mechanics.routes.steps.writer import (
+    FULL,
+    Numbers,
+    Writer,
+    arrival,
+    pressed_step,
+    shortest,
+    worked_out,
+)
 
 
 def steps(writer: Writer) -> tuple[Step, ...]:
     """Energies, their derivatives, generalized forces, equations of motion."""
     mechanism, numbers = writer.mechanism, Numbers("L")
     energies = _energies(writer, numbers)
-    if mechanism.u != mechanism.qd or mechanism.constraints or mechanism.frictions:
-        text = (
-            "Differentiated, projected on the speeds, with a multiplier for each constraint."
-            if mechanism.constraints or mechanism.u != mechanism.qd
-            else "Differentiated; the reaction that presses enters with its friction."
-        )
+    if mechanism.u != mechanism.qd:
+        text = "Differentiated, and projected on the speeds."
+        text += " Each constraint has a multiplier." if mechanism.constraints else ""
         return (energies, Step("Equations of motion", text, writer.goal))
     lagrangian = writer.letter("lagrangian")
     energy = kinetic_energy(mechanism) - potential(mechanism, poses(mechanism))
@@ -51,17 +64,27 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         numbers(rf"{letter}_{{{name}}}", tuple(own) or S.Zero)
         for (name, _), own in zip(names, loads, strict=True)
     ]
+    pulls = _pulls(writer, [speed for _, _, speed in shown])
+    held = [
+        numbers(rf"{letter}^{{c}}_{{{name}}}", pull or S.Zero)
+        for (name, _), pull in zip(names, pulls, strict=True)
+        if mechanism.constraints
+    ]
     rows: list[Line] = []
     ends: list[tuple[str, Expr]] = []
     for k, (name, dotted) in enumerate(names):
-        own = [*terms[k], *(Term(-t.value, t.source) for t in loads[k])]
+        own = [*terms[k], *(Term(-t.value, t.source) for t in (*loads[k], *pulls[k]))]
         own = [term for term in own if term.value != 0]
         _, total, by_place = _laws(lagrangian, name, dotted)
-        used = ", ".join(f"({n.number})" for n in (*derivatives[3 * k + 1 : 3 * k + 3], forces[k]))
-        label = rf"{used} into ${total} - {by_place} - {letter}_{{{name}}} = 0$"
+        lines = (*derivatives[3 * k + 1 : 3 * k + 3], forces[k], *held[k : k + 1])
+        used = ", ".join(f"({line.number})" for line in lines)
+        law = rf"{total} - {by_place} - {letter}_{{{name}}}"
+        law += rf" - {letter}^{{c}}_{{{name}}}" if held else ""
+        label = rf"{used} into ${law} = 0$"
         made = worked_out(numbers, own, label)
         rows += made
         ends.append((made[-1].number, Add(*(term.value for term in own))))
+    pressed, ends = pressed_step(writer, numbers, ends)
     few = "" if len(shown) == len(pairs) else " Shown for the first coordinate; the others alike."
     return (
         energies,
@@ -77,7 +100,9 @@ def steps(writer: Writer) -> tuple[Step, ...]:
             else "Every load has a potential.",
             tuple(forces),
         ),
+        *_held(held),
         Step("Lagrange's equations", "", tuple(rows)),
+        *pressed,
         arrival(writer, ends),
     )
 
@@ -88,6 +113,28 @@ def _laws(lagrangian: str, name: str, dotted: str) -> tuple[str, str, str]:
         rf"\frac{{\partial {lagrangian}}}{{\partial {symbol}}}" for symbol in (dotted, name)
     )
     return by_rate, rf"\frac{{d}}{{dt}} {by_rate}", by_place
+
+
+def _held(lines: list[Line]) -> tuple[Step, ...]:
+    text = (
+        "Each constraint, differentiated down to the accelerations, times its multiplier: how it"
+        " depends on each of them."
+    )
+    return (Step("Forces of the constraints", text, tuple(lines)),) if lines else ()
+
+
+def _pulls(writer: Writer, speeds: Sequence[Node]) -> list[tuple[Term, ...]]:
+    """What each constraint does in the equation of each speed: lambda_i A_i."""
+    mechanism = writer.mechanism
+    accelerations = [mechanism.ud[mechanism.u.index(speed)] for speed in speeds]
+    columns: list[list[Term]] = [[] for _ in speeds]
+    for k, form in enumerate(acceleration_forms(mechanism), start=1):
+        multiplier = writer.printer.symbols[f"lambda{k}"]
+        factors = writer.printer.short(gradient([form], [1], accelerations))
+        for column, factor in zip(columns, factors, strict=True):
+            if factor != 0:
+                column.append(Term(factor * multiplier))
+    return [tuple(column) for column in columns]
 
 
 def _is_zero(line: Line) -> bool:
@@ -123,7 +170,11 @@ def _forces(writer: Writer, speed: Node) -> list[Term]:
     mechanism = writer.mechanism
     motions = differentiate.motions(mechanism)
     merged: dict[str, list[Wrench]] = {}
-    for wrench in other(mechanism, motions):
+    unknown = {
+        f.reaction: mechanism.builder.input(mechanism.reactions[f.reaction].name)
+        for f in mechanism.frictions
+    }
+    for wrench in (*other(mechanism, motions), *pressing_loads(mechanism, motions, unknown)):
         merged.setdefault(wrench.name, []).append(wrench)
     place = mechanism.u.index(speed)
     powers = {

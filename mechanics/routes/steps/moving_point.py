@@ -137,15 +137,17 @@ def _angular(
     lines.append(numbers(f"{spin}_{{{letter}}}", tuple(parts), "the sum of these"))
     if len(parts) != 1 or parts[0].value != whole:
         lines.append(numbers(f"{spin}_{{{letter}}}", whole, "collected"))
-    lines.append(numbers(rf"\dot{{{spin}}}_{{{letter}}}", rate))
+    lines += _rates(writer, numbers, rf"\dot{{{spin}}}_{{{letter}}}", whole, rate)
     speed = writer.vector(balance.velocity)
     if any(speed):
         lines.append(numbers(rf"\vec{{v}}_{{{letter}}}", speed, f"rate of the place of ${letter}$"))
     cross_name = rf"\vec{{v}}_{{{letter}}} \times \vec{{{momentum}}}"
     by_hand = _moment(writer, axis, (balance.velocity, balance.momentum))
+    formula = _cross_formula(writer, axis, (f"v_{{{letter}", momentum))
     if by_hand != moving:
-        lines.append(numbers(cross_name, by_hand))
-    lines.append(numbers(cross_name, moving))
+        lines.append(numbers(cross_name, by_hand, between=formula))
+        formula = ""
+    lines.append(numbers(cross_name, moving, between=formula if moving != 0 else ""))
     terms = _loads(writer, found, balance)
     torque = rf"\sum \tau_{{{letter}}}"
     lines.append(numbers(torque, _side(terms), "moments of the loads"))
@@ -154,6 +156,36 @@ def _angular(
     along = balance.principle.along
     pitch = printer.short((dot(along, subtract(balance.momentum_rate, balance.force)),))
     return lines, terms, [Term(-part) for part in (rate, moving, *pitch) if part != 0]
+
+
+def _rates(writer: Writer, numbers: Numbers, name: str, whole: Expr, rate: Expr) -> list[Line]:
+    """The rate of a momentum by the chain rule, then collected."""
+    table = writer.mechanism.rates
+    pairs = dict(
+        zip(writer.printer(tuple(table)), writer.printer.short(tuple(table.values())), strict=True)
+    )
+    parts = [
+        Term(Mul(slope, change, evaluate=False))
+        for symbol, change in pairs.items()
+        if (slope := whole.diff(symbol)) != 0 and change != 0
+    ]
+    if len(parts) < 2:
+        return [numbers(name, rate)]
+    lines = [numbers(name, tuple(parts), "the derivative by each variable times its rate")]
+    if Add(*(part.value for part in parts)) != rate:
+        lines.append(numbers(name, rate, "collected"))
+    return lines
+
+
+def _cross_formula(writer: Writer, axis: Vector, names: tuple[str, str]) -> str:
+    """The component of a cross product along z; none for other axes."""
+    one, other = names
+    direction = [*writer.vector(axis)]
+    if direction not in ([0, 0, 1], [0, 0, -1]):
+        return ""
+    x, y = ("x", "y") if direction[2] == 1 else ("y", "x")
+    first, second = (rf"{one},{{{a}}}}} {other}_{{{b}}}" for a, b in ((x, y), (y, x)))
+    return f"{first} - {second}"
 
 
 def _moment(writer: Writer, axis: Vector, sides: tuple[Vector, Vector]) -> Expr:

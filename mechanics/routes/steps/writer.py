@@ -62,14 +62,14 @@ class Writer:
     mechanism : Mechanism
     goal : tuple of Line
         The equations in the common form, numbered, or in the route's own form.
-    common : bool
-        Whether the scene has a common form, see `has_common_form`.
+    pressed : mapping of Symbol to Expr
+        Reactions that friction depends on, by accelerations.
     """
 
     printer: Printer
     mechanism: Mechanism
     goal: tuple[Line, ...]
-    common: bool
+    pressed: Mapping[Symbol, Expr]
 
     def letter(self, quantity: str) -> str:
         """LaTeX of a quantity that the scene does not name, by a letter that it does not use."""
@@ -201,29 +201,70 @@ def worked_out(
 
 
 def arrival(writer: Writer, rows: Sequence[tuple[str, Expr]]) -> Step:
-    """The last step: rows that are zero, each with its number, and the common form.
-
-    Where the routes have none, the route's own rows are sorted, with the constraints.
-    """
-    if not writer.common:
-        names = ", ".join(f"({name})" for name, _ in rows)
-        text = f"{names}: terms with accelerations on the left."
-        if writer.mechanism.constraints:
-            text += " Then the constraints, differentiated down to the accelerations."
-        return Step("Equations of motion", text, writer.goal)
-    goals = [residual(line) for line in writer.goal]
+    """The last step: rows that are zero, each with its number, and the common form."""
+    held = len(writer.mechanism.constraints)
+    goals = [residual(line) for line in writer.goal[: len(writer.goal) - held]]
     every = len(rows) == len(goals)
-    weights = combination(goals if every else goals[:1], [row for _, row in rows], writer)
+    values, said = _with_multipliers(writer, [row for _, row in rows])
+    weights = combination(goals if every else goals[:1], values, writer)
     if weights is None:
-        text = "Combined linearly, with factors that depend on the state, these rows are"
+        text = "Reactions maintain the constraints here, as multipliers do. " if said else ""
+        names = ", ".join(f"({name})" for name, _ in rows)
+        where = "where the constraints hold, and " if held else ""
+        text += (
+            f"Combined linearly, {where}with factors that depend on the state, {names}"
+            f" {'give' if len(rows) > 1 else 'gives'} the same accelerations as these."
+        )
     else:
-        said = [
+        text = f"Reactions that maintain constraints are multipliers: {said}. " if said else ""
+        sums = [
             f"({line.number}) is {_sum(row, [name for name, _ in rows])}"
             for line, row in zip(writer.goal, weights, strict=False)
         ]
-        text = f"Sorted by accelerations, rates and loads, {'; '.join(said)}."
+        text += f"Sorted by accelerations, rates and loads, {'; '.join(sums)}."
         text += "" if every else " The others follow in the same way."
+    if held:
+        stop = "" if text.endswith(".") else " these."
+        text += (
+            f"{stop} The constraints, differentiated down to the accelerations, close the system."
+        )
     return Step("Equations of motion", text, writer.goal)
+
+
+def _with_multipliers(writer: Writer, rows: Sequence[Expr]) -> tuple[list[Expr], str]:
+    """Rows with multipliers for the reactions that maintain constraints, and what is what."""
+    table: dict[Symbol, Symbol] = {}
+    symbols = writer.printer.symbols
+    for k, constraint in enumerate(writer.printer.scene.constraints, start=1):
+        own = [symbols[name] for name in constraint.reactions if name in symbols]
+        if len(own) == 1 and any(row.has(own[0]) for row in rows):
+            table[own[0]] = symbols[f"lambda{k}"]
+    said = ", ".join(f"$<<{one}>> = <<{other}>>$" for one, other in table.items())
+    return [row.xreplace(table) for row in rows], said
+
+
+def pressed_step(
+    writer: Writer, numbers: Numbers, rows: Sequence[tuple[str, Expr]]
+) -> tuple[tuple[Step, ...], list[tuple[str, Expr]]]:
+    """Rows with the reactions put in that friction depends on, and the step that says which."""
+    table = {s: v for s, v in writer.pressed.items() if any(row.has(s) for _, row in rows)}
+    if not table:
+        return (), list(rows)
+    lines = [numbers(symbol, value) for symbol, value in table.items()]
+    into = ", ".join(f"({line.number})" for line in lines)
+    ends = []
+    for name, row in rows:
+        value = row.xreplace(table)
+        if value == row:
+            ends.append((name, row))
+            continue
+        lines += worked_out(numbers, (Term(value),), f"{into} into ({name})")
+        ends.append((lines[-1].number, value))
+    text = (
+        "Friction depends on the reaction that presses. It follows from the momentum, along that"
+        " reaction, of all that it carries."
+    )
+    return (Step("The reaction that presses", text, tuple(lines)),), ends
 
 
 def _sum(weights: Sequence[Rational], names: Sequence[str]) -> str:
