@@ -92,8 +92,8 @@ def read_declared(names: Sequence[str], known: Sequence[Match] = ()) -> tuple[De
             heads = {*every, "other sign"} - {_plain(sign) for sign in SIGNS}
             if name not in heads or not of.isidentifier():
                 raise InputError(
-                    f"convention {part[:80]!r}: {instead(part, NAMES, 'conventions')};"
-                    " or one of these of one name: half-length of L, other sign of theta"
+                    f"convention {part[:80]!r}: {instead(part, NAMES, 'conventions')}"
+                    " (of one name: half-length of L, other sign of theta)"
                 )
             of = meanings.get(of, of)
         found.setdefault((name, of), Declared(part, name, of))

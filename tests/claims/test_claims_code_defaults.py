@@ -201,7 +201,9 @@ def test_c_takes_its_parameters_apart_in_its_own_order() -> None:
 
 def test_all_that_is_missing_is_told_at_once_with_the_options_that_give_it() -> None:
     scene = _mass()
-    text = "double f(double psi, double omega_9, const double *zeta) { return psi; }"
+    text = (
+        "double f(double psi, double omega_9, const double *zeta) { return psi*omega_9*zeta[0]; }"
+    )
     with pytest.raises(InputError) as told:
         check(scene, text, notation="c")
     for name in ("psi", "omega_9", "zeta"):

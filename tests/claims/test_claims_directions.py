@@ -134,10 +134,13 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
         ("half-length of nothing", "nothing is no name of .*: l1, l2 can$"),
         ("other sign of l1", "l1 is a parameter in m of .*: phi1, phi2 can$"),
         ("below horizontal of l1", "l1 is a parameter in m of .*: phi1, phi2 can$"),
-        ("half-length of", "it can be other vertical"),
-        (" , ", "convention ' , ': it can be other vertical"),
-        (["other vertical", " "], "convention ' ': it can be other vertical"),
-        (["other vertical", "counterclockwise"], "counterclockwise': it can be other vertical"),
+        ("half-length of", "did you mean 'half-length'"),
+        (" , ", "convention ' , ': the conventions are other vertical"),
+        (["other vertical", " "], "convention ' ': the conventions are other vertical"),
+        (
+            ["other vertical", "counterclockwise"],
+            "counterclockwise': the conventions are other vertical",
+        ),
     ],
 )
 def test_conventions_that_cannot_be_are_refused(declared: str | list[str], words: str) -> None:

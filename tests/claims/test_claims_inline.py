@@ -118,7 +118,7 @@ def test_long_documents_are_read_in_linear_time(piece: str) -> None:
 )
 def test_an_equation_outside_of_every_formula_is_told(stray: str) -> None:
     r"""TeX would stop there; a person has forgotten \[, or has an environment of their own."""
-    text = r"We have $\dot x = v$ and with it" + "\n\n" + stray + "\n\nas before."
+    text = r"We have $\ddot x = F$ and with it" + "\n\n" + stray + "\n\nas before."
     found = mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
     (entry,) = [entry for entry in found.judged if "outside" in entry.statement.doubt]
     assert entry.finding.verdict.name == "UNDECIDED"

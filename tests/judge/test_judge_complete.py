@@ -102,8 +102,8 @@ def kinetic_energy(theta, m, l, g):
     ],
 )
 def test_a_title_ends_with_what_it_names(title: str, meaning: str | None) -> None:
-    assert named_by_title(title, 1) == meaning
-    assert named_by_title(title, 2) is None
+    assert named_by_title(title, 1, 2) == meaning
+    assert named_by_title(title, 2, 2) is None
 
 
 def test_the_name_of_a_function_says_what_it_returns() -> None:

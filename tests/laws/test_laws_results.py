@@ -2,7 +2,7 @@
 
 import pytest
 from shared_scenes import built
-from sympy import Add, Expr, Matrix
+from sympy import Add, Expr, Matrix, Rational, S, ordered
 
 import mechanics
 from mechanics.checks.manifold import project
@@ -24,20 +24,28 @@ CONSTRAINED = [system for system in ALL if built(system.scene).constraints]
 def test_the_last_step_states_all_equations(system: System, route: Route) -> None:
     equations = route.derive(system.scene())
     step = steps_of(equations)[-1]
-    left, right = equations.system
-    whole = left * Matrix(equations.unknowns) - right
-    # Each line is a row of the system for (u', lambda), constraints included.
-    assert len(step.lines) == left.rows
+    # Rows of the method or combinations of them: as many, constraints included, independent.
+    differences = [_sum(line.left) - _sum(line.right) for line in step.lines]
+    lagrange = by_route("lagrange", system.scene())
+    unknown = lagrange.unknowns
+    matrix = Matrix(differences).jacobian(unknown)
+    drawn = {s: Rational(k + 2, 7) for k, s in enumerate(ordered(matrix.free_symbols))}
+    assert len(differences) == matrix.subs(drawn).evalf(30).rank() == len(unknown)
 
     def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        pairs = zip(step.lines, whole, strict=True)
-        return [(a.value(_sum(line.left) - _sum(line.right)), a.value(row)) for line, row in pairs]
+        project(a, equations.kinematics)
+        # The multipliers that all routes end with are Lagrange's; the motion is the route's own.
+        numbers = zip(unknown, solve(a, lagrange), strict=True)
+        own = dict(zip(equations.unknowns, solve(a, equations), strict=True))
+        for symbol, number in numbers:
+            a.assign(symbol, own.get(symbol, number))
+        return [(a.value(difference), a.value(S.Zero)) for difference in differences]
 
     assert decide("lines", experiment, try_normal=False).shown
     named = [line.label for line in step.lines if line.label]
     assert named == [constraint.name for constraint in equations.scene.constraints]
     held = set().union(*(_sum(line.right).free_symbols for line in step.lines))
-    assert held.issuperset(equations.multipliers)
+    assert held.issuperset(lagrange.multipliers)
 
 
 def _sum(side: Side) -> Expr:

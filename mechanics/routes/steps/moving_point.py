@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from sympy import Add, Expr, Mul, Symbol
+from sympy import Add, Dummy, Expr, Mul, Symbol, sign
 
 from mechanics.equations import Diagram, Line, Step, Term
 from mechanics.program.builder import Node
@@ -164,10 +164,13 @@ def _rates(writer: Writer, numbers: Numbers, name: str, whole: Expr, rate: Expr)
     pairs = dict(
         zip(writer.printer(tuple(table)), writer.printer.short(tuple(table.values())), strict=True)
     )
+    # A sign does not change but where it jumps.
+    signs = {value: Dummy() for value in whole.atoms(sign)}
+    fixed, back = whole.subs(signs), {dummy: value for value, dummy in signs.items()}
     parts = [
-        Term(Mul(slope, change, evaluate=False))
+        Term(Mul(slope.subs(back), change, evaluate=False))
         for symbol, change in pairs.items()
-        if (slope := whole.diff(symbol)) != 0 and change != 0
+        if (slope := fixed.diff(symbol)) != 0 and change != 0
     ]
     if len(parts) < 2:
         return [numbers(name, rate)]
@@ -195,9 +198,9 @@ def _moment(writer: Writer, axis: Vector, sides: tuple[Vector, Vector]) -> Expr:
     total = []
     for i, along in enumerate(direction):
         j, k = (i + 1) % 3, (i + 2) % 3
-        for sign, one, other in ((1, arm[j], push[k]), (-1, arm[k], push[j])):
+        for factor, one, other in ((1, arm[j], push[k]), (-1, arm[k], push[j])):
             if along != 0 and one != 0 and other != 0:
-                before = () if sign * along == 1 else (sign * along,)
+                before = () if factor * along == 1 else (factor * along,)
                 total.append(Mul(*before, one, other, evaluate=False))
     return Add(*total)
 
