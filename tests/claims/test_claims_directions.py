@@ -139,7 +139,7 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
         (["other vertical", " "], "convention ' ': the conventions are other vertical"),
         (
             ["other vertical", "counterclockwise"],
-            "counterclockwise': the conventions are other vertical",
+            "mean 'downward vertical counterclockwise'",
         ),
     ],
 )
