@@ -11,6 +11,11 @@ HEADER = re.compile(
     r"(?:function|model|class|block|within)\b[^\n]*(?=\n)",
     re.MULTILINE,
 )
+RECORD = re.compile(
+    r"^[ \t]*(?:Base\.)?(?:@\w+[ \t]+)?(?:mutable[ \t]+)?struct\b.*?^[ \t]*end\b",
+    re.MULTILINE | re.DOTALL,
+)
+"""A kind of record of Julia's: what its fields are, and of what kind."""
 DECLARED = re.compile(
     r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
     r"|(?:global|persistent|clear|clc|close|format|load|addpath|disp)\b[^\n=]*"
@@ -89,6 +94,7 @@ def without_declarations(text: str) -> str:
     if HEADER.search(text):
         text = LIST.sub(lambda m: f"[{m[1]}]".rjust(len(m[0])), text)
         text = JULIA.sub(lambda m: " " * len(m[0]), text)
+    text = RECORD.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
     text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
     if "~" in text:
         for lines in (MACRO, OPERATOR):

@@ -70,9 +70,10 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     returned = _returned(lines, tables, size)
     found: dict[str, tuple[str, str]] = {}
     rates: dict[str, str] = {}
+    state = _returned_state(arrays, tables, size) if returned else ""
     for array in arrays:
         rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
-        if not rate and returned and max(arrays[array]) >= size // 2:
+        if not rate and array == state:
             rate = returned
         said = _said(lines, naming, array)
         if rate or said or not any(array in _named_rates(other) for other in arrays):
@@ -134,6 +135,15 @@ def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> 
         if every.count(name) == 1 and len(_cells(line.sides[1])) == size
     ]  # fmt: skip
     return columns[0] if len(columns) == 1 else ""
+
+
+def _returned_state(arrays: Mapping[str, set[int]], tables: Container[str], size: int) -> str:
+    """The one array that what is returned is the rate of, where no other has that name."""
+    if any(name in tables for array in arrays for name in _named_rates(array)):
+        return ""
+    fitting = [array for array, places in arrays.items() if max(places) >= size // 2]
+    plain = [array for array in fitting if array not in INPUTS] or fitting
+    return plain[0] if len(plain) == 1 else ""
 
 
 def _cells(table: Node) -> list[Node]:
