@@ -8,7 +8,7 @@ what definitions or speeds are made of, stand in more places: these have no valu
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
+from itertools import islice, permutations
 from typing import Any
 
 from sympy import Expr, Integer, Rational, S, Symbol
@@ -43,7 +43,7 @@ KINDS = (EquationOfMotion, ReactionValue, Identity)
 DERIVED = (GeneralizedForce, GeneralizedMomentum)
 """What a side is compared with alone: inverse dynamics, and what is conserved."""
 
-MOST = 40
+MOST = 60
 """Values that are tried."""
 
 TIMES = (Integer(1), Rational(1, 2), Integer(2))
@@ -174,6 +174,8 @@ def _candidates(
     if numbers and len(typical) == len(free) > 1:
         yield typical
     yield from ({symbol: value} for value in values for symbol in free)
+    if len(free) == 2:
+        yield from (dict(zip(free, pair, strict=True)) for pair in permutations(values, 2))
     if units:
         yield from ({symbol: S.One} for symbol in free)
 

@@ -66,6 +66,7 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     if not arrays:
         return _of_one_freedom(lines, naming)
     tables = {name: line for name, line in own.items() if isinstance(line.sides[1], Table)}
+    tables |= _columns_of_state(lines, arrays, size)
     lines = _with_locals(lines, naming, (*arrays, *tables))
     returned = _returned(lines, tables, size)
     found: dict[str, tuple[str, str]] = {}
@@ -135,6 +136,19 @@ def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> 
         if every.count(name) == 1 and len(_cells(line.sides[1])) == size
     ]  # fmt: skip
     return columns[0] if len(columns) == 1 else ""
+
+
+def _columns_of_state(
+    lines: Sequence[Entry], arrays: Mapping[str, set[int]], size: int
+) -> dict[str, Line]:
+    """Columns that are the rate of an array, whatever the scene calls so: xdot = [x(2); ...]."""
+    rates = {name for array in arrays for name in _named_rates(array)}
+    return {
+        line.sides[0].name: line
+        for line in lines
+        if isinstance(line, Line) and len(line.sides) == 2 and isinstance(line.sides[0], Name)
+        and line.sides[0].name in rates and len(_cells(line.sides[1])) == size > 1
+    }  # fmt: skip
 
 
 def _returned_state(arrays: Mapping[str, set[int]], tables: Container[str], size: int) -> str:
@@ -444,9 +458,13 @@ def _told(
         return line
     if isinstance(line.sides[0], Table) and isinstance(line.sides[1], Table):
         return _without_names(line, naming, found)
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
     for one, other in (line.sides, line.sides[::-1]):
         if not isinstance(one, Name) or not isinstance(other, Name):
             continue
+        passed = other.name in INPUTS and other.name in once and not naming.knows(other.name)
+        if one.name in inputs and passed:
+            return Aside(f"{line.source[:60]}: taken as the name of an argument", line.at)
         if other.name not in found:
             if naming.is_function(one.name) is False and ELEMENT.fullmatch(other.name):
                 return Aside(f"{line.source[:60]}: the value of a parameter is not used", line.at)
