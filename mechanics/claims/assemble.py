@@ -62,6 +62,7 @@ from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.published import Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, Identity, MassMatrix
+from mechanics.scene.rates import TIME
 
 LARGEST_WEIGHT = 50_000
 """Of all lines with their definitions put in; one that doubles makes a million in twenty."""
@@ -73,6 +74,12 @@ MOST_STATEMENTS = 200
 ASSIGNED = re.compile(r"\s*\\?(\w+)\s*(?:\([^=]*\)|\[[^=]*\])?\s*=")
 """What a line that is not read gives a value to."""
 
+SAID = re.compile(
+    r"\b(?:defin(?:e|ing)|let|with|where|denot(?:e|ing)|abbreviat(?:e|ing))\s+(?:\$+|\\\(|\\\[)?\s*$",
+    re.I,
+)
+DEFINING = re.compile(r"\\equiv(?![A-Za-z])|:=|\\coloneqq")
+"""What says that a name is short for something."""
 SHORT = ("sin", "cos", "tan")
 """What a name alone is short for, which says nothing where it is not used."""
 
@@ -166,6 +173,7 @@ class _Assembly:
         self.learnt: dict[int, tuple[tuple[Value, ...], Builder] | Refused] = {}
         self.demanded: dict[str, list[Demand]] = {}
         self.reached: frozenset[str] = frozenset()
+        self.claims = False
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
 
@@ -175,6 +183,8 @@ class _Assembly:
             return
         defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
         self.own = defined
+        own = {id(line) for name, line in defined.items() if name not in ENERGY_NAMES}
+        self.claims = any(isinstance(line, Line) and id(line) not in own for line in lines)
         if defined:
             plain = partial(held, Builder(self.naming, {}, {}))
             self.reached = reached(lines, defined, self.needed, plain)
@@ -302,12 +312,22 @@ class _Assembly:
         if len(sides) == 1 and (body := body_at(self.scene, sides[0])):
             self.remarks.append(f"{name} is a coordinate of {body} or its rate: {line.source}")
             return
+        if self.claims and scalar(sides) and self._is_abbreviation(line, name, sides[0]):
+            self.remarks.append(f"{name}, which nothing uses, is not checked: {line.source}")
+            return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
         tag = line.tag or str(len(self.statements) + 1)
         value = () if isinstance(sides[0], MatrixBase) else (self.scene.pressed(sides[0]),)
         row = published(tag, Identity(), Symbol(name, real=True), *value, label=line.source)
         written = self._written(line)
         self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
+
+    def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
+        """Whether the text says that a name is short for parameters, and it names no result."""
+        start = " ".join(self.text[max(0, line.at - 60) : line.at].split())
+        said = SAID.search(start) or DEFINING.search(line.source)
+        held = self.scene.plain(meaning).free_symbols - {*self.scene.parameters, TIME}
+        return bool(said) and not held and name not in LETTERS and name not in MATRIX_NAMES
 
     def _matrices(
         self, line: Line, tag: str, place: str, sides: tuple[Value, ...], builder: Builder
@@ -335,6 +355,10 @@ class _Assembly:
     ) -> None:  # fmt: skip
         if self.about is not None:
             self._asked(line, tag, place, sides, builder)
+            return
+        owned = any(isinstance(n, Name) and n.name in self.defined for n in line.sides)
+        if owned and all(isinstance(n, Name) for n in line.sides) and len({*sides}) == 1:
+            self.remarks.append(f"{line.source[:60]}: the same by definition")
             return
         quantity, sides, note = kind_of(self.scene, distinct(sides))
         self._keep(line, tag, place, quantity, sides, builder, note, letter)

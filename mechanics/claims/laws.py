@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 
+from mechanics.claims.about import LETTERS
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Naming, column
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Sum, constant, names, parts
@@ -45,7 +46,8 @@ def _used(line: Entry) -> set[str]:
 def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
     """Whether it speaks of no state, and each side of what is only here; or of any coordinate."""
     every = [name.name for side in line.sides for name in names(side)]
-    if any(INDEXED.fullmatch(name) and naming.target(name) is None for name in every):
+    indexed = (n for n in every if INDEXED.fullmatch(n) and n not in LETTERS)  # E_k is an energy
+    if any(naming.target(name) is None for name in indexed):
         return True
     if len(line.sides) != 2 or not all(map(_is_plain, line.sides)):
         return False

@@ -51,7 +51,11 @@ def energy_before(text: str, at: int) -> str:
     return "T" if match["kinetic"] else "V" if match["potential"] else "E"
 
 
-EQUILIBRIUM = re.compile(r"equilibri|stationary (?:point|solution)|fixed point", re.IGNORECASE)
+EQUILIBRIUM = re.compile(
+    r"equilibri|stationary (?:point|solution)|fixed point"
+    r"|(?:oscillat|vibrat)\w+\s+(?:about|around)\b",
+    re.IGNORECASE,
+)
 AWAY = re.compile(
     r"\b(?:no|not(?: an?| the| in| at)?|never|nor|neither|without|away from|far from|out of|non)"
     r"[\s-]+(?:[a-z]+\s+){0,2}equilibri"

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from sympy import Expr, Mul, S, factor, solve
 
+from mechanics.claims.claim import Written
 from mechanics.claims.convention import Table
 from mechanics.claims.guess import equilibrium_of
 from mechanics.claims.prose import denies_equilibrium, of_equilibrium
@@ -36,10 +37,12 @@ def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> 
         The person's symbols in the scene's, where they count otherwise.
     """
     row, written, scene = statement.row, statement.written, truth.scene
-    if row is None or written is None or len(scene.q) != 1 or scene.speeds:
+    if row is None or written is None or scene.speeds:
         return statement
     if not isinstance(row.quantity, Identity) or len(row.sides) != 2:
         return statement
+    if len(scene.q) != 1:
+        return _of_several(scene, statement, row, written)
     sides = [scene.plain(side) for side in row.sides]
     held = set().union(*(side.free_symbols for side in sides))
     (q,) = scene.q
@@ -59,6 +62,18 @@ def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> 
         found = replace(row, sides=(scene.pressed(vanishing), S.Zero))
         return _said(statement, found, note)
     return statement
+
+
+def _of_several(scene: Scene, statement: Statement, row: Published, written: Written) -> Statement:
+    """A place among several coordinates, which one of them does not make an equilibrium."""
+    name, *others = (scene.plain(side) for side in row.sides)
+    held = set().union(*(side.free_symbols for side in others))
+    if statement.doubt or name not in scene.q or held - {*scene.parameters, *scene.definitions}:
+        return statement
+    if not of_equilibrium(written.text, written.start):
+        return statement
+    doubt = f"it is read as {name} at an equilibrium, of which it is one coordinate of several"
+    return replace(statement, doubt=f"{doubt}: leave it out, or give the equations of motion")
 
 
 def _said(statement: Statement, row: Published, note: str) -> Statement:

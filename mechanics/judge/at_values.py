@@ -8,13 +8,14 @@ what definitions or speeds are made of, stand in more places: these have no valu
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice
+from itertools import islice, permutations
 from typing import Any
 
-from sympy import Expr, Integer, Rational, Symbol
+from sympy import Expr, Integer, Rational, S, Symbol
 
 from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_momenta import derived
+from mechanics.claims.code.c_parameters import NOT_USED
 from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
@@ -42,7 +43,7 @@ KINDS = (EquationOfMotion, ReactionValue, Identity)
 DERIVED = (GeneralizedForce, GeneralizedMomentum)
 """What a side is compared with alone: inverse dynamics, and what is conserved."""
 
-MOST = 40
+MOST = 60
 """Values that are tried."""
 
 TIMES = (Integer(1), Rational(1, 2), Integer(2))
@@ -120,12 +121,15 @@ def as_identity(truth: Equations, row: Published) -> Published:
 def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ...]:
     """Values of parameters that the statements do not hold for which all of them are right.
 
-    A value has to stand in them as a number; or all are the scene's typical ones.
+    A value has to stand in them as a number; or all are the scene's typical ones; or it is 1, in
+    code that gives others of the scene's parameters values.
     """
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
         return ()
-    for values in islice(_candidates(truth.scene, rows), MOST):
+    noted = (note for s in statements for note in s.notes)
+    units = any(note.endswith(NOT_USED) for note in noted)
+    for values in islice(_candidates(truth.scene, rows, units), MOST):
         if _right(truth, rows, values):
             for symbol in list(values):
                 fewer = {s: v for s, v in values.items() if s != symbol}
@@ -154,7 +158,9 @@ def words(values: Values) -> str:
     return ", ".join(part.removesuffix(".0") for part in parts)
 
 
-def _candidates(scene: Scene, rows: Sequence[Published]) -> Iterator[dict[Symbol, Expr]]:
+def _candidates(
+    scene: Scene, rows: Sequence[Published], units: bool
+) -> Iterator[dict[Symbol, Expr]]:
     sides = [side for row in rows for side in row.sides]
     held = set().union(*(side.free_symbols for side in sides)) | _elsewhere(scene)
     free = [p for p in scene.parameters if p not in held]
@@ -168,6 +174,10 @@ def _candidates(scene: Scene, rows: Sequence[Published]) -> Iterator[dict[Symbol
     if numbers and len(typical) == len(free) > 1:
         yield typical
     yield from ({symbol: value} for value in values for symbol in free)
+    if len(free) == 2:
+        yield from (dict(zip(free, pair, strict=True)) for pair in permutations(values, 2))
+    if units:
+        yield from ({symbol: S.One} for symbol in free)
 
 
 def _elsewhere(scene: Scene) -> set[Symbol]:

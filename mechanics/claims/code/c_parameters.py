@@ -12,6 +12,7 @@ import re
 from mechanics.claims.code.c_plus_plus import with_variables_passed
 from mechanics.claims.names import Vocabulary
 
+NOT_USED = "values in the code are not used"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
 DEFINED = re.compile(
     rf"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?({NUMBER})\)?[ \t]*\r?$", re.MULTILINE
@@ -40,7 +41,7 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, 
         if not all(meanings) or any(_assigned_again(text, name) for name, _ in pairs):
             return match[0]
         for (name, number), meaning in zip(pairs, meanings, strict=True):
-            notes[name] = f"{name} = {number} is read as {meaning}: values in the code are not used"
+            notes[name] = f"{name} = {number} is read as {meaning}: {NOT_USED}"
         return re.sub(r"[^\n]", " ", match[0])
 
     found = DEFINED.sub(lambda m: passed(m, [(m[1], m[2])]), text)

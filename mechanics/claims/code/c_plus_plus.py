@@ -20,13 +20,14 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 
 WORDS = (
     (r"#\s*include\s*(?:<cmath>|[<\"]Arduino\.h[>\"])", "#include <math.h>"),
-    (r"#\s*include\s*<[\w/.]+>", ""),
+    (r"#\s*include\s*(?:<[\w/.]+>|\"[^\"\n]*\")", ""),
     (r"#\s*pragma\s+once", ""),
     (r"\busing\s+[^;{}]*;", ""),
     (r"\bstd\s*::\s*", ""),
     (r"\bEigen\s*::\s*", ""),
     (r"\bVector([2-6])d\b", r"array<double, \1>"),
-    (r"\bVectorXd\b", "vector<double>"),
+    (r"\bVectorX[df]\b", "vector<double>"),
+    (r"\bMatrix(?:X|[2-4])[df]\b", "vector<double>"),
     (r"\bMatrix\s*<\s*(double|float)\s*,\s*(\w+)\s*,\s*1\s*>", r"array<\1, \2>"),
     (r"\bstatic\s+constexpr\b|\bconstexpr\b", "const"),
     (r"\bnoexcept\b|\binline\b|\[\[\w+\]\]|\boverride\b", ""),
@@ -65,7 +66,7 @@ def in_c(text: str, origin: str) -> str:
     ExpressionError
         For classes in classes, or what is no number in one.
     """
-    text = CALLED.sub("rhs(", _with_aliases(text))
+    text = _flat(BRACED.sub(_assigned, CALLED.sub("rhs(", _with_aliases(text))))
     for pattern, words in WORDS:
         text = re.sub(pattern, words, text)
     if not re.search(r"\bt\b", text):
@@ -154,13 +155,38 @@ def _globals_passed(text: str) -> str:
 
 
 ALIAS = re.compile(
-    r"\busing\s+(?P<new>\w+)\s*=\s*(?P<kind>[\w:]+\s*<[^;]*>)\s*;"
-    r"|\btypedef\s+(?P<old>[\w:]+\s*<[^;]*>)\s*(?P<name>\w+)\s*;"
+    r"\busing\s+(?P<new>\w+)\s*=\s*(?P<kind>[\w:]+\s*<[^;]*>|double|float)\s*;"
+    r"|\btypedef\s+(?P<old>[\w:]+\s*<[^;]*>|double\b|float\b)\s*(?P<name>\w+)\s*;"
 )
+BRACED = re.compile(r"\b(?:double|float)\s+(?:\w+\s*\{[^{};]*\}\s*(?:,\s*|(?=;)))+;")
+"""Variables with their values in braces, which are 0 in empty ones."""
 UNNAMED = re.compile(r"(,\s*(?:const\s+)?(?:double|float))\s*(?=\))")
 """The time, which integrators pass last and the function does not read."""
 CALLED = re.compile(r"\boperator\s*\(\s*\)\s*\(")
 """The function that an object is called as."""
+
+
+def _assigned(match: re.Match[str]) -> str:
+    return re.sub(r"(\w+)\s*\{([^{};]*)\}", lambda m: f"{m[1]} = {m[2].strip() or '0.0'}", match[0])
+
+
+MATRIX = re.compile(r"\bMatrix(?:X|([2-4]))[df]\s+(\w+)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\))?\s*;")
+
+
+def _flat(text: str) -> str:
+    """Matrices that a function fills, row by row."""
+    for found in MATRIX.finditer(text):
+        rows, columns = (int(found[1] or found[k] or 0) for k in (3, 4))
+        if rows * columns == 0:
+            continue
+        name = found[2]
+        text = text.replace(found[0], f"array<double, {rows * columns}> {name};")
+
+        def entry(match: re.Match[str], name: str = name, columns: int = columns) -> str:
+            return f"{name}[{int(match[1]) * columns + int(match[2])}]"
+
+        text = re.sub(rf"\b{name}\s*\(\s*(\d+)\s*,\s*(\d+)\s*\)", entry, text)
+    return text
 
 
 def _with_aliases(text: str) -> str:

@@ -345,7 +345,8 @@ def _state_by_rates(
     blocks = [*scene.q, *scene.u]
     pairs = [symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair]
     for name, known in apart.items():
-        if not known.vector or name in given or sizes[name] not in (None, len(blocks)):
+        parted = known.vector or (known.size or 0) > 1
+        if not parted or name in given or sizes[name] not in (None, len(blocks)):
             continue
         for order in (blocks, pairs):
             meant = {**given, name: " ".join(map(str, order))}

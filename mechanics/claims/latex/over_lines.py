@@ -27,7 +27,7 @@ BEHIND = re.compile(rf"{SPACE}{OPERATOR}")
 PLACED = re.compile(r"\\begin\s*\{(?:aligned|alignedat|gathered|split|multlined)\}\s*(\[[tbc]\])")
 SYSTEM = re.compile(
     r"(?:(?P<left>\\left\s*(?:\.|\\\{|\\lbrace(?![A-Za-z])))\s*)?"
-    r"(?P<begin>\\begin\s*\{(?P<env>array|matrix|aligned|gathered|split|alignedat)\})"
+    r"(?P<begin>\\begin\s*\{(?P<env>array|matrix|aligned|gathered|split|alignedat|(?<=\\left\\\{\\begin\{)align)\})"
     r"(?P<columns>\s*(?:\[[a-z]\])?\s*\{[^{}]{0,60}\})?"
     r"(?P<inside>(?:(?!\\begin\s*\{|\\end\s*\{).)*)"
     r"(?P<end>\\end\s*\{(?P=env)\})(?:\s*(?P<right>\\right\s*(?:\.|\\\}|\\rbrace(?![A-Za-z]))))?",

@@ -17,6 +17,8 @@ MARKS = re.compile(
     r"ensuremath|[hv]?phantom|color|(?:textcolor|colorbox)\s*\{[^{}]{0,40}\})\s*\{"
 )
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
+SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
+"""Energies by their initials, which are no products."""
 LABEL = re.compile(r"\s*[_^]\s*\{")
 BOXES = re.compile(r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box|intertext)\s*\{")
 FORMULA = re.compile(r"(?<!\\)\$(?P<one>[^$]*)\$|\\\((?P<two>[^()]*)\\\)")
@@ -33,6 +35,8 @@ def prepared(text: str) -> str:
         Where it is not known what is printed.
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
+    for initials, name in SHORT:
+        text = initials.sub(name, text)
     marks = list(MARKS.finditer(text))
     if not marks:
         return text

@@ -11,6 +11,15 @@ HEADER = re.compile(
     r"(?:function|model|class|block|within)\b[^\n]*(?=\n)",
     re.MULTILINE,
 )
+FIELDS = re.compile(
+    r"^[ \t]*\[[\w ,]+\][ \t]*=[ \t]*(?:deal\()?\w+\{:\}\)?[ \t]*;?[ \t\r]*$", re.MULTILINE
+)
+"""Parameters, taken out of a list of MATLAB's: [m, g] = param{:}."""
+RECORD = re.compile(
+    r"^[ \t]*(?:Base\.)?(?:@\w+[ \t]+)?(?:mutable[ \t]+)?struct\b.*?^[ \t]*end\b",
+    re.MULTILINE | re.DOTALL,
+)
+"""A kind of record of Julia's: what its fields are, and of what kind."""
 DECLARED = re.compile(
     r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
     r"|(?:global|persistent|clear|clc|close|format|load|addpath|disp)\b[^\n=]*"
@@ -53,7 +62,8 @@ FILLER = "\ue002"
 SIZED = re.compile(
     r"(?:^|(?<=;))[ \t]*\w+[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*"
     r"\((?:[^()\n;]|\([^()\n;]*\))*\)[ \t]*(?:;|(?=\r?$))"
-    r"|^[ \t]*(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?[ \t\r]*$",
+    r"|^[ \t]*(\w+)[ \t]*=[ \t]*\1(?:'|\(:\))[ \t]*;?[ \t\r]*$"
+    r"|^[ \t]*\w+[ \t]*=[ \t]*\([ \t]*1[ \t]*:[ \t]*\d+[ \t]*\)'?[ \t]*;?[ \t\r]*$",
     re.MULTILINE,
 )
 """The size of an array."""
@@ -89,6 +99,8 @@ def without_declarations(text: str) -> str:
     if HEADER.search(text):
         text = LIST.sub(lambda m: f"[{m[1]}]".rjust(len(m[0])), text)
         text = JULIA.sub(lambda m: " " * len(m[0]), text)
+    text = RECORD.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+    text = FIELDS.sub(lambda m: " " * len(m[0]), text)
     text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
     if "~" in text:
         for lines in (MACRO, OPERATOR):

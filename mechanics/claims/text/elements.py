@@ -66,13 +66,15 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     if not arrays:
         return _of_one_freedom(lines, naming)
     tables = {name: line for name, line in own.items() if isinstance(line.sides[1], Table)}
+    tables |= _columns_of_state(lines, arrays, size)
     lines = _with_locals(lines, naming, (*arrays, *tables))
     returned = _returned(lines, tables, size)
     found: dict[str, tuple[str, str]] = {}
     rates: dict[str, str] = {}
+    state = _returned_state(arrays, tables, size) if returned else ""
     for array in arrays:
         rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
-        if not rate and returned and max(arrays[array]) >= size // 2:
+        if not rate and array == state:
             rate = returned
         said = _said(lines, naming, array)
         if rate or said or not any(array in _named_rates(other) for other in arrays):
@@ -134,6 +136,28 @@ def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> 
         if every.count(name) == 1 and len(_cells(line.sides[1])) == size
     ]  # fmt: skip
     return columns[0] if len(columns) == 1 else ""
+
+
+def _columns_of_state(
+    lines: Sequence[Entry], arrays: Mapping[str, set[int]], size: int
+) -> dict[str, Line]:
+    """Columns that are the rate of an array, whatever the scene calls so: xdot = [x(2); ...]."""
+    rates = {name for array in arrays for name in _named_rates(array)}
+    return {
+        line.sides[0].name: line
+        for line in lines
+        if isinstance(line, Line) and len(line.sides) == 2 and isinstance(line.sides[0], Name)
+        and line.sides[0].name in rates and len(_cells(line.sides[1])) == size > 1
+    }  # fmt: skip
+
+
+def _returned_state(arrays: Mapping[str, set[int]], tables: Container[str], size: int) -> str:
+    """The one array that what is returned is the rate of, where no other has that name."""
+    if any(name in tables for array in arrays for name in _named_rates(array)):
+        return ""
+    fitting = [array for array, places in arrays.items() if max(places) >= size // 2]
+    plain = [array for array in fitting if array not in INPUTS] or fitting
+    return plain[0] if len(plain) == 1 else ""
 
 
 def _cells(table: Node) -> list[Node]:
@@ -434,9 +458,13 @@ def _told(
         return line
     if isinstance(line.sides[0], Table) and isinstance(line.sides[1], Table):
         return _without_names(line, naming, found)
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
     for one, other in (line.sides, line.sides[::-1]):
         if not isinstance(one, Name) or not isinstance(other, Name):
             continue
+        passed = other.name in INPUTS and other.name in once and not naming.knows(other.name)
+        if one.name in inputs and passed:
+            return Aside(f"{line.source[:60]}: taken as the name of an argument", line.at)
         if other.name not in found:
             if naming.is_function(one.name) is False and ELEMENT.fullmatch(other.name):
                 return Aside(f"{line.source[:60]}: the value of a parameter is not used", line.at)
