@@ -356,11 +356,11 @@ class _Assembly:
         if self.about is not None:
             self._asked(line, tag, place, sides, builder)
             return
-        owned = any(isinstance(n, Name) and n.name in self.defined for n in line.sides)
-        if owned and all(isinstance(n, Name) for n in line.sides) and len({*sides}) == 1:
+        alike = all(isinstance(n, Name) for n in line.sides) and len({*sides}) == 1
+        quantity, sides, note = kind_of(self.scene, distinct(sides))
+        if alike and isinstance(quantity, EquationOfMotion):
             self.remarks.append(f"{line.source[:60]}: the same by definition")
             return
-        quantity, sides, note = kind_of(self.scene, distinct(sides))
         self._keep(line, tag, place, quantity, sides, builder, note, letter)
 
     def _asked(

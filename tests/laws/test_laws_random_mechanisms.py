@@ -1,4 +1,4 @@
-"""Random mechanisms: quaternions, loops in a plane and rolling contacts, against plain NumPy.
+"""Random mechanisms: quaternions, loops in a plane or in space, rolling contacts, against NumPy.
 
     [M  A^T] [q''    ]   [F]        M = sum m Jv^T Jv + Jw^T I Jw                             (1)
     [A  0  ] [-lambda] = [b]        F = sum Jv^T (m g - m a0) - Jw^T (I w0' + w x I w)        (2)
@@ -39,6 +39,7 @@ from mechanics.scene import (
     quaternion,
     roll,
     slide,
+    universal,
 )
 
 Array = np.ndarray
@@ -173,6 +174,49 @@ def linkage(dyads: tuple[Dyad, ...]) -> Made:
     bodies = tuple(body_of(i, joint, flat=True) for i, joint in enumerate(carrying, start=1))
     return Made(Scene("linkage", N, O, bodies=bodies, joints=tuple(joints), plane=N.z,
                       loads=(gravity(-GRAVITY * N.y),)), (), tuple(gaps))  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Crank:
+    """A loop in space: a crank's length, the tip of the rod, the post and axis of the rocker."""
+
+    length: int
+    tip: tuple[int, int, int]
+    post: tuple[int, int, int]
+    turn: int
+    axis: int
+
+
+@st.composite
+def cranks(draw: st.DrawFn) -> Crank:
+    places = st.tuples(st.integers(3, 6), st.integers(-3, 3), st.integers(-3, 3))
+    turn = draw(st.integers(0, len(TURNS) - 1))
+    return Crank(draw(st.integers(1, 3)), draw(places), draw(places), turn, draw(st.integers(0, 2)))
+
+
+def space(drawn: Crank) -> Made:
+    """Crank, Cardan joint, rod, ball and rocker; the coordinates 0 are a pose."""
+    N, O = ReferenceFrame("N"), Point("O")
+    q1, q2, q3, q4 = dynamicsymbols("q1:5")
+    crank = pin("A", None, "bodyA", at=O, axis=N.z, angle=q1)
+    end = O.locatenew("E", Rational(drawn.length, 7) * crank.frame.x + crank.frame.z / 9)
+    rod = universal("B", "bodyA", "bodyB", at=end, frame=crank.frame, axes="yz", angles=(q2, q3))
+    tip = rod.point.locatenew("T", along(rod.frame, drawn.tip))
+    post, fixed = O.locatenew("G", along(N, drawn.post)), ReferenceFrame("F")
+    fixed.orient_explicit(N, TURNS[drawn.turn])
+    rocker = pin("C", None, "bodyC", at=post, axis=[*fixed][drawn.axis], angle=q4)
+    still = dict.fromkeys((q1, q2, q3, q4), 0)
+    reach = tip.pos_from(post).to_matrix(rocker.frame).subs(still)
+    hung = post.locatenew("H", sum((x * e for x, e in zip(reach, rocker.frame, strict=True)), 0))
+    close = ball("D", "bodyB", "bodyC", at=tip, frame=rod.frame, onto=hung)
+    bodies = tuple(body_of(i, joint) for i, joint in enumerate((crank, rod, rocker), start=1))
+    scene = Scene("loop in space", N, O, bodies=bodies, joints=(crank, rod, rocker, close),
+                  loads=(gravity(-GRAVITY * N.z),))  # fmt: skip
+    return Made(scene, (), tuple(tip.pos_from(hung).to_matrix(N)))
+
+
+def along(frame: ReferenceFrame, place: tuple[int, int, int]) -> Expr:
+    return sum((Rational(x, 7) * e for x, e in zip(place, frame, strict=True)), 0)
 
 
 @dataclass(frozen=True)
@@ -351,6 +395,7 @@ KINDS = ("disc", "ball", "ball quaternion", "wheel", "wheel quaternion")
 MECHANISMS = st.one_of(
     st.builds(partial, st.just(tree), trees(), st.tuples(*[st.booleans()] * 3)),
     st.builds(partial, st.just(linkage), linkages()),
+    st.builds(partial, st.just(space), cranks()),
     st.builds(partial, st.just(roller), st.builds(Roller, st.sampled_from(KINDS),
                                                   st.sampled_from(("none", "pin", "slide")))),
 )  # fmt: skip
