@@ -70,6 +70,7 @@ def test_what_is_undecided_is_exit_code_three(run: Any, pendulum: Any) -> None:
     assert re.fullmatch(r"1 of \d+ checks did not pass\.", ran.out.splitlines()[-1])
 
 
+@pytest.mark.campaign
 def test_json_and_report_go_to_files(run: Any, pendulum: Any, tmp_path: Any) -> None:
     page, data = tmp_path / "report.html", tmp_path / "result.json"
     ran = run("crosscheck", pendulum(), "--states", 0, "--report", page, "--json", data)

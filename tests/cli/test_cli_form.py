@@ -19,7 +19,7 @@ def test_the_manifest_tells_the_form(run: Any, tmp_path: Path, options: Any, for
     assert content["form"] == form
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("system", "form", "words"),
     [

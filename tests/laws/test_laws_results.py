@@ -18,7 +18,7 @@ from systems import ALL, SEED
 CONSTRAINED = [system for system in ALL if built(system.scene).constraints]
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
 @pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)
 def test_the_last_step_states_all_equations(system: System, route: Route) -> None:

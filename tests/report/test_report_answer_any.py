@@ -52,7 +52,7 @@ class Balanced(HTMLParser):
         assert self.open.pop() == tag
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(TYPED, EDITS, st.integers(20, 120))
 def test_the_terminal_has_an_answer(source: str, edits: list[Edit], width: int) -> None:
     witness = Witness(((source, source),), source, source)

@@ -155,6 +155,7 @@ def test_a_quaternion_is_the_arc_of_its_turn_about_its_axis() -> None:
     assert words[3].endswith("z of the axis times its sine")
 
 
+@pytest.mark.campaign
 def test_gravity_points_down_on_paper_in_every_scene() -> None:
     for system in EVERY:
         made = system.scene()
