@@ -1,6 +1,7 @@
 """What is measured: errors against the reference, evaluations, energy, a front."""
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -21,8 +22,10 @@ from mechanics.trade.yardstick import yardstick
 
 @pytest.mark.campaign
 def test_errors_follow_from_the_reference(pendulum: Trade, case: Case) -> None:
+    # As `trade` measures: fixed steps go on through the samples.
+    through = replace(case, through=True)
     for m in pendulum.front:
-        errors = pendulum.yardstick.truth.errors(prepared(case, m.choice)().states)
+        errors = pendulum.yardstick.truth.errors(prepared(through, m.choice)().states)
         assert m.error_end == errors[-1]
         assert m.error_largest == np.max(errors)
 
@@ -47,8 +50,6 @@ def test_front_is_what_no_other_beats(pendulum: Trade) -> None:
 
 @pytest.mark.campaign
 def test_pareto_of_known_points(pendulum: Trade) -> None:
-    from dataclasses import replace
-
     one = pendulum.measurements[0]
     points = [(1.0, 1e-3), (2.0, 1e-6), (3.0, 1e-4), (2.5, 1e-9)]
     made = [replace(one, seconds=(t,), error_largest=e) for t, e in points]
