@@ -31,11 +31,6 @@ class Fault:
     what: str
 
 
-def faults_in(module: str, *rows: tuple[str, str, str]) -> tuple[Fault, ...]:
-    """Rows (old, new, what) of one module."""
-    return tuple(Fault(module, *row) for row in rows)
-
-
 def plant(fault: Fault) -> None:
     """Give the function the code of its changed text: all who hold it hold the fault."""
     function, code = planted(fault)
