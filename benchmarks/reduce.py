@@ -11,8 +11,6 @@ the same order of edits, cut where the largest deviation at states that were sea
 error. Prints Markdown; no figure depends on time.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Mapping
 from fractions import Fraction

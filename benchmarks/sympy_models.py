@@ -11,8 +11,6 @@ method whose equations were never formed is left out; rows that say the same sta
 Markdown; times are processor seconds.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import doctest

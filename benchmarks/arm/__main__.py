@@ -8,8 +8,6 @@ in it; Pinocchio reads them from its model at run time, and serves any robot. Al
 installed is named and left out. Processor time, so that what else runs counts little. Markdown.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Iterator
 from statistics import median

@@ -1,7 +1,5 @@
 """The kernels, compiled with the same flags: our C, CasADi's C of the same program, Pinocchio."""
 
-from __future__ import annotations
-
 import ctypes
 import importlib.util
 import shutil

@@ -1,7 +1,5 @@
 """Inverse and forward dynamics of the 7R Panda with general inertias, its numbers bound early."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 

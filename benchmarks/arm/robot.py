@@ -7,8 +7,6 @@ same file; its headers are compiled with the same flags, -O3 -march=native. Both
 1e-12 at 1,000 states before they are timed in turn in one process. Joints turn about z.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 from statistics import median

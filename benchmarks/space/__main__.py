@@ -9,8 +9,6 @@ and from 10 to 40 loops. What does not keep its limit is listed.
 Operations are counted after sharing, those that depend on parameters only apart. Prints Markdown.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import math

@@ -3,8 +3,6 @@
 What depends on parameters only is computed once for all states.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ The figures of others are quoted: SymPyBotics counts multiplications and additio
 instructions hold sines and cosines as well.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 

@@ -1,7 +1,5 @@
 """One scene in one process: the four routes derived as programs, and all pairs decided."""
 
-from __future__ import annotations
-
 import resource
 from collections.abc import Callable
 from dataclasses import asdict, dataclass

@@ -4,8 +4,6 @@ Denavit-Hartenberg tables (modified form): Corke and Armstrong-Helouvry, A meta-
 dynamics, Robotica 13 (1995); the documentation of the Franka Emika robot; Universal Robots' table.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any

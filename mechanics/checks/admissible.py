@@ -9,8 +9,6 @@ what is not zero there, and so not zero at all, or for a rank that is too small 
 degree / 2^60.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -27,8 +27,6 @@ rows of both routes are power-conjugate to u:
     B_1 lambda = B_2 mu                                                                       (5)
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations

@@ -7,8 +7,6 @@ factor is missing: this does, term by term. Where a symbol has no unit nothing i
 products, and nothing is said of them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 from sympy import Expr, Symbol

@@ -1,7 +1,5 @@
 """Kinetic energy in the speeds of the scene, which laws and admissibility both need."""
 
-from __future__ import annotations
-
 from mechanics.mechanism import Mechanism
 from mechanics.program.builder import Node
 from mechanics.routes.lagrange import kinetic_energy

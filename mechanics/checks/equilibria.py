@@ -6,8 +6,6 @@ It is shown for all values of the parameters; where that fails, for their typica
 equilibrium is a state of reference.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -10,8 +10,6 @@ dT/dt = power of the loads + sum_j R_j w_j,    w_j the power of a unit of reacti
 What is said of reactions holds on the velocities that the constraints admit.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any

@@ -3,8 +3,6 @@
 rate - applied - sum_j c_j R_j(q, u, u') = 0        at the accelerations of another route
 """
 
-from __future__ import annotations
-
 from mechanics.checks.agreement import Derived
 from mechanics.checks.statements import equal
 from mechanics.equations import Rows

@@ -4,8 +4,6 @@ The same rows in another order, with other signs, are the same motion; rows with
 twice the mass, or of another damper are not.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Statements about nodes of a mechanism, for the kernel to decide."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from mechanics.closure import Closure

@@ -7,8 +7,6 @@ cause is a part of the row: any field of gravity, an armature of no negative sig
 is taken otherwise for whole bodies.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial

@@ -10,8 +10,6 @@ observed. Causes with an amount, such as an armature, are in `mechanics.compare.
     mimic ignored          constraints left out
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations

@@ -1,7 +1,5 @@
 """`compare`: another engine's answers beside ours, and why they differ."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -3,8 +3,6 @@
 v_engine = B(q) v          v_engine' = B v' + B' v          forces = B^T forces_engine
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -10,8 +10,6 @@ All changes are inputs of one program: the scene is derived once, and a changed 
 numbers in it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -3,8 +3,6 @@
 q + N(q) u:  C u = -gap, by Newton's method        C v = 0,  C a + c = 0, by least squares
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from mechanics.compare.ours import Ours

@@ -16,8 +16,6 @@ NAME is a body that a joint carries: its frame is that of the joint. Vectors are
 frame. Coordinates and speeds are those of the scene, in its order.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any

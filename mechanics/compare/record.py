@@ -1,7 +1,5 @@
 """A comparison as plain data, and in words."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from mechanics.compare.compare import Cause, Comparison

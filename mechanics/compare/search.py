@@ -4,8 +4,6 @@ A trial is a cause of the quantities that it changes, if all of these are what i
 breaks nothing that agreed, and it explains what it touches or nothing.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

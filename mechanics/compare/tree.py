@@ -5,8 +5,6 @@ joint                      turns about, or slides along, an axis e of the link's
 body                       mass, centre and inertia about it, in the link's frame
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,7 +1,5 @@
 """A tree as text that engines read: URDF, and MJCF."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

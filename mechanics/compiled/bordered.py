@@ -10,8 +10,6 @@ that is singular by itself, and reactions that maintain a constraint only where 
 in an order of pivots that is tried at drawn states.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -6,8 +6,6 @@ Numbers become doubles at the end, each once: what a machine is given is the nea
 exact constant of the graph, and never a sum or quotient of such doubles.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

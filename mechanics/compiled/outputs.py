@@ -20,8 +20,6 @@ that press, and the rows are those of the route. Each is shown by the laws of
 are counted.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction

@@ -6,8 +6,6 @@ The pairs with other routes follow. A scene that SymPy would not finish has no s
 column says why.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial

@@ -7,8 +7,6 @@ A cause is named where (2) is shown: a load that is dropped or counted twice, a 
 potential energy that is not read, a velocity that is put into a Lagrangian.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any

@@ -5,8 +5,6 @@ scene --> mechanism --> rows of each route --> pairs, laws
                           +--> the same accelerations as M u' = f + B lambda in SymPy
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial

@@ -5,8 +5,6 @@ grows with the bodies that turn in space, with the speeds that constraints make 
 Cramer's rule writes minors), and with the size of the velocities.
 """
 
-from __future__ import annotations
-
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import body_motions
 from mechanics.mechanism import Mechanism

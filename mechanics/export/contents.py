@@ -4,8 +4,6 @@ Headers, loader and manifest are printed from this. Who writes a folder takes it
 verifies one, of a scene that was derived again and of the graphs of the folder.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Models of other programs, read as scenes, and scenes written for them."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 

@@ -15,8 +15,6 @@ derived. Where they are too few, candidates are put together, with powers r_i as
 So the force on a bead is along the normal of its curve, and that of a rope pulls at both ends.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -14,8 +14,6 @@ in exponentials, tangents as quotients, sin(asin x) and the like in roots. All o
 numbers: the program that comes out computes the same.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction

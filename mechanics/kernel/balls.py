@@ -8,8 +8,6 @@ Johansson, Arb: Efficient arbitrary-precision midpoint-radius interval arithmeti
 Computers 66 (2017) 1281-1292.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from fractions import Fraction

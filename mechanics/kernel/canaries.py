@@ -4,8 +4,6 @@ Each part of the kernel has one that passes only if that part works, and one tha
 yes to everything would let pass.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 

@@ -7,8 +7,6 @@ One state at which N is not zero shows that there is no such set: sqrt(x^2 + y^2
 thin set, |x| - x is not.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product

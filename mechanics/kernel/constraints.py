@@ -24,8 +24,6 @@ For those, and without such a state, sigma is the sign of an input of its own: w
 branch only is not shown.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction

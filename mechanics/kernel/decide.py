@@ -5,8 +5,6 @@ normal form tries to turn the certificate into a proof; if it says not zero, bal
 witness. What neither settles is UNDECIDED. Only this package makes findings.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 from math import ceil, inf

@@ -10,8 +10,6 @@ same obligation in the truth; for divisors, factors that divide one of the truth
 decided by states: a ball strictly outside, where the truth has its value, shows an open gap.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum

@@ -17,8 +17,6 @@ quadratic residue:
   `trial`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import gcd, isqrt, prod

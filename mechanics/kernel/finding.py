@@ -10,8 +10,6 @@ get one from `decide`, or from a function of this module, which takes both sides
     follows     what findings together imply                            the weakest of theirs
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum

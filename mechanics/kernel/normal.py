@@ -7,8 +7,6 @@ converse is not used: what is not zero here may still be zero for a reason that 
 know.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache

@@ -10,8 +10,6 @@ Burnikel, Fleischer, Mehlhorn, Schirra, "A strong and easily computable separati
 arithmetic expressions involving radicals", Algorithmica 27 (2000) 87-99.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from math import inf, lcm, log2, prod
 

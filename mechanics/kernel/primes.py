@@ -18,8 +18,6 @@ theta(x; q, a) the sum of the logarithms of the primes p <= x that are a modulo 
 Illinois J. Math. 62 (2018) 427-532, from the abstract).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

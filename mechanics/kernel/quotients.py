@@ -5,8 +5,6 @@ that are recognised, so no greatest common divisor is ever computed. The ring ne
 zero divisors: a fraction whose reduced numerator is zero is zero wherever it has a value.
 """
 
-from __future__ import annotations
-
 from collections.abc import Hashable
 from dataclasses import dataclass
 from fractions import Fraction

@@ -5,8 +5,6 @@ prime by prime; positive generators, one root generator for each; and a polynomi
 is. What is left is one generator w with w**k = rest.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from flint import fmpq_mpoly, fmpz

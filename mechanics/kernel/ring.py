@@ -8,8 +8,6 @@ multivariate division) replaces its leading power wherever it stands. Work is co
 terms, never in time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Hashable
 from fractions import Fraction
 from math import gcd, lcm

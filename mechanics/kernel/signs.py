@@ -10,8 +10,6 @@ absolute values are written by what they are. A sign is the set of signs that ar
 not shown leaves all three, never one too few.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 from math import comb

@@ -5,8 +5,6 @@ where |x - y| = x - y is so at none. L is found as the root of the radicand's po
 cosines for the squares of sines; factors that are declared positive leave the bars.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import reduce

@@ -1,7 +1,5 @@
 """What the kernel decides: left = right wherever the conditions hold."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum

@@ -5,8 +5,6 @@ both sides of every constant. What is drawn is a function of a text, so the same
 at the same states, on every machine and in every run.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise

@@ -36,8 +36,6 @@ no more than |-x| = |x|. If that says no, |x| is read as sqrt(x**2), and ``x < y
 looked at then.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum

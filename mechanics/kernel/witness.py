@@ -6,8 +6,6 @@ States are the same for the same statement: simple numbers first, so that a pers
 something else; then numbers that are drawn, of more digits and other magnitudes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction

@@ -10,8 +10,6 @@ for a quaternion e angle' is the speeds, for any other rotation what [omega]x = 
 The other way is `differentiate`.
 """
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Mapping, Sequence
 

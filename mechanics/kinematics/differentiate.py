@@ -5,8 +5,6 @@
 Nothing is composed along frames but the poses; the other way is `chain`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from mechanics.kinematics.motion import FrameMotion, Motions, PointMotion, poses

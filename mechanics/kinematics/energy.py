@@ -5,8 +5,6 @@ T = m v . v / 2 + omega . I omega / 2        M_ij = d2T / du_i du_j        p_i =
 omega in the frame of the body, in which its inertia is constant.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 

@@ -3,8 +3,6 @@
 R_child = R_parent R_step            r_child = r_parent + sum R_F c_F
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Mechanism, Mixed

@@ -6,8 +6,6 @@ velocity     v              v = R_B^T (v_C + omega x (r - r_C)),  R_B^T dr/dt,  
 Jacobian     dv/du
 """
 
-from __future__ import annotations
-
 from mechanics.kinematics.motion import Motions
 from mechanics.mechanism import Mechanism, Output
 from mechanics.program.derivatives import gradient

@@ -1,7 +1,5 @@
 """Nodes of a scene's mechanism as SymPy expressions in the scene's own symbols."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Sequence
 

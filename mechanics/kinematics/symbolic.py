@@ -4,8 +4,6 @@ What people write and read is compared with this: positions and velocities, ener
 matrices. It is derived as programs, by `chain` and `energy`, and printed when it is asked for.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain as flat

@@ -3,8 +3,6 @@
 2 * (3 * x) is no 6 x here, x / 3 no product, and pow(x, 2) no x x. Constants change their sign.
 """
 
-from __future__ import annotations
-
 from mechanics.program.builder import Builder, Node, Number
 from mechanics.program.operations import (
     ADD,

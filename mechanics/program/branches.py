@@ -4,8 +4,6 @@ An expression is taken apart once for each condition it stands under: what a bra
 rest is demanded without the condition, too. Nothing is recursive, so that depth costs nothing.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import partial

@@ -4,8 +4,6 @@ Parentheses keep the order of the roundings: a + (b + c) is not a + b + c. `mech
 makes functions of them.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -4,8 +4,6 @@ Constants are exact until here, and so is what is computed from constants alone:
 number. x (1/n) becomes x / n, which rounds once; other numbers become the nearest doubles.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -5,8 +5,6 @@ unless the caller recognises it. What a graph computes on one side of `if_else` 
 that condition, since the other side discards it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import isfinite

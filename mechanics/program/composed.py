@@ -1,7 +1,5 @@
 """Operations of other languages that have no row in the table: written in those that have one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -6,8 +6,6 @@ A sign is carried along with each value and written where it is needed: most are
 Roundings are the same, for a change of sign has none.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction

@@ -18,8 +18,6 @@ Source: Golub and Van Loan, Matrix Computations, 4th edition, sections 3.4 and 4
 The evolution of the minimum degree ordering algorithm, SIAM Review 31, 1989.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction

@@ -7,8 +7,6 @@ Griewank and Walther, Evaluating Derivatives, 2nd edition, SIAM 2008, chapter 3;
 Giles, Collected matrix derivative results for forward and reverse mode AD, 2008.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from mechanics.program.builder import Builder, Node

@@ -4,8 +4,6 @@ A domain says what constants are and what each operation does; nothing else know
 program. Values that no later node needs are dropped as soon as that is known.
 """
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -3,8 +3,6 @@
 What is computed can be compiled (``jit``), differentiated (``grad``) and mapped (``vmap``).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -12,8 +12,6 @@ of rows n, the n n entries row by row and the n of the right side; ``entry`` tak
 ``solve``. What is read may come from anybody: it is checked, and its size is bounded.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from array import array

@@ -5,8 +5,6 @@ x2 = m1 x1 + m2 cos(q1)
 f = x2**2 - x2
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

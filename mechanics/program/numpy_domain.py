@@ -1,7 +1,5 @@
 """Programs on NumPy arrays, in any of NumPy's precisions."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -7,8 +7,6 @@ What has no row is written in those that have one when it is read: max(x, y) = s
 ceil(x) = -floor(-x), hypot(x, y) = sqrt(x x + y y), fmod(x, y) = x - y trunc(x/y).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum

@@ -11,8 +11,6 @@ below a root of theirs has one, as a^2 + w^2 of a turn by atan2(w, a). Where loo
 the other that is found after many draws, so a filter may begin with what another one found.
 """
 
-from __future__ import annotations
-
 import hashlib
 import math
 from collections.abc import Iterator, Mapping, Sequence

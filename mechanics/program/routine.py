@@ -6,8 +6,6 @@ A canonical program has no order of its own, and equal programs are one; of a ro
 statement by statement, and every operation is rounded as it stands.
 """
 
-from __future__ import annotations
-
 from array import array
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

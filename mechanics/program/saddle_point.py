@@ -15,8 +15,6 @@ Source: Benzi, Golub and Liesen, Numerical solution of saddle point problems, Ac
 2005, sections 3.3 and 6.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Programs as SymPy expressions, for those who want to read them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any

@@ -4,8 +4,6 @@ A float is the dyadic rational that it is; every branch of a `Piecewise` stands 
 factors with negative powers are one divisor.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce

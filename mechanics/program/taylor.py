@@ -16,8 +16,6 @@ Source: Griewank and Walther, Evaluating Derivatives, 2nd edition, SIAM 2008, se
 13.1 for (2) and (3), proposition 13.1 for (4).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum

@@ -11,8 +11,6 @@ Source: Alpern, Wegman and Zadeck, Detecting equality of variables in programs, 
 comparison is Schwartz and Zippel's.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from mechanics.program.builder import Builder, Node

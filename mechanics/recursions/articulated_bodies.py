@@ -13,8 +13,6 @@ Schur complement of the mass matrix, positive where masses and inertias are; the
 as an obligation. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

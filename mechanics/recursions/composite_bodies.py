@@ -10,8 +10,6 @@ composite body with u_k' = 1, all else at rest. A link that does not turn with i
 mass alone, and no couple. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 6.2.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from mechanics.mechanism import GROUND, Mechanism

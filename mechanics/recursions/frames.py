@@ -3,8 +3,6 @@
 v_parent = R v_frame        one frame at a time, so that zeros of R and v spare work        (1)
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 

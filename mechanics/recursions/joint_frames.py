@@ -7,8 +7,6 @@ A tilted steering axis, a twist of Denavit and Hartenberg: what lies farther out
 the place of two, and what is given in B is moved once for all, being fixed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

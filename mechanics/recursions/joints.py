@@ -9,8 +9,6 @@ angles of a chain may be counted from the ground, each for itself.
     alpha =                e u',    a_root = a_parent + alpha_parent x c + ...       from the ground
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

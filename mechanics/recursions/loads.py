@@ -8,8 +8,6 @@ Unknown reactions that stay (of constraints, and those that friction depends on)
 size of their inputs.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from mechanics.mechanism import GROUND, Line, Mechanism, Mixed, inputs_of

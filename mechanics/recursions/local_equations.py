@@ -15,8 +15,6 @@ Mansard, Analytical derivatives of rigid body dynamics algorithms, Robotics: Sci
 2018.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -17,8 +17,6 @@ scheme for mechanical manipulators, ASME J. Dynamic Systems, Measurement and Con
 Featherstone, Rigid Body Dynamics Algorithms, 2008, section 5.3.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from mechanics.kinematics.chain import relative_velocity

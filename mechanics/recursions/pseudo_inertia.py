@@ -14,8 +14,6 @@ and Automation 3 (1987), found on the tree itself. (2): Wensing, Kim and Slotine
 Automation Letters 3 (2018).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from mechanics.mechanism import Mechanism, inputs_of

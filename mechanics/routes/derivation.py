@@ -1,7 +1,5 @@
 """The four routes by name, and the equations of a scene by one of them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ there. A rotation about an axis is in use when a body turns or a couple acts abo
 use a plane, its normal; when they use space, all three.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ row_i <- row_i - (c_i / c_p) row_p                       c_p a number
 row_i <- c_p row_i - c_i row_p                           otherwise: nothing is divided by c_p
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 

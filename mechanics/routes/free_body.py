@@ -9,8 +9,6 @@ written along the axes in which the reactions of the inboard joint are given, so
 of them and pivots are numbers where they can be. Velocities come from `differentiate`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -7,8 +7,6 @@ reactions as unknown loads. Friction enters with the reaction that presses as an
 more row gives: an auxiliary speed lets everything outboard of that reaction move along it.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from mechanics.equations import Rows

@@ -10,8 +10,6 @@ unknown, which the equation of an opened joint gives: all that is outboard of N 
 along it, and (1) is written for s at s = s' = 0.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.equations import Rows

@@ -5,8 +5,6 @@ damper    tension = c d'
 friction  -mu N sign(v) along the direction of sliding, N the reaction that presses
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 

@@ -22,8 +22,6 @@ Momenta of a subtree are those of its body and of the subtrees on it:
 The first set of full rank in tree order is kept. Velocities come from `chain`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

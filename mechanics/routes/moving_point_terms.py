@@ -6,8 +6,6 @@
 Sums of these over the bodies of a free body and its loads are a balance of `moving_point`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

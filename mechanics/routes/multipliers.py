@@ -3,8 +3,6 @@
 row(q, u, u', lambda) = 0        as many rows as there are multipliers, the shortest first
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sympy import Add, Expr, Symbol

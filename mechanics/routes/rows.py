@@ -4,8 +4,6 @@ row(q, u, u', lambda) = 0          linear in u' and lambda
 A u' - b = 0                       d/dt of each constraint's form in q and u
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from mechanics.errors import SceneError

@@ -4,8 +4,6 @@ row(q, u, u', lambda) = M u' - f - B lambda = 0
 A u' - b = 0                                        constraints, differentiated down to u'
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence, Set
 from dataclasses import replace
 from functools import partial

@@ -7,8 +7,6 @@ experiment asks on its way (a rank, whether something is zero) is answered at a 
 field, where a wrong answer has a chance below 2^-90.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any

@@ -5,8 +5,6 @@ generator w with w**k = base; every other function of canonical arguments is opa
 stay together: cos(a + b) is one generator, because expanding it would undo what made it short.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 

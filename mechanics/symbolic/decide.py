@@ -1,7 +1,5 @@
 """Decide an experiment: it becomes a statement of the kernel, which makes the verdict."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any
 

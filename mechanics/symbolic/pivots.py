@@ -5,8 +5,6 @@ certain. That no more are holds but for the chance of an unlucky point, below 2^
 to 2^20. This chooses rows and pivots; it makes no verdict.
 """
 
-from __future__ import annotations
-
 from flint import fmpz_mod_ctx, fmpz_mod_mat
 
 

@@ -6,8 +6,6 @@ What is zero there is zero everywhere but for a chance below 2^-90 for degrees u
 is not zero there is not zero: this chooses rows, pivots and candidates. It makes no verdict.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction

@@ -4,8 +4,6 @@ An adapter takes the engine's module and gives `Engine(name, answers)`: function
 coordinates and speeds.
 """
 
-from __future__ import annotations
-
 import importlib.util
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace

@@ -1,7 +1,5 @@
 """Drake's `MultibodyPlant`, on a file or on the tree as URDF."""
 
-from __future__ import annotations
-
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any

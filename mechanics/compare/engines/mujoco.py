@@ -3,8 +3,6 @@
 Contacts, limits and dry friction are left out: they are not smooth.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

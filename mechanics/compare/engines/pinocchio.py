@@ -1,7 +1,5 @@
 """Pinocchio (package `pin`): joints and inertias by its own interface, or its readers of files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """PyBullet: a file, or the tree as URDF; what a file does not say is what Bullet takes."""
 
-from __future__ import annotations
-
 import tempfile
 from importlib.metadata import version
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Robotics Toolbox for Python: a robot of the file, or of the tree as URDF."""
 
-from __future__ import annotations
-
 import importlib.util
 import tempfile
 from importlib import import_module

@@ -1,7 +1,5 @@
 """SymPy's `KanesMethod`, on SymPy's own kinematics, with numbers put in."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -4,8 +4,6 @@ A compiler starts others, and keeps its own files in the temporary folder of the
 are one group of processes, and their files stand in a folder that the caller removes.
 """
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

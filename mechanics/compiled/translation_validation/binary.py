@@ -7,8 +7,6 @@ values are from the exact ones, in units of the last place of the result, and of
 magnitudes of its terms.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

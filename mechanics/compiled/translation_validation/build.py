@@ -1,7 +1,5 @@
 """C texts compiled by every compiler of this machine, into libraries that vanish afterwards."""
 
-from __future__ import annotations
-
 import ctypes
 import os
 import shutil

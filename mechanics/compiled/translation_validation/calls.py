@@ -1,7 +1,5 @@
 """Calls of a compiled function at many states: one by one, or as the lanes of a batch."""
 
-from __future__ import annotations
-
 import ctypes
 from dataclasses import dataclass
 from typing import Any

@@ -5,8 +5,6 @@ for a number that no double holds, such as 1/3. What is not rational, such as pi
 input ``constants``, which is the last.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

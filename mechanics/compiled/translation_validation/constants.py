@@ -8,8 +8,6 @@ double are one unknown, and a double that is no constant of the graph is the num
 change of its last digit is seen.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction

@@ -6,8 +6,6 @@ it should be equal to, by the kernel. What the code of a function divides by may
 matrix of the equations is singular, which its status tells; it must not be so everywhere.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 

@@ -7,8 +7,6 @@ Rows are those of the route. M and f are as they are written out, or of rows con
 they are not.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

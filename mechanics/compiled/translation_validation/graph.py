@@ -1,7 +1,5 @@
 """First step of the chain: derived equations = graph, output by output."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Functions of a C folder: which function of the model each is, and what its arguments are."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

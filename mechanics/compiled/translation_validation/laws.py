@@ -12,8 +12,6 @@ law of Jacobians is linear in w: it holds for symbols if and only if it does for
 A law gives, by output, pairs of values that have to be equal: the graph's, and what was derived.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 

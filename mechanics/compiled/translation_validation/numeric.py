@@ -8,8 +8,6 @@ Used for what is discrete, statuses, and for how large the terms of a result are
 A result of plain operations is off by a few roundings of S, whatever cancels.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What was derived, as nodes: inputs by group, and expressions at what their symbols are."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Whether a C function is what the graph says: its outputs, and the status that it returns."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

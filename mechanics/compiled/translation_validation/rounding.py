@@ -7,8 +7,6 @@ one rounding instead of two). Functions of a library are taken to be within `LIB
 last place; the inline sine and cosine are shown to be. A value outside is not what the text says.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any

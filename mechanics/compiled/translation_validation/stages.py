@@ -12,8 +12,6 @@ Source: cuts at internal equivalences, Kuehlmann and Krohm, Equivalence checking
 heaps, DAC 1997.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 from mechanics.compiled.translation_validation.code import Code

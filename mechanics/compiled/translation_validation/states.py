@@ -8,8 +8,6 @@ Quantities that are declared positive are positive, but for zeros. An ordinary s
 thousandth of that: a long one turns angles by thousands of radians, where nothing is enclosed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

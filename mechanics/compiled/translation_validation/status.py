@@ -9,8 +9,6 @@ by residues at a point; the decisions are compared for every truth of their cond
 kernel decides whether these values are the same.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace

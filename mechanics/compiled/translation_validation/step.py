@@ -6,8 +6,6 @@
 f is the graph of the rates (q', u'). Inputs are held, but for the time, which goes on.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 

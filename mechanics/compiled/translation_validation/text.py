@@ -6,8 +6,6 @@ that they stand for. Sine and cosine by inline text are sine and cosine here; th
 of its own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

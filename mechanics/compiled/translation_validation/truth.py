@@ -1,7 +1,5 @@
 """What a C text has at chosen states: exact values, everything that may be computed, statuses."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

@@ -6,8 +6,6 @@ beside the loader, or its compiled form. What nothing reads, notes or a folder o
 nothing about what was shown.
 """
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Third step of the chain for a folder: its C compiled by every compiler that is found."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@
 3   C text = binary                    each compiler that is found
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 

@@ -6,8 +6,6 @@ entry by entry, and an entry that differs is refuted: an operation count, a unit
 verdict, a bound of error. One that is missing, or that nothing makes again, is named.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

@@ -8,8 +8,6 @@ differs or is missing nothing shows what is said. A comment that somebody added 
 changed hash names the file; one that speaks of entries of arrays is shown by nothing.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import SequenceMatcher

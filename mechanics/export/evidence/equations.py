@@ -7,8 +7,6 @@ Numbers in the groups are places among the symbols. What was derived stands as a
 format of `mechanics.program.json_format`, values of fixed parameters as `nodes`.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -6,8 +6,6 @@ What is read is looked up in tables and nothing is evaluated as a program; a nod
 the tables is refused.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from fractions import Fraction

@@ -7,8 +7,6 @@
 A manifest names both.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from mechanics.compiled.forms import FORMS

@@ -11,8 +11,6 @@ An operation is ["multiply", 3, 5], of earlier ones, by its name in the table of
 constant is ["constant", "1/3"], entry 1 of the first input ["input", 0, 1].
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """The headers: sizes, statuses and flags as the graphs have them, functions as they are defined."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from pycparser import c_generator

@@ -7,8 +7,6 @@
 What a build may find besides, such as a math.h beside the files, is named.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import re

@@ -1,7 +1,5 @@
 """A folder of generated code, read back: nothing but its files is used."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping, Sequence

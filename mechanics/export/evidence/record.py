@@ -5,8 +5,6 @@ machine that wrote it: of them there is checked which ones must be there and wha
 them, not the figures.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any

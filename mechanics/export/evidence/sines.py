@@ -4,8 +4,6 @@ Elsewhere in the chain a call of ``mechanics_sincos``, ``mechanics_sin`` and ``m
 taken for the sine and the cosine.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from itertools import combinations

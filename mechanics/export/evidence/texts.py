@@ -1,7 +1,5 @@
 """The C files of a folder, parsed: every way in which a compiler may read them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any

@@ -6,8 +6,6 @@ The values are those of the program that the C was printed from, walked in Arb b
 of the table. How a self-test goes through its tables is not looked at: running it shows that.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -4,8 +4,6 @@ A changed hash is told, but it is the mathematics that decides: a file that was 
 still shown to be its graph. Files that no step looks at have nothing but their hash.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

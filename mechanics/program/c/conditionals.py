@@ -10,8 +10,6 @@ these words (or with the bracket that closes it), and what stops a compiler or c
 names of all other conditions are told, those too that stand in text which one reading leaves out.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """What a C function does, in terms of nodes of whatever it is read into."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field

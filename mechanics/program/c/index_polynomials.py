@@ -3,8 +3,6 @@
 k * stride + i        entry k of lane i
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from mechanics.errors import ExpressionError

@@ -3,8 +3,6 @@
 ``sin(x)`` takes and gives doubles, ``sinf(x)`` floats; C converts silently, which is refused here.
 """
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """C functions into the nodes of a builder, what each operation demands under its conditions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from fractions import Fraction

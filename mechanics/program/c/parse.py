@@ -1,7 +1,5 @@
 """C source as a syntax tree: functions by name, after `c_text`, by pycparser."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache

@@ -27,8 +27,6 @@ nothing, and sums and products beyond an int are refused anyway. So in a text th
 integers a negative one may only be a literal, ``-2``, beside a real number or in a signed variable.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from contextlib import ExitStack
 from fractions import Fraction

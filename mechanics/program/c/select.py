@@ -1,7 +1,5 @@
 """Conditions, and integers that depend on them, as nodes whose value is 0 or 1, or that integer."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any

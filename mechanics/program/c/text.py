@@ -8,8 +8,6 @@ which nothing depends but an ``#error`` is passed over: either a compiler refuse
 the text goes on the same.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache

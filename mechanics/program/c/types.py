@@ -1,7 +1,5 @@
 """Types of C that generated code uses: real numbers, integers, arrays and pointers of these."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -13,8 +13,6 @@ The condition along a holds the rotor's total rate times r, the one along n no h
 E are the axes of the last frame on the way that are in it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -9,8 +9,6 @@ in the frame of each link, U c = alpha x c + omega x (omega x c), and -g the acc
 ground. Loads are taken inwards to the root of the parent; each joint takes e . N or e . F.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

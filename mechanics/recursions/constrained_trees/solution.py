@@ -7,8 +7,6 @@ Constraints whose entry for an unknown is a number or a positive parameter are e
 rolling is that, in the unknowns and directions of `tree` and `contacts`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 from mechanics.mechanism import Mechanism, name_of

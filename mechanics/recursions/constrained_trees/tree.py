@@ -10,8 +10,6 @@ its own equation alone. (2): the base moves in directions that turn with it, and
 in M. Source: Wittenburg, Dynamics of Multibody Systems, 2nd edition, 2008, section 3.6.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 

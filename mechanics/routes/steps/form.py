@@ -5,8 +5,6 @@
 Rows are power-conjugate to the speeds, so that they are the same by whatever route.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import combinations
 

@@ -1,7 +1,5 @@
 """Procedure (i) step by step: free bodies, momentum principles, elimination of the reactions."""
 
-from __future__ import annotations
-
 from sympy import Add, Expr, Mul, Symbol
 
 from mechanics.equations import Diagram, Line, Step, Term

@@ -5,8 +5,6 @@ F*_r = -sum of m a . dv/du_r + (I alpha + omega x I omega) . domega/du_r
 F_r + F*_r = 0
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sympy import Add, Expr, Matrix, Mul, Rational, S

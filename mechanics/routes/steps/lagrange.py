@@ -3,8 +3,6 @@ r"""Lagrange's method step by step.
 d/dt (dL/dq') - dL/dq = Q + A^T lambda,      L = T - V
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sympy import Add, Expr, Rational, S

@@ -3,8 +3,6 @@ r"""Procedure (ii) step by step: a free body and a moment centre, then one princ
 sum tau_B = dH_B/dt + v_B x P        H_B = sum of (H_C + BC x p)
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 

@@ -10,8 +10,6 @@ the joint minus gravity, all along the carrier's axes: what the recursion from b
 on. The free body is cut at its joint; moments about the joint's axis leave out its reactions.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from sympy import Add, Expr, Matrix, Symbol, symbols

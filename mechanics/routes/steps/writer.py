@@ -3,8 +3,6 @@
 row_goal = sum_j c_j row_j,   c rational        how the rows of a route end in the common form
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

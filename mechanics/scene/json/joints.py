@@ -7,8 +7,6 @@ The joint's frame and point have its name, and carry other frames and points. A 
 loop, one that rolls, and a rope are written in full, as kind "joint" or "rope".
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 

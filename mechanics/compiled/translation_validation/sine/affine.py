@@ -6,8 +6,6 @@ That makes all but one step of the reduction exact. Its magnitude is bounded thr
     x = t + n pi/2      hence      a x + b n = a t + (a pi/2 + b) n
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache

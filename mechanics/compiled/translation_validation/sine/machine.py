@@ -1,7 +1,5 @@
 """The inline sine as a machine computes it: IEEE 754, rounded to nearest, ties to even."""
 
-from __future__ import annotations
-
 import struct
 from fractions import Fraction
 from typing import Any

@@ -6,8 +6,6 @@
 The text is read twice: with fused operations, as machines compute it that have them, and without.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ fraction of a = (pi/2) 2^(bits - 1 - e): x is an integer times 2^(e + 1 - bits),
 brings n a nearer to an integer than the denominator q_k of the k-th convergent does.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from fractions import Fraction
 

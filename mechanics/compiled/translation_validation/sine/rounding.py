@@ -6,8 +6,6 @@ r is any number of a short interval, low any number of a small one. Two domains:
 hold the ideal values for all r at once, and balls with an error for one interval.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import NamedTuple
 

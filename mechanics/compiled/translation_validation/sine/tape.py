@@ -1,7 +1,5 @@
 """A value of the text as a list of operations, to be computed again and again in other domains."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 

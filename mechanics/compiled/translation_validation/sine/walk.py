@@ -7,8 +7,6 @@ What is known may stand anywhere in between: a proof about the second half of a 
 names in its middle.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
