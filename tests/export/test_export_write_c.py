@@ -2,6 +2,7 @@
 
 import functools
 import hashlib
+import inspect
 import json
 import re
 import shutil
@@ -16,6 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
 from mechanics.errors import InputError, SingularError
+from mechanics.export import loader_template
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.header import comment
 from mechanics.export.vectors import vectors
@@ -101,25 +103,35 @@ def test_a_changed_sign_fails_the_self_test(modelled, compiler: str, tmp_path: P
         assert "expected" in done.stdout
 
 
-def test_golden_files(modelled, tmp_path: Path, update_golden: bool) -> None:
-    target = GOLDEN if update_golden else tmp_path
-    written = write_c(modelled("elastic_pendulum", "free_body"), target, name="elastic_pendulum")
-    if update_golden:
-        # Versions change without the code; what they are is tested below.
-        manifest = json.loads((target / "manifest.json").read_text(encoding="utf-8"))
+def lasting(path: Path) -> str:
+    """The text of a file without versions, which change without the code; of a loader its tables.
+
+    The rest of a loader is `mechanics.export.loader_template`.
+    """
+    text = path.read_text(encoding="utf-8")
+    if path.name == "manifest.json":
+        manifest = json.loads(text)
         del manifest["versions"]
-        text = json.dumps(manifest, indent=2) + "\n"
-        (target / "manifest.json").write_text(text, encoding="utf-8")
-    assert {path.name for path in written} == {path.name for path in GOLDEN.iterdir()}
-    for path in written:
-        golden = (GOLDEN / path.name).read_text(encoding="utf-8")
-        found = path.read_text(encoding="utf-8")
-        if path.suffix == ".json":
-            expected, actual = json.loads(golden), json.loads(found)
-            actual.pop("versions", None)
-            assert actual == expected
-        else:
-            assert found == golden, f"{path.name} differs: UPDATE_GOLDEN=1 pytest tests/export"
+        return json.dumps(manifest, indent=2) + "\n"
+    if path.suffix != ".py":
+        return text
+    before, start, rest = text.partition("# What was generated")
+    made, end, after = rest.partition("# End of what was generated.\n")
+    template = inspect.getsource(loader_template).splitlines()
+    assert len({*before.splitlines()} - {*template}) == 3
+    assert after.splitlines() == template[-after.count("\n") :]
+    return start + made + end
+
+
+def test_golden_files(modelled, tmp_path: Path, update_golden: bool) -> None:
+    model = modelled("elastic_pendulum", "free_body")
+    written = {p.name: lasting(p) for p in write_c(model, tmp_path, name="elastic_pendulum")}
+    for name, text in written.items() if update_golden else ():
+        (GOLDEN / name).write_text(text, encoding="utf-8")
+    assert {path.name for path in GOLDEN.iterdir()} == {*written}
+    for name, text in written.items():
+        golden = (GOLDEN / name).read_text(encoding="utf-8")
+        assert text == golden, f"{name} differs: UPDATE_GOLDEN=1 pytest tests/export"
 
 
 def test_manifest_tells_what_was_written(modelled, tmp_path: Path) -> None:
