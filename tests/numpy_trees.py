@@ -4,25 +4,26 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from newton_euler import Array, Joint, inverse_dynamics, rotation
+
+from benchmarks.space.textbook import Array, Link, inverse_dynamics, turn
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 CENTRE = np.array([0.1, -0.05, 0.2])
 INERTIA = np.array([[0.02, 0.002, 0.004], [0.002, 0.03, -0.003], [0.004, -0.003, 0.025]])
 
 
-def arm_joints(count: int = 3) -> list[Joint]:
+def arm_joints(count: int = 3) -> list[Link]:
     """The joints of `small_trees.arm`."""
-    turn = rotation(np.array([1.0, 0, 0]), np.pi / 2)
+    quarter = turn(0, np.pi / 2)
     return [
-        Joint(i - 1, turn if i else np.eye(3), np.array([0.3 + i / 10 if i else 0.0, 0, 0]),
-              np.array([0, 0, 1.0]), 2 + (i + 1) / 2, CENTRE, INERTIA)
+        Link(i - 1, 2, True, quarter if i else np.eye(3),
+             np.array([0.3 + i / 10 if i else 0.0, 0, 0]), 2 + (i + 1) / 2, CENTRE, INERTIA)
         for i in range(count)
     ]  # fmt: skip
 
 
 def answers(
-    joints: list[Joint],
+    joints: list[Link],
     *,
     gravity: Array = GRAVITY,
     added: Callable[[Array, Array, Array], Array] = lambda q, v, a: 0 * a,
@@ -31,7 +32,7 @@ def answers(
     n = len(joints)
 
     def inverse(q: Array, v: Array, a: Array) -> Array:
-        return inverse_dynamics(joints, q, v, a, gravity) + added(q, v, a)
+        return inverse_dynamics(joints, q, v, a, -gravity) + added(q, v, a)
 
     def mass_matrix(q: Array, v: Array) -> Array:
         rest = inverse(q, np.zeros(n), np.zeros(n))
@@ -48,18 +49,18 @@ def answers(
     }
 
 
-def with_inertia(joints: list[Joint], change: Callable[[Joint], Array]) -> list[Joint]:
+def with_inertia(joints: list[Link], change: Callable[[Link], Array]) -> list[Link]:
     """The joints with another inertia of each body."""
     return [replace(joint, inertia=change(joint)) for joint in joints]
 
 
-def point_mass(joint: Joint) -> Array:
+def point_mass(joint: Link) -> Array:
     """m (c.c 1 - c c^T)."""
     c = joint.centre
     return joint.mass * (c @ c * np.eye(3) - np.outer(c, c))
 
 
-def with_tool(joints: list[Joint]) -> list[Joint]:
+def with_tool(joints: list[Link]) -> list[Link]:
     """The last body with 1 kg and 1 kg m^2 where a next joint would be."""
     *others, last = joints
     tool = np.array([0.3 + len(joints) / 10, 0, 0])
@@ -73,11 +74,9 @@ def with_tool(joints: list[Joint]) -> list[Joint]:
 
 def turned(quaternion: Array) -> Array:
     """R of a quaternion (w, x, y, z)."""
-    w, *vector = quaternion / np.linalg.norm(quaternion)
-    angle = 2 * np.arctan2(np.linalg.norm(vector), w)
-    axis = np.array(vector)
-    size = np.linalg.norm(axis)
-    return rotation(axis / size, angle) if size else np.eye(3)
+    w, x, y, z = quaternion
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + 2 * (w * cross + cross @ cross) / (quaternion @ quaternion)
 
 
 def floating_answers(
@@ -104,25 +103,25 @@ def floating_answers(
     return {"mass_matrix": mass_matrix, "inverse_dynamics": inverse}
 
 
-def link_poses(joints: list[Joint], q: Array) -> list[tuple[Array, Array]]:
+def link_poses(joints: list[Link], q: Array) -> list[tuple[Array, Array]]:
     """Where the joints of a row are, and how their bodies are turned."""
     R, p, found = np.eye(3), np.zeros(3), []
     for joint, angle in zip(joints, q, strict=True):
         p = p + R @ joint.offset
-        R = R @ joint.turn @ rotation(joint.axis, angle)
+        R = R @ joint.rotation @ turn(joint.axis, angle)
         found.append((p, R))
     return found
 
 
-def jacobian(joints: list[Joint], q: Array) -> Array:
+def jacobian(joints: list[Link], q: Array) -> Array:
     """6 x n of the last body: velocity of its joint over its angular velocity."""
     poses = link_poses(joints, q)
-    axes = [R @ joint.axis for joint, (_, R) in zip(joints, poses, strict=True)]
+    axes = [R[:, joint.axis] for joint, (_, R) in zip(joints, poses, strict=True)]
     end = poses[-1][0]
     return np.array([[*np.cross(e, end - p), *e] for e, (p, _) in zip(axes, poses, strict=True)]).T
 
 
-def momentum_matrix(joints: list[Joint], q: Array, about: Array | None = None) -> Array:
+def momentum_matrix(joints: list[Link], q: Array, about: Array | None = None) -> Array:
     """6 x n: momentum over angular momentum about a point, by default the mass centre."""
     poses, n = link_poses(joints, q), len(joints)
     centres = [p + R @ joint.centre for joint, (p, R) in zip(joints, poses, strict=True)]
@@ -131,7 +130,7 @@ def momentum_matrix(joints: list[Joint], q: Array, about: Array | None = None) -
     found = np.zeros((6, n), dtype=q.dtype)
     for i, (joint, (_, R)) in enumerate(zip(joints, poses, strict=True)):
         for k in range(i + 1):
-            axis = poses[k][1] @ joints[k].axis
+            axis = poses[k][1][:, joints[k].axis]
             momentum = joint.mass * np.cross(axis, centres[i] - poses[k][0])
             found[:3, k] += momentum
             found[3:, k] += R @ joint.inertia @ R.T @ axis
@@ -139,14 +138,14 @@ def momentum_matrix(joints: list[Joint], q: Array, about: Array | None = None) -
     return found
 
 
-def mass_centre(joints: list[Joint], q: Array) -> Array:
+def mass_centre(joints: list[Link], q: Array) -> Array:
     """Of all bodies."""
     poses = zip(joints, link_poses(joints, q), strict=True)
     whole = sum(joint.mass * (p + R @ joint.centre) for joint, (p, R) in poses)
     return whole / sum(joint.mass for joint in joints)
 
 
-def momentum_matrix_rate(joints: list[Joint], q: Array, v: Array, moving: bool = True) -> Array:
+def momentum_matrix_rate(joints: list[Link], q: Array, v: Array, moving: bool = True) -> Array:
     """Its rate by a complex step; without the velocity of the mass centre where that is at rest."""
     step = q + 1e-30j * v
     about = None if moving else mass_centre(joints, q)

@@ -2,7 +2,7 @@
 
 A joint turns about x, y or z of its frame; before it comes a fixed turn of the frame. Every body
 has a mass centre and a full inertia matrix, every joint five reactions and a motor. The same arm
-comes in numbers for `newton_euler`, made from the lists that the scene is made from.
+comes in numbers for `benchmarks.space.textbook`, made from the lists that the scene is made from.
 """
 
 from collections.abc import Mapping, Sequence
@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from itertools import cycle, islice
 
 import numpy as np
-from newton_euler import Array, Joint, rotation
 from sympy import Expr, S, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from benchmarks.space.textbook import Link, turn
 from mechanics.scene import (
     RigidBody,
     Scene,
@@ -53,26 +53,22 @@ class Arm:
     fixed: tuple[str, ...]
     turns: tuple[Expr, ...]
 
-    def joints(self, numbers: Mapping[str, float]) -> list[Joint]:
+    def joints(self, numbers: Mapping[str, float]) -> list[Link]:
         """The joints at values of the parameters, by name."""
         found = []
-        for i, (axis, fixed, turn) in enumerate(
+        for i, (axis, fixed, angle) in enumerate(
             zip(self.axes, self.fixed, self.turns, strict=True), start=1
         ):
             m, x, y, z, a, b, c, A, B, C, D, E, F = (
                 numbers.get(f"{name}{i}", 0.0) for name in TYPICAL
             )
             found.append(
-                Joint(
-                    before=i - 2,
-                    turn=rotation(unit(fixed), float(turn)),
-                    offset=np.array([x, y, z]),
-                    axis=unit(axis),
-                    mass=m,
-                    centre=np.array([a, b, c]),
-                    inertia=np.array([[A, D, F], [D, B, E], [F, E, C]]),
+                Link(
+                    i - 2, "xyz".index(axis), True, turn("xyz".index(fixed), float(angle)),
+                    np.array([x, y, z]), m, np.array([a, b, c]),
+                    np.array([[A, D, F], [D, B, E], [F, E, C]]),
                 )
-            )
+            )  # fmt: skip
         return found
 
 
@@ -86,11 +82,6 @@ def of_joint(i: int, zero: str) -> list[Expr]:
         )[0]
         for (name, value), given in zip(TYPICAL.items(), UNITS.split(), strict=True)
     ]
-
-
-def unit(axis: str) -> Array:
-    """A unit vector by its name."""
-    return np.array([float(axis == name) for name in "xyz"])
 
 
 def serial_arm(

@@ -46,9 +46,12 @@ def crossed(a: Array, b: Array) -> Array:
 
 
 def inverse_dynamics(
-    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex, sizes: bool = False
+    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex | Array, sizes: bool = False
 ) -> Array:
-    """Generalized forces, or the sums of the magnitudes of their terms."""
+    """Generalized forces, or the sums of the magnitudes of their terms.
+
+    Gravity is an acceleration of the ground: g along z, or a vector.
+    """
     found = loads(links, q, qd, qdd, g, sizes)
     return np.array(
         [
@@ -59,12 +62,12 @@ def inverse_dynamics(
 
 
 def loads(
-    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex, sizes: bool = False
+    links: list[Link], q: Array, qd: Array, qdd: Array, g: complex | Array, sizes: bool = False
 ) -> list[tuple[Array, Array]]:
     """Force and couple of each joint on its link, about the joint, in the link's frame."""
     x = crossed if sizes else cross
     size = np.abs if sizes else np.asarray
-    none = np.zeros(3)
+    none, ground = np.zeros(3), g * np.eye(3)[2] if np.ndim(g) == 0 else g
     qd, qdd = size(qd), size(qdd)
     rotations, arms, omegas, alphas, accelerations, forces, couples = [], [], [], [], [], [], []
     for i, link in enumerate(links):
@@ -72,7 +75,7 @@ def loads(
         R = link.rotation @ (turn(link.axis, q[i]) if link.turning else np.eye(3))
         r = link.offset + (0 if link.turning else link.rotation @ e * q[i])
         R, r = size(R), size(r)
-        w, al, a = none, none, np.array([0, 0, g])
+        w, al, a = none, none, ground
         if link.parent >= 0:
             w, al, a = (v[link.parent] for v in (omegas, alphas, accelerations))
         a = R.T @ (a + x(al, r) + x(w, x(w, r)))

@@ -51,7 +51,7 @@ def fingers() -> dict[str, Callable[..., Any]]:
         found = []
         for i, mass in enumerate((2.5, 3.0)):
             c, inertia = other.CENTRE, other.INERTIA
-            R = other.rotation(np.array([0, 1.0, 0]), q[i])
+            R = other.turn(1, q[i])
             whole = inertia[1, 1] + mass * (c[0] ** 2 + c[2] ** 2)
             found.append(whole * a[i] - np.cross(R @ c, mass * other.GRAVITY)[1])
         return np.array(found)

@@ -197,7 +197,7 @@ THREADS = {
     ),
     "Rhoban/onshape-to-robot 85": Thread(
         "inertias of parts were turned the wrong way round",
-        two, lambda: changed(lambda joint: joint.turn.T @ joint.inertia @ joint.turn),
+        two, lambda: changed(lambda joint: joint.rotation.T @ joint.inertia @ joint.rotation),
         "inertia turned", "in the frame of the link before: link2",
     ),
     "petercorke/robotics-toolbox-python 134": Thread(

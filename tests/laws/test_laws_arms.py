@@ -1,6 +1,6 @@
 """Arms in space that SymPy cannot write out: cross-checked, compiled, and held against NumPy.
 
-Referee: Newton and Euler's recursion from a textbook in plain NumPy, `tests/newton_euler.py`.
+Referee: a textbook's recursion in plain NumPy, `benchmarks/space/textbook.py`.
 """
 
 import json
@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from newton_euler import inverse_dynamics
 from serial_arms import Arm, serial_arm
 
 import mechanics
+from benchmarks.space.textbook import inverse_dynamics
 from mechanics.cli import main
 from mechanics.compiled import Model, prove_compiled
 from mechanics.crosscheck import ROUTES, crosscheck, derive, derive_textbook
@@ -42,7 +42,7 @@ def states(n: int, count: int = 8) -> list[tuple[np.ndarray, ...]]:
 
 def referee(arm: Arm, model: Model, q, u, ud) -> np.ndarray:
     numbers = dict(zip(model.entries["p"], model.typical, strict=True))
-    return inverse_dynamics(arm.joints(numbers), q, u, ud, np.array([0, 0, -numbers["g"]]))
+    return inverse_dynamics(arm.joints(numbers), q, u, ud, numbers["g"])
 
 
 @pytest.mark.campaign
