@@ -39,7 +39,7 @@ def trade(
         typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
     ] = None,
     target: Annotated[
-        float | None, typer.Option(metavar="ERROR", help="Error that may be made, such as 1e-6.")
+        float | None, typer.Option(metavar="ERROR", help="Largest error allowed, such as 1e-6.")
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write tables and plot for a browser.")

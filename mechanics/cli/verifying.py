@@ -113,7 +113,7 @@ def _reduced(folder: Folder, equations: Equations) -> Again | None:
         return None
     text = folder.texts[FILE]
     found = repeat(text, equations)
-    words = "the record is what comes out when the same is done again"
+    words = "repeating the reduction gives the same record"
     told = same(FILE, text, record_text(found), words)
     return Again(reduced_graphs(found), (found.finding, told))
 
@@ -168,8 +168,10 @@ def _tell_files(console: Console, found: Verification) -> None:
     for name in folder.missing:
         console.print(f"[bold red]missing[/] {escape(name)}")
     for name in folder.changed:
-        nobody = ": no step looks at it" if name in found.unvouched else ", see what is shown above"
-        console.print(f"[yellow]changed[/] {escape(name)}: its hash is another one{nobody}")
+        nobody = ": no step checks it" if name in found.unvouched else ", see the findings above"
+        console.print(
+            f"[yellow]changed[/] {escape(name)}: its hash differs from the manifest's{nobody}"
+        )
     if folder.beyond:
         names = escape(", ".join(folder.beyond))
         console.print(f"beyond the manifest, and no build reads it: {names}")
