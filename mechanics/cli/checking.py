@@ -11,7 +11,6 @@ import typer
 from rich.console import Console
 
 from mechanics.claims.code.black_box import BlackBox
-from mechanics.claims.declared_conventions import NAMES
 from mechanics.claims.read import file_text
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
@@ -47,7 +46,10 @@ def check(
     ] = None,
     convention: Annotated[
         list[str] | None,
-        typer.Option(help=f"Your convention: {', '.join(NAMES)}; or 'half-length of L'."),
+        typer.Option(
+            help="How you count, where the scene counts otherwise: 'upward vertical clockwise',"
+            " 'relative angles', 'half-length of L', ...; an unknown one lists all."
+        ),
     ] = None,
     function: Annotated[
         str | None,

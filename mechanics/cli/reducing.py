@@ -70,7 +70,7 @@ def reduce(
     `mechanics reduce rocker --error 1e-2 --over "theta in [-0.1, 0.1]"
     --over "theta_dot in [-1, 1]" --over "f in [-5, 5]" -o rocker_c`
 
-    Summands, parameters, couplings of the mass matrix, products of speeds, sines and cosines of
+    Terms, parameters, couplings of the mass matrix, products of speeds, sines and cosines of
     small angles are left out as long as the output changes by no more than the error at any point
     of the box. Parameters without a range are at their typical values; coordinates, speeds, their
     rates and inputs need a range each where the output depends on them, but for the inputs of

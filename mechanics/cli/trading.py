@@ -52,7 +52,7 @@ def trade(
     ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
 ) -> None:
-    """Measure what each integrator, precision, form, compiler setting and model costs and loses.
+    """Measure what integrators, precisions, forms and simpler models cost and how far they err.
 
     `mechanics trade elastic_pendulum --target 1e-6 --report trade.html`
 
