@@ -102,7 +102,7 @@ class _Reading:
             return self._combined(node)
         if isinstance(node, c_ast.FuncCall) and node.name.name in FUNCTIONS:
             return FUNCTIONS[node.name.name](*self._counted("call", *node.args.exprs))
-        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not known here")
+        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not supported")
 
     def _combined(self, node: c_ast.BinaryOp) -> Expr:
         left, right = self._counted(NAMES[node.op], node.left, node.right)

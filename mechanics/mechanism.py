@@ -681,8 +681,7 @@ class _Lowering:
         if not centred and not self.moves(self.point(point)):
             return GROUND
         raise SceneError(
-            f"{where}: it cannot be told which body carries point {point.name}: name it with"
-            f" {title}="
+            f"{where}: it is unclear which body carries point {point.name}: name it with {title}="
         )
 
     def moves(self, point: int) -> bool:

@@ -64,7 +64,7 @@ def blame(
         Of a whole text; what is taken from it, at most `STEPS`, is counted.
     put : mapping of Symbol to Expr, optional
         What stands for the person's symbols, by a convention or as values of parameters; then what
-        differs is not told term by term.
+        differs is not shown term by term.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def blame(
     try:
         claim = claim_of(reference, statement, put)
     except (Untreeable, Refused) as reason:
-        return Blame((), (), searched=f"not searched: it holds what has no tree: {reason}")
+        return Blame((), (), searched=f"not searched: an edit cannot be placed in it: {reason}")
     if claim is None:
         return Blame((), (), searched="not searched: it could not be read")
     own = Budget(STEPS)
@@ -111,7 +111,7 @@ def _searched(
     try:
         terms, doubt = differences(claim.reference, statement, repaired=row, spell=spell), ""
     except MechanicsError as reason:
-        terms, doubt = (), f"the difference is not told term by term: {reason}"
+        terms, doubt = (), f"the difference is not shown term by term: {reason}"
     return Blame(terms, repairs, searched="; ".join(filter(None, (words, doubt))))
 
 
@@ -138,9 +138,8 @@ BESIDE = 2
 """Edits of one equality that are tried beside those of another one."""
 
 SEARCHED = (
-    "no single edit was found that makes it right (sign, factor, symbol, function, power, a term"
-    " too many, one that is missing and is a product), no likely pair of these, and no more of them"
-    " in terms apart"
+    "no edit was found that makes it right: none of a sign, factor, symbol, function, power, extra"
+    " or missing term, and no likely pair of these"
 )
 
 
@@ -163,7 +162,7 @@ def _repairs(
         return
     first, *others = wrong
     if len(others) > MOST:
-        raise ExpressionError(f"{len(wrong)} equalities of it are wrong")
+        raise ExpressionError(f"{len(wrong)} of its equalities are wrong")
     rest = [_cheapest(claim, problem, statement, budget) for problem in others]
     smallest: float | None = None
     seen: set[tuple] = set()

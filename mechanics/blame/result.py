@@ -18,7 +18,7 @@ class Mistake(Enum):
     FACTOR = "the factor is wrong"
     MISSING = "a term is missing"
     EXTRA = "a term is too many"
-    FUNCTION = "sine, cosine or tangent are exchanged"
+    FUNCTION = "sine, cosine or tangent is the wrong one"
     SYMBOL = "a wrong symbol stands here"
     POWER = "the power is wrong"
     TERM = "the term is wrong"

@@ -128,7 +128,7 @@ def _finding(what: str, asked: Iterable[Known]) -> Finding:
         words = f"do not trust this program: {'; '.join(row.words for row in wrong)}"
         return refuted(subject, words, wrong[0].known, wrong[0].value)
     samples = [(row.known, row.value) for row in rows]
-    return supported(subject, samples, f"all {len(rows)} are as they are known to be")
+    return supported(subject, samples, f"all {len(rows)} known answers come out")
 
 
 def _compared() -> Iterator[Known]:

@@ -172,7 +172,7 @@ class Instant:
             if _sign(x) > 0:
                 return (y / x).atan()
             return (y / x).atan() + _sign(y) * arb.pi()
-        raise ExpressionError(f"{type(e).__name__} in {str(e)[:80]} is not known to this check")
+        raise ExpressionError(f"{type(e).__name__} in {str(e)[:80]} is not supported by this check")
 
     def holds(self, condition: Any) -> bool:
         """Whether a condition of a case holds here."""

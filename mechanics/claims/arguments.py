@@ -22,7 +22,7 @@ def told(naming: Naming, name: str, arguments: Sequence[Node]) -> tuple[str, ...
     found: list[str] = []
     for one in arguments:
         if not isinstance(one, Name):
-            words = f"{name} of what is no name is not known here: write out what {name} is there"
+            words = f"{name} of what is no name is not supported: write out what {name} is there"
             raise Refused(one.at, words)
         for entry in column(naming, one.name) or (one.name,):
             base, order = naming.lookup(entry) or (entry, 0)
@@ -40,7 +40,7 @@ def at_one_time(naming: Naming, name: Name, argument: Node) -> None:
     """
     number = constant(argument)
     if number == 0 or (number is not None and naming.is_function(name.name)):
-        words = f"{name.name}({number}) is a value at one time, or a product: write it with a dot"
+        words = f"{name.name}({number}) is a value at one time, or a product: write \\cdot or *"
         raise Refused(argument.at, words)
 
 
@@ -69,7 +69,5 @@ def applied_alike(sides: Sequence[Node], defined: Mapping[str, Line]) -> None:
         rest = iter(long)
         if not all(one in rest for one in short):
             one, other = ", ".join(left.given), ", ".join(name.given)
-            words = (
-                f"{name.name} is defined of ({one}), and taken of ({other}): write out what it is"
-            )
-            raise Refused(name.at, words)
+            words = f"{name.name} is defined with the arguments ({one}) and used with ({other})"
+            raise Refused(name.at, f"{words}: write out what it is")

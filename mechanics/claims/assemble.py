@@ -134,9 +134,9 @@ def _beside_unread(
         if found.doubt or found.row is None or found.letter is not None or not unread:
             return found.doubt
         if used := lost & _used(found.written):
-            return f"it uses {', '.join(sorted(used))}, which a line that is not read defines"
+            return f"it uses {', '.join(sorted(used))}, defined in a line that could not be read"
         if isinstance(found.row.quantity, Identity):
-            return "a relation without accelerations, beside lines that are not read"
+            return "a relation without accelerations, beside lines that could not be read"
         return ""
 
     return tuple(replace(s, doubt=doubt(s)) for s in statements)

@@ -128,7 +128,7 @@ class Builder:
                 return self._derived(self._rate(self.value(inner), order, node.at))
             case Table(rows=rows):
                 return Matrix([[self._scalar(node, self.value(c)) for c in row] for row in rows])
-        raise Refused(node.at, "this is not known here")
+        raise Refused(node.at, "this is not supported")
 
     def _name(self, node: Name) -> Any:
         if node.name in self.defined:
@@ -215,7 +215,7 @@ class Builder:
                     return base.inv(method="ADJ")
                 except NonInvertibleMatrixError:
                     raise Refused(node.at, "this matrix has no inverse") from None
-            raise Refused(node.at, "a power of a matrix is not known here")
+            raise Refused(node.at, "a power of a matrix is not supported")
         if base == 0 and exponent.is_negative:
             raise Refused(node.at, "a division by zero")
         if exponent.is_number and not _small(base, exponent):
@@ -233,7 +233,7 @@ class Builder:
         if function == "transpose":
             (only,) = arguments
             if not isinstance(only, MatrixBase):
-                words = "a prime or .T behind what is no matrix: write diff(..., t) for its rate"
+                words = "a prime or .T behind what is no matrix: write diff(..., t) for a rate"
                 raise Refused(node.at, words)
             return only.T
         if function == "cross":

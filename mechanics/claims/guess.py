@@ -177,7 +177,7 @@ def _moving_rules(scene: Scene) -> list[Rule]:
     return [
         (_same_letters, CAPITALS),
         (lambda n, t: kind(n, t) and _same_number(n, t), "an angle or not, the same number"),
-        (kind, "the only coordinate of its kind that is left"),
+        (kind, "the only coordinate of its unit that is left"),
     ]
 
 

@@ -24,7 +24,7 @@ from mechanics.scene.symbols import by_name
 from mechanics.symbolic import is_zero
 
 ENERGIES = ("energy", "Hamiltonian")
-AMBIGUOUS = "{} may be held or not under this derivative: write out what it is"
+AMBIGUOUS = "it is unclear whether {} is constant under this derivative: write out what it is"
 
 
 class Values(Protocol):
@@ -157,5 +157,7 @@ def _declared_speeds(builder: Values, value: Any, by: Any, at: int) -> None:
     depends = {u for u, definition in table.items() if definition.free_symbols & variables}
     wrong = value.free_symbols & (depends | ({*scene.qd} if variables & table.keys() else set()))
     for symbol in sorted(wrong - variables, key=by_name):
-        words = f"{symbol} and what this derivative is by depend on each other: write one in both"
+        words = (
+            f"{symbol} depends on the variable of this derivative: write both in the same variables"
+        )
         raise Refused(at, words)

@@ -25,12 +25,12 @@ def partial_of(naming: Naming, of: Node, by: Node, at: int) -> Call:
         Where it is not by a name, or is that of a constant of the scene.
     """
     if not isinstance(by, Name):
-        raise Refused(at, "a partial derivative is by one name")
+        raise Refused(at, "a partial derivative needs one name below the bar")
     if by.name == "t" and not naming.knows("t"):
-        raise Refused(at, "a partial derivative by the time: write d/dt, if that is meant")
+        raise Refused(at, "a partial derivative by time: write d/dt if that is meant")
     if isinstance(of, Name) and naming.is_function(of.name) is False:
         words = f"{of.name} is {naming.target(of.name)[0]} of the scene"  # type: ignore[index]
-        raise Refused(at, f"the partial derivative of a constant: {words}; call yours otherwise")
+        raise Refused(at, f"the partial derivative of a constant: {words}; rename yours")
     return Call(at, PARTIAL, (of, by))
 
 
@@ -45,7 +45,7 @@ def partial_value(value: Expr, by: Expr | MatrixBase, at: int) -> Expr | MatrixB
     entries = list(by) if isinstance(by, MatrixBase) else [by]
     if isinstance(value, MatrixBase) or not all(isinstance(entry, Symbol) for entry in entries):
         raise Refused(
-            at, "a partial derivative is that of a number, by a name that nothing defines"
+            at, "a partial derivative has a scalar above the bar and an independent name below it"
         )
     found = [value.diff(entry) for entry in entries]
     return Matrix(found) if isinstance(by, MatrixBase) else found[0]

@@ -62,7 +62,7 @@ COMMANDS = {
     ),
     "verify": (
         "verifying",
-        "Repeat every step from the physics to the machine code, from the files of a folder.",
+        "Prove the C in a folder again, from the physics to the machine code.",
     ),
     "fmu": (
         "fmu",
@@ -70,13 +70,11 @@ COMMANDS = {
     ),
     "extremes": (
         "extremes",
-        "Walk out along every parameter, coordinate and speed until something breaks,"
-        " and say what.",
+        "Find where compiled equations lose accuracy: along every parameter, coordinate and speed.",
     ),
     "trade": (
         "trading",
-        "Measure what each integrator, precision, form, compiler setting and model costs"
-        " and loses.",
+        "Measure what integrators, precisions, forms and simpler models cost and how far they err.",
     ),
     "reduce": (
         "reducing",

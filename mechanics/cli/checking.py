@@ -11,7 +11,6 @@ import typer
 from rich.console import Console
 
 from mechanics.claims.code.black_box import BlackBox
-from mechanics.claims.declared_conventions import NAMES
 from mechanics.claims.read import file_text
 from mechanics.cli.files import refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
@@ -34,53 +33,56 @@ def check(
     ],
     name: Annotated[
         list[str] | None,
-        typer.Option("--name", metavar="MINE=SCENE'S", help="What a name of yours means."),
+        typer.Option(
+            "--name", metavar="MINE=SCENE'S", help="The scene's name for a name of yours."
+        ),
     ] = None,
     notation: Annotated[
-        str | None, typer.Option(metavar="latex|text", help="Found out when not given.")
+        str | None, typer.Option(metavar="latex|text", help="Detected when not given.")
     ] = None,
     about: Annotated[
         str | None,
-        typer.Option(help="What all of them are: 'kinetic energy', 'mass matrix', ..."),
+        typer.Option(help="What every statement is: 'kinetic energy', 'mass matrix', ..."),
     ] = None,
     convention: Annotated[
         list[str] | None,
-        typer.Option(help=f"How you count otherwise: {', '.join(NAMES)}; or 'half-length of L'."),
+        typer.Option(
+            help="How you count, where the scene counts otherwise: 'upward vertical clockwise',"
+            " 'relative angles', 'half-length of L', ...; an unknown one lists all."
+        ),
     ] = None,
     function: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Which function of a C file; else its last one."),
+        typer.Option(metavar="NAME", help="Function of a C file; by default the last one."),
     ] = None,
     black_box: Annotated[
-        bool, typer.Option("--black-box", help="Only call Python functions: numbers, no proof.")
+        bool, typer.Option("--black-box", help="Call Python functions, do not read them: no proof.")
     ] = False,
     value: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="A parameter's value: judged where it has it."),
+        typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
     ] = None,
     where: Annotated[
         list[str] | None,
-        typer.Option(metavar="'cos(q) > 0'", help="What holds: judged there only, as one branch."),
+        typer.Option(metavar="'cos(q) > 0'", help="Judge only where this holds."),
     ] = None,
-    step: Annotated[
-        float, typer.Option(min=0, help="Seconds by which a black box advances the state.")
-    ] = 0.0,
+    step: Annotated[float, typer.Option(min=0, help="Time step of a black box, in s.")] = 0.0,
     integrator: Annotated[
-        str, typer.Option(help="By which it does: euler, 'semi-implicit euler' or rk4.")
+        str, typer.Option(help="Its integrator: euler, 'semi-implicit euler' or rk4.")
     ] = "euler",
     blame: Annotated[
         bool,
-        typer.Option("--blame/--no-blame", help="Whether to look for the term that is wrong."),
+        typer.Option("--blame/--no-blame", help="Look for the wrong term."),
     ] = True,
     report: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.html", help="Write a page for a browser: yours, and derived."),
+        typer.Option(metavar="FILE.html", help="Write the answer as a page for a browser."),
     ] = None,
     json_file: Annotated[
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
     quiet: Annotated[
-        bool, typer.Option("--quiet", "-q", help="Print nothing: the exit code tells.")
+        bool, typer.Option("--quiet", "-q", help="Print nothing; the exit code is the answer.")
     ] = False,
 ) -> None:
     """Check your own equations of motion, energies, reactions or mass matrix.

@@ -55,7 +55,7 @@ def crosscheck(
         typer.Argument(
             metavar="[SYSTEM]...",
             help="Names, `pendulum_chain(10)`, or .py files with a function scene();"
-            " the seed's three when none is given.",
+            " elastic_pendulum, rocker and two_mass_chain when none is given.",
             show_default=False,
         ),
     ] = None,

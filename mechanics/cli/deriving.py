@@ -32,7 +32,9 @@ def derive(
     route: Annotated[
         str, typer.Option(help="free_body, moving_point, kane or lagrange.")
     ] = "free_body",
-    form: Annotated[Format, typer.Option("--format", help="How to write them.")] = Format.TEXT,
+    form: Annotated[
+        Format, typer.Option("--format", help="Notation of the equations.")
+    ] = Format.TEXT,
     fixed: Annotated[
         list[str] | None,
         typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),

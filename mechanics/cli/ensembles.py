@@ -20,10 +20,12 @@ from mechanics.errors import InputError
 from mechanics.simulate import write_ensemble
 
 ClusterOption = Annotated[
-    str | None, typer.Option(metavar="tcp://...", help="Scheduler of Dask's whose workers compute.")
+    str | None,
+    typer.Option(metavar="tcp://...", help="Address of a Dask scheduler, whose workers compute."),
 ]
 ProcessesOption = Annotated[
-    int | None, typer.Option(min=1, metavar="N", help="Workers on this machine, by Dask.")
+    int | None,
+    typer.Option(min=1, metavar="N", help="Number of worker processes on this machine, by Dask."),
 ]
 
 
@@ -35,17 +37,17 @@ def ensemble(
             metavar="NAME=FROM:TO:COUNT", help="Initial value, parameter or input over a range."
         ),
     ],
-    out: Annotated[Path, typer.Option(metavar="FOLDER", help="Where Parquet files go.")],
+    out: Annotated[Path, typer.Option(metavar="FOLDER", help="Folder of the Parquet files.")],
     duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
     ] = None,
     samples: Annotated[
-        int, typer.Option(min=2, help="Times of which states are written; 2: the end only.")
+        int, typer.Option(min=2, help="Times at which states are written; 2: the end only.")
     ] = 2,
     tolerance: Annotated[
-        float | None, typer.Option(help="Error of a thousand steps; 1e-9 unless a step is given.")
+        float | None, typer.Option(help="Error over a thousand steps; 1e-9 unless --step is given.")
     ] = None,
     step: Annotated[float | None, typer.Option(help="Fixed steps, in s.")] = None,
     method: Annotated[
@@ -59,7 +61,7 @@ def ensemble(
     ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
     beyond_domain: Annotated[
-        bool, typer.Option("--beyond-domain", help="Do not watch where the model is valid.")
+        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
     ] = False,
 ) -> None:
     """Integrate many motions, on one machine or on many; write them to a folder of Parquet.

@@ -35,7 +35,7 @@ def extremes(
         typer.Argument(
             metavar="[SYSTEM]...",
             help="Names, `pendulum_chain(5)`, or .py files with a function scene();"
-            " the seed's three and their variants when none is given.",
+            " the first three systems and their variants when none is given.",
             show_default=False,
         ),
     ] = None,
@@ -56,7 +56,7 @@ def extremes(
     cluster: ClusterOption = None,
     processes: ProcessesOption = None,
 ) -> None:
-    """Walk out along every parameter, coordinate and speed until something breaks, and say what.
+    """Find where compiled equations lose accuracy: along every parameter, coordinate and speed.
 
     `mechanics extremes elastic_pendulum --report extremes.html`
 

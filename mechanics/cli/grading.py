@@ -32,14 +32,16 @@ def grade(
     ] = "all",
     name: Annotated[
         list[str] | None,
-        typer.Option("--name", metavar="MINE=SCENE'S", help="What a name of theirs means."),
+        typer.Option(
+            "--name", metavar="MINE=SCENE'S", help="The scene's name for a name of theirs."
+        ),
     ] = None,
     function: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Which function of code; else its last one.")
+        str | None, typer.Option(metavar="NAME", help="Function of code; by default the last one.")
     ] = None,
     value: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="A parameter's value: judged where it has it."),
+        typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
     ] = None,
     run_python: Annotated[
         bool, typer.Option("--run-python", help="Run code in Python. Limits are no sandbox.")

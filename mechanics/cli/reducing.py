@@ -33,21 +33,21 @@ SHOWN = 12
 def reduce(
     system: SystemArgument,
     error: Annotated[
-        str, typer.Option(help="That is allowed: of the size of each output in the box.")
+        str, typer.Option(help="Allowed error, as a share of each output's size in the box.")
     ],
     of: Annotated[
         str, typer.Option(metavar="OUTPUT", help="forward_dynamics, inverse_dynamics, ...")
     ] = "forward_dynamics",
     over: Annotated[
         list[str] | None,
-        typer.Option(metavar="RANGE", help="'theta in [-1, 1]', one for each that moves."),
+        typer.Option(metavar="RANGE", help="'theta in [-1, 1]': range of a quantity, one each."),
     ] = None,
     settings: Annotated[
         list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="What has one value in the box."),
+        typer.Option("--set", metavar="NAME=VALUE", help="A quantity with one value in the box."),
     ] = None,
     absolute: Annotated[
-        bool, typer.Option("--absolute", help="The error is in the unit of the output.")
+        bool, typer.Option("--absolute", help="The error is absolute, in the unit of the output.")
     ] = False,
     out: Annotated[
         Path | None,
@@ -58,7 +58,7 @@ def reduce(
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
     boxes: Annotated[
-        int, typer.Option(min=1, help="Parts of the box that are looked at, at most.")
+        int, typer.Option(min=1, help="Examine at most so many parts of the box.")
     ] = BOXES,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
 ) -> None:  # fmt: skip
@@ -70,7 +70,7 @@ def reduce(
     `mechanics reduce rocker --error 1e-2 --over "theta in [-0.1, 0.1]"
     --over "theta_dot in [-1, 1]" --over "f in [-5, 5]" -o rocker_c`
 
-    Summands, parameters, couplings of the mass matrix, products of speeds, sines and cosines of
+    Terms, parameters, couplings of the mass matrix, products of speeds, sines and cosines of
     small angles are left out as long as the output changes by no more than the error at any point
     of the box. Parameters without a range are at their typical values; coordinates, speeds, their
     rates and inputs need a range each where the output depends on them, but for the inputs of

@@ -72,7 +72,7 @@ def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption 
         moving = ", ".join(f"{u} = {value}" for u, value in linear.speeds.items() if value != 0)
         typer.echo(f"about the steady motion {moving}")
         if linear.cyclic:
-            typer.echo(f"of no effect: {', '.join(map(str, linear.cyclic))}")
+            typer.echo(f"ignorable coordinates: {', '.join(map(str, linear.cyclic))}")
     for title, matrix in (("M", linear.mass), ("C", linear.damping), ("K", linear.stiffness)):
         typer.echo(f"{title} = {_rows(matrix)}")
     for order, matrix in enumerate(linear.input_matrices):
@@ -189,13 +189,13 @@ def _pole(pole: complex) -> str:
 
 def _print_modes(linear: Linear) -> None:
     counted = [str(q) for q in linear.coordinates if q not in linear.cyclic]
-    typer.echo(f"shapes are of {', '.join(counted)}")
+    typer.echo(f"shapes list {', '.join(counted)}")
     if linear.moves or damped(linear):
-        typer.echo("in motion: typical values" if linear.moves else "damped: typical values")
+        typer.echo("at typical values, in motion" if linear.moves else "at typical values, damped")
         for line in damped_modes(linear).words:
             typer.echo(line)
     elif not linear.undamped:
-        typer.echo("typical values, at which nothing damps")
+        typer.echo("at typical values, where nothing damps")
         _numeric(linear)
     else:
         _natural(linear)
@@ -241,7 +241,7 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         symbolic = any(value.free_symbols - set(scene.parameters) for value in speeds.values())
         left = {over, GRAVITY} if symbolic else {over}
         numbers = {s: with_numbers(scene, s) for s in scene.parameters if s.name not in left}
-        typer.echo("typical values: the equations are too long for formulas", err=True)
+        typer.echo("at typical values: the equations are too long for formulas", err=True)
         return about(equations, coordinates, inputs, numbers, speeds)
     return about(equations, coordinates, inputs, None, speeds)
 

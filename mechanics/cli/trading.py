@@ -39,7 +39,7 @@ def trade(
         typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
     ] = None,
     target: Annotated[
-        float | None, typer.Option(metavar="ERROR", help="Error that may be made, such as 1e-6.")
+        float | None, typer.Option(metavar="ERROR", help="Largest error allowed, such as 1e-6.")
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write tables and plot for a browser.")
@@ -52,7 +52,7 @@ def trade(
     ] = None,
     route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
 ) -> None:
-    """Measure what each integrator, precision, form, compiler setting and model costs and loses.
+    """Measure what integrators, precisions, forms and simpler models cost and how far they err.
 
     `mechanics trade elastic_pendulum --target 1e-6 --report trade.html`
 

@@ -28,7 +28,7 @@ from mechanics.trade.accurate import simulate as run
 def simulate(
     system: SystemArgument,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE.csv|.parquet", help="Where samples go.")
+        Path | None, typer.Option(metavar="FILE.csv|.parquet", help="File of the samples.")
     ] = None,
     duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
     settings: Annotated[
@@ -42,14 +42,14 @@ def simulate(
     samples: Annotated[int, typer.Option(min=2, help="Number of samples.")] = 501,
     accuracy: Annotated[
         float | None,
-        typer.Option(metavar="ERROR", help="Choose the cheapest method that is as accurate."),
+        typer.Option(metavar="ERROR", help="Choose the cheapest method with at most this error."),
     ] = None,
     route: Annotated[
         str | None,
         typer.Option(help="Route that derives the equations: kane, or free_body for reactions."),
     ] = None,
     reactions: Annotated[
-        bool, typer.Option("--reactions", help="A column for each reaction of the scene, too.")
+        bool, typer.Option("--reactions", help="Add a column for each reaction of the scene.")
     ] = False,
     beyond_domain: Annotated[
         bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
@@ -146,17 +146,18 @@ def codegen(
         str, typer.Option(metavar="NAME,...", help="Functions to write; all by default.")
     ] = "",
     precision: Annotated[
-        str, typer.Option(metavar="double|single|both", help="Of the numbers in C.")
+        str, typer.Option(metavar="double|single|both", help="Precision of the numbers in C.")
     ] = "double",
     batch: Annotated[
-        bool, typer.Option("--batch/--no-batch", help="Functions of many states at once, too.")
+        bool,
+        typer.Option("--batch/--no-batch", help="Write functions of many states at once, too."),
     ] = True,
     name: Annotated[
         str | None,
-        typer.Option(help="What files and functions begin with; SYSTEM by default."),
+        typer.Option(help="Prefix of files and functions; SYSTEM by default."),
     ] = None,
     form: Annotated[
-        str, typer.Option(help="How forward dynamics is written: auto, fewest, recursive, ...")
+        str, typer.Option(help="Form of forward dynamics: auto, fewest, recursive, ...")
     ] = "auto",
 ) -> None:
     """Write the equations as C99: a folder that builds, tests and installs alone.

@@ -51,25 +51,22 @@ def verify(
         str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
     ] = None,
 ) -> None:
-    """Repeat every step from the physics to the machine code, from the files of a folder.
+    """Prove the C in a folder again, from the physics to the machine code.
 
     `mechanics verify elastic_pendulum_c`
 
     `mechanics verify my_system_c --scene my_system.py`
 
-    Derived equations = graph = C text in exact arithmetic, each function and its status; the text
-    of the inline sine and cosine by itself; and binaries by every compiler that is found, against
-    what correct roundings of the text can give. The equations are derived again from the scene: one
-    that comes with the program by the name in the manifest, another one by `--scene FILE`. Nothing
-    that the folder names is run.
+    It derives the equations again and shows that they, the stored graphs and the C text are the
+    same functions, in exact arithmetic; it bounds the error of the inline sine and cosine, and
+    compares binaries of every compiler that is found with correct roundings. A built-in system is
+    found by its name in the manifest, another one by `--scene FILE`. Nothing in the folder is run.
 
-    A file whose hash differs is named; C that is only formatted anew is shown all the same. What
-    the folder holds beyond its manifest is named.
+    A changed file is named; C that was only formatted passes. Files beyond the manifest are named.
 
-    Exit code: 0 when all is shown, 1 when something is REFUTED, 3 when something is UNDECIDED, the
-    physics is not known, a file is missing, one that no step looks at was changed, or one that a
-    build may read is not in the manifest; 2 for bad input: a file that cannot be read, or no
-    manifest.json, equations.json or graphs.json to compare the others with.
+    Exit code: 0 when all is shown; 1 when something is REFUTED; 3 when something is UNDECIDED, the
+    scene is not known, a file is missing, an unchecked one was changed, or a build may read one
+    that the manifest does not list; 2 for bad input, such as a file that cannot be read.
     """
     errors = Console(stderr=True)
     with errors.status("reading") as status:
@@ -113,7 +110,7 @@ def _reduced(folder: Folder, equations: Equations) -> Again | None:
         return None
     text = folder.texts[FILE]
     found = repeat(text, equations)
-    words = "the record is what comes out when the same is done again"
+    words = "repeating the reduction gives the same record"
     told = same(FILE, text, record_text(found), words)
     return Again(reduced_graphs(found), (found.finding, told))
 
@@ -168,8 +165,10 @@ def _tell_files(console: Console, found: Verification) -> None:
     for name in folder.missing:
         console.print(f"[bold red]missing[/] {escape(name)}")
     for name in folder.changed:
-        nobody = ": no step looks at it" if name in found.unvouched else ", see what is shown above"
-        console.print(f"[yellow]changed[/] {escape(name)}: its hash is another one{nobody}")
+        nobody = ": no step checks it" if name in found.unvouched else ", see the findings above"
+        console.print(
+            f"[yellow]changed[/] {escape(name)}: its hash differs from the manifest's{nobody}"
+        )
     if folder.beyond:
         names = escape(", ".join(folder.beyond))
         console.print(f"beyond the manifest, and no build reads it: {names}")

@@ -87,7 +87,7 @@ class Worker:
         if -process.returncode == getattr(signal, "SIGXCPU", None):
             return f"it took more than {self.seconds} s of processor time: ask for less"
         if process.returncode == 1:
-            return "it failed, which is a defect of this program: standard error tells where"
+            return "it failed, which is a defect of this program: standard error says where"
         return f"its process ended ({process.returncode}): ask for less"
 
     def stop(self) -> None:

@@ -29,7 +29,7 @@ def extremes(
     paired: int = PAIRED,
     compiler: str | None = "auto",
 ) -> Extremes:
-    """Walk out along every parameter, coordinate and speed until something breaks.
+    """Find where compiled equations lose accuracy, along every parameter, coordinate and speed.
 
     Parameters
     ----------

@@ -134,7 +134,9 @@ def _act(parts: Parts, own: Connection, name: str, drive: Drive) -> None:
         parts.inputs.append(motor)
         parts.load(f"motor_{name}", motor, drive)
         if own.limits.effort is not None and own.limits.effort > 0:
-            parts.limit(f"{name}_effort", Abs(motor) <= own.limits.effort, "asks too much")
+            parts.limit(
+                f"{name}_effort", Abs(motor) <= own.limits.effort, "exceeds its effort limit"
+            )
     if own.damping:
         parts.load(f"damping_{name}", -own.damping * rate, drive)
     if own.friction:
@@ -153,7 +155,7 @@ def _act(parts: Parts, own: Connection, name: str, drive: Drive) -> None:
     if upper is not None:
         parts.limit(f"{name}_upper", q <= upper, "reaches its upper limit")
     if own.limits.rate is not None and own.limits.rate > 0:
-        parts.limit(f"{name}_rate", Abs(rate) <= own.limits.rate, "moves too fast")
+        parts.limit(f"{name}_rate", Abs(rate) <= own.limits.rate, "exceeds its speed limit")
     if lower is not None and upper is not None and not lower <= 0 <= upper:
         parts.example[name] = float((lower + upper) / 2)
 

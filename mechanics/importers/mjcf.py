@@ -110,8 +110,8 @@ def read_mjcf(
         told = "; ".join(f"{kind}: {_some(names)}" for kind, names in rough.items())
         every = tuple(sorted({*leave_out, *rough}))
         raise InputError(
-            f"file {path}: it has what is not smooth or not read ({told}): leave it out with"
-            f" leave_out={every!r}"
+            f"file {path}: it has parts that are not smooth or not supported ({told}): leave them"
+            f" out with leave_out={every!r}"
         )
     for kind, names in sorted(reader.rough.items()):
         reader.notes.add(f"{kind} left out", _some(names))
@@ -444,7 +444,7 @@ class _Reader:
     def _turn(self, quaternion: Any, where: str) -> ImmutableMatrix:
         matrix, words = from_doubles([float(entry) for entry in quaternion])
         if words:
-            self.notes.add(f"read a turn as {words}", where)
+            self.notes.add(f"read an angle as {words}", where)
         return matrix
 
 

@@ -62,8 +62,8 @@ def read_values(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     for symbol in table:
         if symbol in _elsewhere(scene):
             raise InputError(
-                f"value of {symbol.name}: constraints, definitions or speeds of {scene.name} hold"
-                " it: write the statement with the symbol, or give the scene the value"
+                f"value of {symbol.name}: it occurs in constraints, definitions or speeds of"
+                f" {scene.name}: write the statement with the symbol, or give the scene the value"
             )
     return table
 

@@ -84,7 +84,7 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
             found = inside(truth, conditions, experiment)
             where = " and ".join(map(in_words, guard))
             if found.apart is not None:
-                words = f"within its guard {where} the value is not near the truth"
+                words = f"within its guard {where} the value is far from the truth"
                 far = found.apart
                 return refuted(f"{row.tag} {row.label}", words, far.near, far.value, far.state)
             if found.states or found.singular:
@@ -165,7 +165,7 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         finding = decide(subject, _in_region(truth, row, region))
         if finding.verdict is Verdict.REFUTED and equal:
             # What differs at single states only may be meant to be another limit.
-            return undecided(subject, "it is something else at single states")
+            return undecided(subject, "it differs at isolated states")
         witness = None if finding.witness is None else _of_scene(finding.witness, region)
         return replace(finding, witness=witness)
     if _is_empty(conditions):
@@ -177,7 +177,10 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         finding = decide(subject, _in_region(truth, row, point))
         if finding.verdict is Verdict.REFUTED and finding.witness is not None:
             return replace(finding, witness=_of_scene(finding.witness, point))
-    return undecided(subject, "right at no state that was tried, and none entered")
+    return undecided(
+        subject,
+        "neither proved where the conditions hold nor refuted at the states that were tried",
+    )
 
 
 def _is_empty(conditions: tuple[Relational, ...]) -> bool:

@@ -268,9 +268,9 @@ def _blamed(
     if not (counted or values):
         return blamed(reference, judged)
     if any(e.statement.derived and e.finding.verdict is Verdict.REFUTED for e in judged):
-        return declared_only(judged, "what was written is compared with what the scene counts")
+        return declared_only(judged, "statements under a declared convention")
     if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):
-        return declared_only(judged, "it holds momenta, a mass matrix or declared speeds")
+        return declared_only(judged, "statements about momenta, a mass matrix or declared speeds")
     if values:
         rows = (s.row and as_identity(truth, s.row) for s in statements)
         plain = [replace(e, statement=replace(e.statement, row=row))
@@ -279,7 +279,7 @@ def _blamed(
         return tuple(replace(e, blame=f.blame) for e, f in zip(judged, found, strict=True))
     change = only_change(truth, statements, counted)
     if change is None:
-        return declared_only(judged, "what is declared leaves several conventions open")
+        return declared_only(judged, "several conventions are possible")
     return blamed(Reference(change[1]), judged, change[0])
 
 

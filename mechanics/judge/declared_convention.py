@@ -36,7 +36,7 @@ from mechanics.scene.symbols import DOTS
 
 Answer = tuple[tuple[Judged, ...], tuple[str, ...]]
 
-NOT_RIGHT = "the statements are not all right under it; states are told as the scene counts"
+NOT_RIGHT = "not all statements are right under it; states are given in the scene's convention"
 
 
 def judge_under(

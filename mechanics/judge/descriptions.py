@@ -124,20 +124,21 @@ def _contradictions(scene: Scene, text: str, known: Sequence[Match]) -> Iterator
     for found in DISTANCE.finditer(plain):
         own = _own(found, known)
         if own in parameters and _ratio(scene, own) not in (1, Rational(1, 2)):
-            yield f"the text says that {_name(found)} is a distance to a mass centre, {own} is not"
+            words = f"the text says that {_name(found)} is the distance to a mass centre"
+            yield f"{words}, but {own} of the scene is not"
     for pattern, group in ((TURNS, "sense"), (PUSHES, "side")):
         for found in pattern.finditer(plain):
             own = _own(found, known)
             if own in inputs and _way(scene, own) == 0:
                 words = f"the text says that {_name(found)} acts {found[group]}"
-                yield f"{words}, which the scene does not tell of {own}"
+                yield f"{words}, which the scene does not say of {own}"
     heavy = [b for b in scene.bodies if isinstance(b, RigidBody) and b.inertia != 0]
     sentences = ENDS.split(text) if len(heavy) == len(scene.bodies) else []
     for sentence in (one for one in sentences if not DENIED.search(one)):
         rod = MASSLESS.search(sentence)
         if rod and POINT_MASS.search(sentence):
             bodies = ", ".join(body.name for body in heavy)
-            yield f"the text speaks of a point mass on a {rod[0]}, the scene of {bodies}"
+            yield f"the text has a point mass on a {rod[0]}, the scene has rigid bodies: {bodies}"
 
 
 def _name(found: re.Match[str]) -> str:

@@ -1,7 +1,7 @@
 r"""What a text says of several frequencies: different names, different roots; the lowest.
 
 omega_1 = sqrt(k/m), omega_2 = sqrt(k/m)    each is a root; both are it only where it is double
-the lowest frequency is sqrt(k/m)           which root it is is not looked at
+the lowest frequency is sqrt(k/m)           which root that is is not checked
 """
 
 import re
@@ -56,7 +56,7 @@ def one_root_each(
             words = ", ".join(dict.fromkeys(_name(statements[j]) for j in others))
             found[k] = _left_open(found[k], f"{words} and {_name(statements[k])} are the same one")
         elif words := _which(statements[k]):
-            found[k] = _left_open(found[k], f"whether it is {words!r} is not looked at")
+            found[k] = _left_open(found[k], f"it is not checked whether it is {words!r}")
     return tuple(found)
 
 

@@ -73,7 +73,7 @@ def doubtful(readings: Sequence[Reading]) -> tuple[str, ...]:
     if not names:
         return ()
     told = ", ".join(f"{name} as {meaning}" for name, meaning in names.items())
-    return (f"guessed: {told}: if that is not meant, say so: --name {next(iter(names))}=...",)
+    return (f"guessed: {told}: correct it with --name {next(iter(names))}=...",)
 
 
 def _guessed(reading: Reading) -> tuple[Match, ...]:

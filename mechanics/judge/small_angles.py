@@ -89,11 +89,13 @@ def _about(
     if found is None:
         return statement, finding
     if meant.place is None:
-        doubt = f"the text says that it is linearized {meant.words!r}, which is not read: say"
+        doubt = (
+            f"the text says that it is linearized {meant.words!r}, which was not understood: say"
+        )
         return statement, undecided(finding.subject, f"{doubt} about which angles, as theta = 0")
     where = ", ".join(f"{q.name} = {value}" for q, value in meant.place.items())
     if found.shown and meant.hedge:
-        doubt = f"it holds to first order about {where}, but the text says {meant.hedge!r} beside"
+        doubt = f"it holds to first order about {where}, but the text also says {meant.hedge!r}"
         return statement, undecided(finding.subject, f"{doubt}: say whether it is meant so")
     if found.shown:
         note = f"it holds to first order about {where}, as the text says"
@@ -104,7 +106,7 @@ def _about(
         moved = replace(row, sides=tuple(truth.scene.plain(s).xreplace(back) for s in row.sides))
         (apart,) = to_first_order(truth, [replace(statement, row=moved)], place)
         if apart is not None and apart.shown:
-            doubt = f"right to first order if angles are counted from {where} here: say so"
+            doubt = f"right to first order if angles are measured from {where} here: say so"
             return statement, undecided(finding.subject, doubt)
     return statement, finding
 

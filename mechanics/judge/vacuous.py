@@ -16,7 +16,7 @@ from mechanics.kernel import Finding, undecided
 from mechanics.scene.quantities import EquationOfMotion, Identity
 from mechanics.symbolic import is_zero
 
-WORDS = "it is true whatever moves, so it says nothing about the scene"
+WORDS = "it is an identity, true of every motion, so it says nothing about the scene"
 
 
 def with_content(statement: Statement, finding: Finding) -> Finding:

@@ -48,7 +48,7 @@ def is_zero(expr: Expr) -> bool:
     """
     known = decide_zero(expr)
     if known is None:
-        raise ExpressionError(f"it cannot be told whether {str(expr)[:80]} is zero")
+        raise ExpressionError(f"it is undecided whether {str(expr)[:80]} is zero")
     return known
 
 

@@ -177,7 +177,7 @@ class Expansion:
             if i not in moving.free and name_of(u) in self.place.values:
                 broken.append((f"the speed {name_of(u)} less its given value", "leave it out"))
                 nodes.append(value - u)
-        why = "it has an effect, and what has one rests in a steady motion"
+        why = "in a steady motion only ignorable coordinates may change"
         for i in self.kept:
             broken.append((f"the rate {scene.qd[i]}", why if self.point.moves else words))
             nodes.append(moving.rates[i])
@@ -201,7 +201,7 @@ class Expansion:
         if here < nearby and not list(self._left(holding, words)):
             raise InputError(
                 f"{self.scene.name}: at the operating point {here} of {nearby} constraints are"
-                " independent: a singular configuration, at which nothing is linear"
+                " independent: a singular configuration, which has no linear equations"
             )
 
     def _forces(self) -> list[tuple[str, str]]:
@@ -231,7 +231,7 @@ class Expansion:
             if not finding.shown:
                 (value,) = self._written([node])
                 if finding.verdict is not Verdict.REFUTED:
-                    raise ExpressionError(f"it cannot be told whether {str(value)[:80]} is zero")
+                    raise ExpressionError(f"it is undecided whether {str(value)[:80]} is zero")
                 yield value, own
 
     def _zero(self, nodes: Sequence[Node]) -> Finding:
@@ -262,8 +262,8 @@ class Expansion:
             rate = self.place.values[w.name + DOTS[1]]
             if rate != 0 and depends(plain, laws, plain.builder.input(w.name), signs, solved):
                 raise InputError(
-                    f"{scene.name}: input {w} moves on by {rate} a second, and the equations depend"
-                    " on it: this is no steady motion"
+                    f"{scene.name}: input {w} changes by {rate} per second, and the equations"
+                    " depend on it: this is no steady motion"
                 )
 
     def _smooth(self) -> None:

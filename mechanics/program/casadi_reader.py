@@ -57,7 +57,7 @@ def read(
     ------
     ExpressionError
         If the function does not expand, an argument has another number of entries, a constant is
-        not finite, or an operation has no meaning here, which is named.
+        not finite, or an operation is not supported, which is named.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def read_routine(
     Raises
     ------
     ExpressionError
-        If an operation has no meaning here, which is named, or a constant is not finite.
+        If an operation is not supported, which is named, or a constant is not finite.
     """
     builder, (instructions, stores) = AsWritten(), single_assignment(function)
     # Made first they stand first in sums and products: 2 x, not x 2.
@@ -142,7 +142,7 @@ def nodes_of(
     Raises
     ------
     ExpressionError
-        If an operation has no meaning here, which is named.
+        If an operation is not supported, which is named.
     """
     return build(builder, wanted, _expansion(builder, instructions, inputs))
 
@@ -235,7 +235,7 @@ def _expansion(
         rule = _RULES.get(operation)
         if rule is None:
             raise ExpressionError(
-                f"casadi operation {_name(operation)} has no meaning here:"
+                f"casadi operation {_name(operation)} is not supported:"
                 " write the expression without it"
             )
 

@@ -81,7 +81,7 @@ def interpret(
             function = functions[code]
             if function is None:
                 raise ExpressionError(
-                    f"operation {OPERATIONS[code].name} has no meaning here:"
+                    f"operation {OPERATIONS[code].name} is not supported:"
                     " write the expression without it"
                 )
             if arity == 2:

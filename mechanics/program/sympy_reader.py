@@ -121,7 +121,7 @@ class Reader:
             value = Fraction(int(expression.p), int(expression.q))
             return self.leaf(self.builder.number_of(value))
         raise ExpressionError(
-            f"{type(expression).__name__} in {str(expression)[:60]!r} has no meaning here:"
+            f"{type(expression).__name__} in {str(expression)[:60]!r} is not supported:"
             " write the expression without it"
         )
 

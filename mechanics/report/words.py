@@ -1,4 +1,4 @@
-"""Verdicts, bounds and durations in words and signs; a verdict is never told by colour alone."""
+"""Verdicts, bounds and durations in words and signs; a verdict is never shown by colour alone."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -19,26 +19,26 @@ SIGNS = {
 
 LEGEND = {
     Verdict.PROVED: (
-        "right for all states and values",
+        "correct for all states and values",
         "both sides have the same normal form; a rounded number is within half a unit of its last"
         " digit",
     ),
     Verdict.CERTIFIED: (
-        "right, but for a chance that is computed and told",
+        "correct, with the error probability that is shown",
         "both sides are equal at random points of a finite field",
     ),
     Verdict.SUPPORTED: (
-        "right at the states that were tried",
+        "correct at the states that were tried",
         "supported by numbers only; nothing is proved",
     ),
     Verdict.REFUTED: (
         "wrong",
-        "at the state that is shown the two sides differ by more than rounding can explain: their"
+        "at the state that is shown the two sides differ by more than rounding explains: their"
         " enclosures are disjoint",
     ),
     Verdict.UNDECIDED: (
-        "neither shown to be right nor to be wrong",
-        "the reason stands with it",
+        "neither proved nor refuted",
+        "the reason is given with it",
     ),
 }
 """What each verdict means, and how it is known."""

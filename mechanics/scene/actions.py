@@ -23,5 +23,5 @@ def carrier_of(scene: Scene, load: Load, point: Point, stated: str | None) -> st
     if not centred and not (position.free_symbols & set(scene.q)):
         return None
     raise SceneError(
-        f"load {load.name}: it cannot be told which body carries point {point.name}: name it"
+        f"load {load.name}: it is unclear which body carries point {point.name}: name it"
     )

@@ -28,7 +28,7 @@ def scalar(value: Any, what: str) -> Expr:
             f"{what} is {value!r}, a {type(value).__name__}: give a number or a SymPy expression"
         )
     if read.has(nan, oo, -oo, zoo) or read.is_real is False:
-        raise SceneError(f"{what} is {read}: give something finite and real")
+        raise SceneError(f"{what} is {read}: give a finite real number or expression")
     return decimals(read)
 
 

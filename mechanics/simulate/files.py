@@ -37,7 +37,7 @@ def writable(path: str | Path, suffixes: tuple[str, ...]) -> Path:
     target = Path(path)
     if target.suffix.lower() not in suffixes:
         raise InputError(
-            f"file {target.name}: the suffix {target.suffix or '(none)'} is not known here:"
+            f"file {target.name}: the suffix {target.suffix or '(none)'} is not supported:"
             f" use {' or '.join(suffixes)}"
         )
     if not target.parent.is_dir():

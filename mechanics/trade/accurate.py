@@ -96,7 +96,7 @@ def simulate(
         raise InputError(f"accuracy: {accuracy!r} found: a number between 0 and 1 is needed")
     if accuracy < EPSILON:
         raise InputError(
-            f"accuracy {accuracy:g}: doubles round to {EPSILON:.1e}: nothing in them meets it"
+            f"accuracy {accuracy:g}: doubles round to {EPSILON:.1e}: no method can meet it"
         )
     times = equal_times(duration, samples)
     starts = initial_states(initial)
@@ -191,8 +191,8 @@ def _solved(
         finer = _finer(wanted, choice)
         if _refused(wanted, finer):
             raise InputError(
-                f"accuracy {accuracy:g}: {choice.words} is as fine as it gets, and its error is not"
-                " shown to be within it: ask for less, or for a shorter duration"
+                f"accuracy {accuracy:g}: {choice.words} is the most accurate choice, and its error"
+                " is not shown to be within it: ask for less, or for a shorter duration"
             )
         better = wanted.trajectory(finer, part(progress, 1, 2))
         estimate = _difference(motion, better)

@@ -135,7 +135,7 @@ def _along(pair: Pair, index: int) -> Amplitude:
     entry = pair.whole.names[index]
     unit, place = pair.whole.units[index], pair.at.place
     if is_linear(pair.whole.equations):
-        words = f"{entry}: at any amplitude, the equations are linear"
+        words = f"{entry}: exact at any amplitude, since the equations are linear"
         return Amplitude(entry, unit, place, np.inf, (), words)
     smallest = TINY if pair.rest[index] == 0 else ROUNDED * abs(pair.rest[index])
     limit = _limit(lambda a: pair.error(index, a), smallest)
@@ -170,7 +170,7 @@ def _words(pair: Pair, index: int, limit: float) -> str:
         return f"{name}: {percent} up to at least {LARGEST:g} {unit} for {horizon:g} s"
     words = f"{name}: {percent} up to {limit:.2g} {unit} for {horizon:g} s"
     if limit == 0.0:
-        words = f"{name}: not {percent} for {horizon:g} s at any amplitude that doubles can tell"
+        words = f"{name}: not {percent} for {horizon:g} s at any amplitude that doubles resolve"
     if pair.at.stable:
         return words
     begins = abs(float(pair.whole.start[index] - pair.rest[index]))

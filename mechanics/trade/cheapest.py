@@ -56,7 +56,7 @@ def cheapest(case: Case, accuracy: float, members: Sequence[Integrator] = INTEGR
     if not meeting:
         nearest = min(found.measurements, key=lambda m: m.error_largest)
         raise InputError(
-            f"accuracy {accuracy:g}: no choice meets it: the nearest is {nearest.choice.words} with"
+            f"accuracy {accuracy:g}: no choice meets it; the best is {nearest.choice.words} with"
             f" an error of {nearest.error_largest:.1e}: ask for less, or for a shorter duration"
         )
     runs = [found.runs[m.choice] for m in meeting]

@@ -110,7 +110,7 @@ def _comparable(case: Case) -> tuple[Case, float, tuple[str, ...]]:
     if not np.isfinite(until):
         return case, until, ()
     note = (
-        f"{grown.words}: the reference still tells the motion, but a rounding of the start has"
+        f"{grown.words}: the reference is still accurate, but a rounding error of the start has"
         f" grown to {LOST:.0%} of it, so errors are compared until {until:g} s only,"
         f" not {case.horizon:g} s"
     )

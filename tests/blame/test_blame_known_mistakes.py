@@ -80,7 +80,7 @@ def test_every_mistake_is_named_where_it_was_made(reference: Reference, stated: 
 MADE = (
     "gravity reversed", "gravity is missing", "spring k: half of its stiffness",
     "spring k: its force has the wrong sign", "load tau has the wrong sign", "load tau is missing",
-    "friction track presses with what N_c is at rest", "friction track is its coefficient",
+    "friction track uses the value of N_c at rest", "friction track is the coefficient",
     "parallel axis counted twice: pendulum", "parallel axis forgotten: pendulum",
     "rotational inertia is missing: pendulum", "parallel axis counted twice: link1, link2",
     "Coriolis terms are missing", "centrifugal terms are missing",

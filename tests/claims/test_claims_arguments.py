@@ -54,10 +54,18 @@ def test_a_function_is_used_as_it_is_defined(definition: str, use: str) -> None:
 @pytest.mark.parametrize(
     ("definition", "use", "words"),
     [
-        (r"f(r, \theta) = r\cos\theta", r"f(\theta, r)/r", r"of \(r, theta\), and taken of"),
-        (r"f(\theta) = \frac{1}{r}\cos\theta", "f(r)", r"of \(theta\), and taken of \(r\)"),
-        (r"f(q) = \cos\theta", r"f(\dot q)", r"taken of \(r', theta'\)"),
-        (r"f(r, \theta) = \cos\theta", r"f(\theta, \dot\theta)", "taken of"),
+        (
+            r"f(r, \theta) = r\cos\theta",
+            r"f(\theta, r)/r",
+            r"with the arguments \(r, theta\) and used with",
+        ),
+        (
+            r"f(\theta) = \frac{1}{r}\cos\theta",
+            "f(r)",
+            r"with the arguments \(theta\) and used with \(r\)",
+        ),
+        (r"f(q) = \cos\theta", r"f(\dot q)", r"used with \(r', theta'\)"),
+        (r"f(r, \theta) = \cos\theta", r"f(\theta, \dot\theta)", "used with"),
         (r"f(\theta) = \cos\theta", r"f(2\theta)", "what is no name"),
         (r"f(\theta) = \frac{\cos\theta}{r + \theta}", r"f(r + \theta)", "what is no name"),
         ("f = 1", r"\cos\theta + f(0)", "at one time"),

@@ -128,7 +128,7 @@ def test_c_source(tmp_path) -> None:
         ("int f(", "no C"),
         ("", "there is no function in it"),
         ("double f(double x) { while (1) {} return x; }", "code.c, line 1, column 22"),
-        ("double f(double x) { return g(x); }", "the call g() is not known here"),
+        ("double f(double x) { return g(x); }", "the call g() is not supported"),
         ("void f(const double *x, double *y) { y[0] = x[9]; }", "x[9] is read beyond the end"),
         ("(" * 20000, "code.c"),
         ("double f(double x) { return " + "1+" * 7000 + "1; }", "nested too deeply"),
@@ -170,7 +170,7 @@ def endless(state, M, m, L, k, g):
     ("function", "words"),
     [
         (hides, "function hides: ValueError"),
-        (endless, "decides too often"),
+        (endless, "too many branches"),
         (lambda omega_9, psi: [psi], "arguments omega_9, psi: nothing says what they are"),
         (lambda state, M: [state[0]], "returns 1 numbers"),
         (lambda state, M: "x", "numbers and arrays are known"),

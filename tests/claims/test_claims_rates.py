@@ -112,7 +112,7 @@ def test_what_a_derivative_is_of_has_to_be_plain(text: str, expected: str) -> No
 def test_d_is_no_factor_of_a_derivative(ratio: str) -> None:
     """It fell out of the fraction, which was theta/x."""
     text = rf"\[ (m_c + m_p)\ddot x = {ratio} x - \theta \]"
-    with pytest.raises(InputError, match="by something else than the time"):
+    with pytest.raises(InputError, match="by something other than time"):
         mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
 
 

@@ -118,7 +118,7 @@ def test_linearize_and_modes(run: Any) -> None:
 def test_linearize_and_modes_about_a_steady_motion(run: Any) -> None:
     ran = run("linearize", "rolling_disc", "--speeds", "u2=v/R")
     assert ran.code == 0
-    assert "about the steady motion u2 = v/R, u4 = v\nof no effect: yaw, spin" in ran.out
+    assert "about the steady motion u2 = v/R, u4 = v\nignorable coordinates: yaw, spin" in ran.out
     ran = run("modes", "rolling_disc", "--speeds", "u2=5")
     assert ran.code == 0
     assert ran.out.count("s = 0, a neighbouring steady motion") == 2

@@ -131,7 +131,7 @@ C_TEXT = {"arm.c": "int arm_energy(double *e)\n{\n    e[0] = 1;\n    return 0;\n
 @pytest.mark.parametrize(
     ("words", "line", "meant"),
     [
-        ("arm.c: arm_energy = graph: refused: arm.c:4:5: While is not known here", 4, "r"),
+        ("arm.c: arm_energy = graph: refused: arm.c:4:5: While is not supported", 4, "r"),
         ("arm.c: arm_energy = graph: e[0]: the enclosures are disjoint", 3, "e[0]"),
     ],
 )
@@ -141,4 +141,4 @@ def test_a_line_of_c_is_underlined(words: str, line: int, meant: str) -> None:
 
 def test_what_no_file_has_is_not_shown() -> None:
     assert excerpt_of_c("arm.c: arm_power = graph: e[0]: other", C_TEXT) == ""
-    assert excerpt_of_c("leg.c:4:5: While is not known here", C_TEXT) == ""
+    assert excerpt_of_c("leg.c:4:5: While is not supported", C_TEXT) == ""

@@ -51,13 +51,13 @@ POLE = (
 MISTAKES = {
     "weight": (
         CART.format("mu_c*(m_c + m_p)*g*sign(xdot)"),
-        "because: friction track presses with what N_c is at rest, not in motion",
+        "because: friction track uses the value of N_c at rest, not in motion",
     ),
     "1983, cart": (
         CART.format("mu_c*sign(xdot)"),
-        "because: friction track is its coefficient, without N_c",
+        "because: friction track is the coefficient alone, without N_c",
     ),
-    "1983, pole": (POLE, "because: friction track is its coefficient, without N_c"),
+    "1983, pole": (POLE, "because: friction track is the coefficient alone, without N_c"),
 }
 
 

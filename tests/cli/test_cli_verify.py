@@ -65,7 +65,9 @@ def test_reformatted_code_passes_and_its_hash_is_told(run: Any, folder: Path) ->
     path.write_text(f"// other words\n{text}", encoding="utf-8")
     ran = run("verify", folder, "--no-compile")
     assert ran.code == 0, ran.out
-    assert f"changed {NAME}.c: its hash is another one, see what is shown" in ran.out
+    assert (
+        f"changed {NAME}.c: its hash differs from the manifest's, see the findings above" in ran.out
+    )
     assert "the code was not compiled: that was not asked for" in ran.out
 
 
@@ -96,7 +98,10 @@ def test_derived_equations_that_were_changed_are_refuted(run: Any, folder: Path)
 def test_a_file_that_no_step_looks_at(run: Any, folder: Path) -> None:
     (folder / "CMakeLists.txt").write_text("project(other)", encoding="utf-8")
     ran = run("verify", folder, "--no-compile")
-    assert ran.code == 3 and "CMakeLists.txt: its hash is another one: no step looks" in ran.out
+    assert (
+        ran.code == 3
+        and "CMakeLists.txt: its hash differs from the manifest's: no step checks" in ran.out
+    )
     (folder / "CMakeLists.txt").unlink()
     ran = run("verify", folder, "--no-compile")
     assert ran.code == 3 and "missing CMakeLists.txt" in ran.out
@@ -237,7 +242,7 @@ def test_what_a_build_may_read_is_no_part_of_what_is_shown(
 ) -> None:
     put(folder, name)
     ran = run("verify", folder, "--no-compile")
-    words = f"{name.split('/')[0]}: refused: the manifest has it not, and a build may read it"
+    words = f"{name.split('/')[0]}: refused: the manifest does not list it, and a build may read it"
     assert ran.code == 3 and f"UNDECIDED {words}" in ran.out, ran.out
 
 
@@ -276,7 +281,7 @@ DAMAGE = [
     ("equations.json", cut, "it is no JSON"),
     ("equations.json", lambda p: p.write_text("{}"), "it is not what was derived"),
     ("graphs.json", lambda p: p.write_text('{"nodes": 3}'), "it does not hold the graphs"),
-    ("graphs.json", Path.unlink, "the manifest has it, the folder has it not"),
+    ("graphs.json", Path.unlink, "the manifest lists it, but the folder lacks it"),
     (f"{NAME}.c", lambda p: p.write_bytes(b"/* \xff\xfe */"), "it is no text in UTF-8"),
     (f"{NAME}.h", huge, "it is larger than 64 MB"),
 ]

@@ -87,7 +87,7 @@ DOUBTFUL = [
     ("double", "return !(fabs(x) <= 1048576.0);", "return fabs(x) <= 1048576.0;", "mechanics_far"),
     ("double", "fabs(x) <= 1048576.0", "fabs(x) <= 1e9", "quotient"),
     ("double", "const double z = r * r", "const double z = z * r", "made of itself"),
-    ("double", "const double z = r * r", "const double z = r / r", "/ is not known"),
+    ("double", "const double z = r * r", "const double z = r / r", "/ is not supported"),
     ("double", "const double z = r * r", "double z", "no value"),
     ("float", "const float z = r * r;", "const float z = r * r; const float r2 = z;", ""),
 ]

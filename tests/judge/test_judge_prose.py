@@ -43,7 +43,7 @@ def test_a_formula_in_a_box_of_words_is_part_of_what_is_printed(
 
 
 def test_an_operator_beside_words_in_a_box_is_refused_by_its_place(truth: Equations) -> None:
-    with pytest.raises(InputError, match="inside words"):
+    with pytest.raises(InputError, match="a formula inside"):
         check(truth, rf"$${RIGHT} \text{{ or less: $- u$}}$$")
 
 

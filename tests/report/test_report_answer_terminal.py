@@ -72,7 +72,7 @@ def test_the_whole_answer_of_one_statement() -> None:
         "    m*l**2*theta'' - m*g*l*cos(theta)\n"
         "                   ^       ^^^\n"
         "    write + for -: the sign is reversed\n"
-        "    and write sin for cos: sine, cosine or tangent are exchanged\n"
+        "    and write sin for cos: sine, cosine or tangent is the wrong one\n"
         "    then PROVED: m*l**2*theta'' + m*g*l*sin(theta)\n"
         "\n"
         "    group    written            right             comes from\n"

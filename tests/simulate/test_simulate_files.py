@@ -52,9 +52,9 @@ def test_parquet_without_pyarrow_names_the_extra(
 
 
 def test_other_suffixes_and_missing_folders_are_refused(motion: Trajectory, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"suffix \.xlsx is not known here: use \.csv or"):
+    with pytest.raises(InputError, match=r"suffix \.xlsx is not supported: use \.csv or"):
         write_table(motion, tmp_path / "motion.xlsx")
-    with pytest.raises(InputError, match=r"suffix \.png is not known here: use \.svg"):
+    with pytest.raises(InputError, match=r"suffix \.png is not supported: use \.svg"):
         write_plot(motion, tmp_path / "motion.png")
     with pytest.raises(InputError, match="there is no folder"):
         write_table(motion, tmp_path / "nowhere" / "motion.csv")

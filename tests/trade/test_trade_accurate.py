@@ -81,7 +81,7 @@ def test_without_accuracy_nothing_is_chosen() -> None:
         ({"accuracy": 2.0}, "accuracy: 2.0 found"),
         ({"accuracy": float("nan")}, "accuracy: nan found"),
         ({"accuracy": 1e-17}, "doubles round to 2.2e-16"),
-        ({"accuracy": 3e-16}, "no choice meets it: the nearest is"),
+        ({"accuracy": 3e-16}, "no choice meets it; the best is"),
         ({"accuracy": 1e-6, "rtol": 1e-6}, "it chooses rtol: give one or the other"),
     ],
 )

@@ -25,8 +25,8 @@ def slips(right: Right) -> Iterator[Slip]:
     for load in frictions(right.scene):
         normal = Symbol(load.normal, real=True)
         for value, words in (
-            (weights[normal], f"presses with what {load.normal} is at rest, not in motion"),
-            (S.One, f"is its coefficient, without {load.normal}"),
+            (weights[normal], f"uses the value of {load.normal} at rest, not in motion"),
+            (S.One, f"is the coefficient alone, without {load.normal}"),
         ):
             words = f"friction {load.name} {words}"
             yield from right.slip(words, _pressing_with(load.name, normal, value))

@@ -77,7 +77,7 @@ class Forest:
             inner = self.definitions.get(node.name)
             if inner is not None and not node.order and index < LARGEST:
                 if any(self.place[above] == (node.name, ()) for above in self.ways_up(index)):
-                    raise Refused(node.at, f"the definition of {node.name} holds itself")
+                    raise Refused(node.at, f"the definition of {node.name} contains {node.name}")
                 self.kids[index].append(self.add(inner, index, (node.name, ())))
             return index
         home, way = place

@@ -63,7 +63,7 @@ def _inserted(text: str, constants: dict[str, str], origin: str) -> str:
                 place = text.count("\n", 0, start) + 1
                 raise ExpressionError(
                     f"{origin}:{place}: {hidden[0]} is an argument here and a constant of the file"
-                    " that another one is made of: name it otherwise"
+                    " that another one is made of: rename it"
                 )
         pieces += [text[at : start + 1], *lines]
         at = start + 1

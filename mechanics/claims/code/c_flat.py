@@ -117,13 +117,13 @@ def _flat_declared(node: Any, columns: Columns) -> int:
     outer = node.type
     if not (isinstance(outer, c_ast.ArrayDecl) and isinstance(outer.type, c_ast.ArrayDecl)):
         if node.name in columns:
-            raise ExpressionError(f"{node.coord}: {node.name} is declared twice: name it otherwise")
+            raise ExpressionError(f"{node.coord}: {node.name} is declared twice: rename it")
         return 0
     rows, width = _number(outer.dim) if outer.dim else 1, _number(outer.type.dim)
     if rows is None or width is None or not 0 < rows * width <= LARGEST:
-        raise ExpressionError(f"{node.coord}: the sizes of {node.name} are not known here")
+        raise ExpressionError(f"{node.coord}: the sizes of {node.name} are not supported")
     if columns.get(node.name, width) != width:
-        raise ExpressionError(f"{node.coord}: {node.name} is declared twice: name it otherwise")
+        raise ExpressionError(f"{node.coord}: {node.name} is declared twice: rename it")
     columns[node.name] = width
     inner = outer.type.type
     size = c_ast.Constant("int", str(rows * width), node.coord) if outer.dim else None

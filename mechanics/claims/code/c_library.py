@@ -33,7 +33,7 @@ int isgreaterequal(double x, double y) { return x >= y; }
 
 NAMES = frozenset(parse(WRITTEN, "math.h").functions)
 
-ROUNDING = "rounds as the machine is set: write floor(x + 0.5)"
+ROUNDING = "depends on the rounding mode: write floor(x + 0.5)"
 NO_NUMBER = "is no real number: leave the case out, or write the number that bounds it"
 REFUSED = {
     **dict.fromkeys(("rint", "nearbyint", "lrint", "llrint"), ROUNDING),
@@ -42,7 +42,7 @@ REFUSED = {
                     " atan2(sin(x), cos(x)) where it wraps an angle"),
     **dict.fromkeys(("abs", "labs", "llabs"), "is for integers in C: write fabs"),
     **dict.fromkeys(("lgamma", "tgamma", "erfc", "j0", "j1", "jn", "y0", "y1", "yn"),
-                    "has no exact meaning here: write its formula where it has one"),
+                    "has no exact meaning: write its formula where it has one"),
     **dict.fromkeys(("frexp", "ldexp", "modf", "ilogb", "logb", "scalbn", "scalbln", "nextafter",
                      "nexttoward", "fpclassify", "isnormal", "isunordered", "nan"),
                     "asks for the bits of a double: write what it is for, as a formula"),

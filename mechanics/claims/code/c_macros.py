@@ -74,12 +74,12 @@ def _directive(
         return line
     name, head, body = found.groups()
     if not all(c == name or GUARD.fullmatch(c) for c in open_ones):
-        raise ExpressionError(f"{where}: macro {name} takes arguments, under a condition: write a"
-                              " function")  # fmt: skip
+        raise ExpressionError(f"{where}: macro {name} has arguments and stands under a condition:"
+                              " write a function")  # fmt: skip
     parameters = tuple(p.strip(" \t\v") for p in head.split(",")) if head.strip(" \t\v") else ()
     content = [t for t in tokens(body.replace("\v", " "), where) if t[0] != "newline"]
     if not all(p.isidentifier() for p in parameters) or any("#" in text for _, text in content):
-        raise ExpressionError(f"{where}: macro {name} is not known here: write a function")
+        raise ExpressionError(f"{where}: macro {name} is not supported: write a function")
     macro = Macro(parameters, [t for t in content if t[0] != "space"])
     if macros.setdefault(name, macro) != macro:
         raise ExpressionError(f"{where}: macro {name} is defined twice")
@@ -125,7 +125,9 @@ def _expanded(
             body += [("space", " "), *given.get(token[1], [token]), ("space", " ")]
         made[0] += len(body)
         if made[0] > MOST or len(inside) > DEEPEST:
-            raise ExpressionError(f"{where}: macros make more than {MOST} tokens: write functions")
+            raise ExpressionError(
+                f"{where}: macros expand to more than {MOST} tokens: write functions"
+            )
         result += _expanded(body, macros, where, (*inside, text), made)
         result += [token for token in line[at:end] if token[0] == "newline"]
         at = end

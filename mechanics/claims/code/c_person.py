@@ -87,7 +87,7 @@ def known_meaning(source: Source, text: str) -> Source:
         if name in LIBRARY:
             raise ExpressionError(
                 f"{function.coord}: {name} is a function of the C library, and the file defines"
-                " its own: name it otherwise"
+                " its own: rename it"
             )
     for name in LIBRARY & set(source.prototypes):
         for declaration in source.prototypes[name]:
@@ -97,7 +97,7 @@ def known_meaning(source: Source, text: str) -> Source:
         if not _as_in_the_header(name, body):
             where = _place(source.file, plain, rf"#[ ]*define[ ]+{name}\b")
             raise ExpressionError(
-                f"{where}: {name} is a macro of the C library with another value: name it otherwise"
+                f"{where}: {name} is a macro of the C library with another value: rename it"
             )
     for name in source.asked:
         _asked(source.file, plain, name)

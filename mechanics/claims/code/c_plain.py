@@ -130,7 +130,7 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
         ):
             raise ExpressionError(
                 f"{_place(text, struct.end() + use.start(), origin)}: {name} is a {kind} that is"
-                " changed, or of two types: name it otherwise, or pass numbers and arrays"
+                " changed, or of two types: rename it, or pass numbers and arrays"
             )
         const = "" if written and use["star"] and not use["const"] else "const "
         pieces += [tail[at : use.start()], f"{const}double *{name}{use['end']}"]

@@ -78,7 +78,7 @@ def in_c(text: str, origin: str) -> str:
         after = re.compile(r"\}\s*;").match(text, end)
         if after is None or CLASS.search(inside):
             line = text[: found.start()].count("\n") + 1
-            raise ExpressionError(f"{origin}:{line}: class {found[1]} is not known here: write its"
+            raise ExpressionError(f"{origin}:{line}: class {found[1]} is not supported: write its"
                                   " function by itself, with its numbers as arguments")  # fmt: skip
         text = (
             text[: found.start()] + _gone(found[0]) + _plain(inside, found[1]) + text[after.end() :]

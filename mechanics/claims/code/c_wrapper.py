@@ -128,7 +128,7 @@ def _returned(function: object) -> str:
     kind = function.decl.type.type  # type: ignore[attr-defined]
     names = getattr(getattr(kind, "type", None), "names", None)
     if names is None:
-        raise ExpressionError("a function that returns a pointer or struct is not known here")
+        raise ExpressionError("a function that returns a pointer or struct is not supported")
     return " ".join(names)
 
 

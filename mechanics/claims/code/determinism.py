@@ -52,6 +52,6 @@ def _words(name: str) -> str:
     if name.startswith("its argument"):
         return f"a call changes {name}, which the caller keeps: change a copy of it"
     return (
-        f"a call changes {name}, which later calls find: what it returns may depend on more than"
-        " its arguments: leave that out, or give it a local name"
+        f"a call changes {name}, which later calls read, so a result may depend on more than its"
+        " arguments: leave that out, or use a local name"
     )

@@ -52,7 +52,7 @@ class Explorer:
             if known == sympy.Not(condition):
                 return not answer
         if len(self.taken) >= MOST_DECISIONS:
-            raise TooManyPathsError("the function decides too often to be followed")
+            raise TooManyPathsError("the function has too many branches to trace")
         at = len(self.taken)
         answer = self.prefix[at] if at < len(self.prefix) else True
         self.taken.append((condition, answer))

@@ -125,7 +125,7 @@ def of_scipy(a: Any, b: Any, lower: bool = False, **options: Any) -> np.ndarray:
     """
     kind = options.get("assume_a") or "gen"
     if options.get("transposed") or kind not in ("gen", "general", *SYMMETRIC):
-        raise InputError(f"scipy.linalg.solve with {options} is not known here: use its defaults")
+        raise InputError(f"scipy.linalg.solve with {options} is not supported: use its defaults")
     return solve(a if kind.startswith("gen") else _mirrored(a, lower), b)
 
 

@@ -183,7 +183,7 @@ def read_c(
     Raises
     ------
     InputError
-        For C that is not known here, by line and column.
+        For C that is not supported, by line and column.
     """
     bounded(text, origin)
     if len(text) > LARGEST_C:

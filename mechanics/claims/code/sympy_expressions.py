@@ -54,7 +54,7 @@ def expressions(
     Raises
     ------
     ExpressionError
-        If an operation is not known here.
+        If an operation is not supported.
     """
     found: list[Expr] = []
     for node in nodes:
@@ -67,7 +67,7 @@ def expressions(
             found.append(OPERATIONS[node.op](*[found[i] for i in node.operands]))
         else:
             raise ExpressionError(
-                f"casadi operation {_name(node.op)} has no exact meaning here: write the expression"
+                f"casadi operation {_name(node.op)} has no exact meaning: write the expression"
                 " without it"
             )
     return found

@@ -165,7 +165,7 @@ def _statement(
         quantity, plain, note = kind_of(scene, plain)
     doubt = unexplained(scene, unknown) if unknown else ""
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
-        doubt = "an expression that is not equal to anything: say what it is about"
+        doubt = "an expression without an equals sign: say what it is about"
     row = published(tag, quantity, *plain, label=source)
     asked = dict.fromkeys(d for side in sides for entry in _entries(side) for d in within(entry))
     demands = Demands(tuple(_in_plain(naming, demand) for demand in asked))

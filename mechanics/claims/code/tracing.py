@@ -102,9 +102,9 @@ def trace(
     _follow(function, given, standing, ways)
     defined = [way for way in ways.found if way.values is not None]
     if not defined:
-        raise InputError(f"{title} ends in an error whatever its arguments are")
+        raise InputError(f"{title} raises an error for all arguments")
     if len(defined) < len(ways.found):
-        ways.notes.append("ways that end in an error have no value")
+        ways.notes.append("branches that raise an error have no value")
     shapes = {tuple(value.shape for value in way.values or ()) for way in defined}
     if len(shapes) > 1:
         raise InputError(f"{title} returns arrays of different shapes")
@@ -142,7 +142,7 @@ def _follow(
     prefix: tuple[bool, ...] | None = ()
     while prefix is not None:
         if len(ways.found) == MOST_PATHS:
-            raise InputError(f"{_title(function)} has more than {MOST_PATHS} ways through it")
+            raise InputError(f"{_title(function)} has more than {MOST_PATHS} branches")
         explorer = Explorer(prefix, notes=ways.notes)
         if own.places:
             traced = {n: _argument(value, explorer) for n, value in standing.items()}

@@ -28,7 +28,7 @@ WIDE = re.compile(r"(?:\s{2}|\t)$")
 LABELS = 3
 """Pieces before a colon that may be the name of an equation."""
 
-FACTOR = "a wide space: write \\cdot if a factor stands behind it, a comma if not"
+FACTOR = "a wide space: write \\cdot before a factor, a comma before another equation"
 SEVERAL = "several equations in one line: write a comma or \\\\ between them"
 
 

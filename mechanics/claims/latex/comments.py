@@ -57,7 +57,7 @@ def _decided(text: str) -> str:
             continue
         known = word in ("iffalse", "iftrue")
         if not known and match.start() >= begins and all(printed for printed, _ in opened):
-            words = f"the condition {match[0]} is not known here: leave what is printed"
+            words = f"the condition {match[0]} is not supported: leave what is printed"
             raise Refused(match.start(), words)
         opened.append((word != "iffalse", match.start()))
         blank(out, match.start(), match.end() if known else match.start())

@@ -142,7 +142,7 @@ class Fold:
             return self._function(item, queue)
         if item.kind == "rate":
             if not queue:
-                raise Refused(item.at, "what is differentiated is missing")
+                raise Refused(item.at, "the operand of the derivative is missing")
             self._all_of(item, queue)
             rest, queue[:] = list(queue), []
             of = self._term(rest, item.at)
@@ -154,7 +154,7 @@ class Fold:
             raise Refused(item.at, "an operand is missing here")
         if item.kind == "bracket" and len(item.arguments) > 1:
             if before or queue:
-                raise Refused(item.at, "a comma is out of place here")
+                raise Refused(item.at, "a comma is out of place")
             self.notes.append("(a, b) is read as a column")
             return stacked(item.at, item.arguments)
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
@@ -182,7 +182,7 @@ class Fold:
             return any(self.naming.is_function(name.name) is not False for name in every)
 
         if queue[0].kind == "bracket" and moves(queue[:1]) and moves(queue[1:]):
-            words = "a derivative of the bracket, or of all that follows: write another bracket"
+            words = "a derivative of the bracket, or of all that follows: add brackets"
             raise Refused(item.at, words)
 
     def _of_time(self, node: Name, queue: list[Item]) -> Node:

@@ -77,7 +77,7 @@ class Items:
                 if piece.type == "TAG":
                     continue
                 if kind is None:
-                    raise Refused(piece.start_pos, f"{piece.value!r} is out of place here")
+                    raise Refused(piece.start_pos, f"{piece.value!r} is out of place")
                 text = "-" if piece.value == "\u2212" else str(piece.value)
                 found.append(Item(kind, piece.start_pos, text=text))
             elif inside(piece, "braces") != []:  # {} only holds a place
@@ -150,14 +150,14 @@ class Items:
                 part = bare(script.value[1:])
                 if not part and re.search(r"[-+\u2212*]", script.value):
                     where = int(script.start_pos or 0)
-                    raise Refused(where, "a sign as a subscript is not known here: write a letter")
+                    raise Refused(where, "a sign as a subscript is not supported: write a letter")
                 sub += part
             else:
                 (inside,) = script.children
                 where = inside.start_pos if isinstance(inside, Token) else start_of(inside, script)
                 if isinstance(inside, Token) and inside.type == "SUPC":
                     if "circ" in inside.value:
-                        raise Refused(where, "degrees are not known here: write radians")
+                        raise Refused(where, "degrees are not supported: write radians")
                     turned = re.search("top|intercal", inside.value)
                     power = Name(where, turned[0]) if turned else power
                     primes += inside.value.count("prime") + inside.value.count("'")
@@ -180,7 +180,7 @@ class Items:
         if turned := transposed(self.naming, item.node, item.arguments, power):
             return Item("node", item.at, turned)
         if len(item.arguments) > 1:
-            raise Refused(item.at, "a comma is out of place here")
+            raise Refused(item.at, "a comma is out of place")
         euler = isinstance(item.node, Name) and item.node.name == "e"
         if euler and not self.naming.knows("e"):
             return Item("node", item.at, Call(item.at, "exp", (power,)))
@@ -278,7 +278,7 @@ class Items:
             by = ended(Name(by.at + 1, by.name[1:], by.order), by.end)
         plain = isinstance(of, Name) and self.naming.lookup(of.name) is None and len(below) < 3
         if of is None or not isinstance(by, Name) or not plain:
-            raise Refused(at, "a derivative by something else than the time is not known here")
+            raise Refused(at, "a derivative by something other than time is not supported")
         return Item("node", at, partial_of(self.naming, of, by, at))
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:

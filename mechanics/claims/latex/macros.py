@@ -112,7 +112,7 @@ class _Expansion:
         if name in self.known:
             return self._put_in(token, self.known[name], at)
         if name in UNSAFE:
-            raise Refused(at, f"{token} is not known here: write the equations without it")
+            raise Refused(at, f"{token} is not supported: write the equations without it")
         if name in COMMANDS | UNREAD | OTHERS:
             if self.depth > 0:
                 raise Refused(at, f"{token} in braces or an environment: put it in front")
@@ -152,7 +152,7 @@ class _Expansion:
         longest = max(map(len, given), default=0)
         self.length += len(macro.body) + macro.body.count("#") * longest
         if self.count > MOST_EXPANSIONS or self.length > LONGEST:
-            raise Refused(at, f"{token} comes to too much: put in what it stands for")
+            raise Refused(at, f"{token} expands too far: write out what it stands for")
         body = re.sub(r"#([1-9])", lambda m: _of(given, m[1], token, at), macro.body)
         # What was two words stays two.
         before = " " if body[:1].isalnum() else ""

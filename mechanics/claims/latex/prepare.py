@@ -95,7 +95,7 @@ def without_boxes(text: str, start: int, end: int) -> str:
         if formula is None:
             for part in FORMULA.finditer(inside):
                 if OPERATOR.match(part["one"] or part["two"] or ""):
-                    words = "a part of the formula inside words: write it outside of them"
+                    words = "a formula inside \\text or \\mbox: write it outside"
                     raise Refused(box.end() + part.start(), words)
             continue
         name = "one" if formula["one"] is not None else "two"

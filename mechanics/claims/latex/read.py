@@ -183,7 +183,7 @@ def _block(
     text: str, whole: str, offset: int, naming: Naming, origin: str, one: bool = False
 ) -> list[Entry]:
     if by_cases := BY_CASES.search(text):
-        raise Refused(offset + by_cases.start(), "cases cannot be read here: give one of them")
+        raise Refused(offset + by_cases.start(), "cases cannot be read: give one of them")
     try:
         tree = _tree(barred(text))
     except UnexpectedInput as error:
@@ -213,10 +213,10 @@ def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused, origin: st
 def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
     if isinstance(error, UnexpectedCharacters):
         at = error.pos_in_stream
-        return Refused(offset + at, f"{text[at : at + 12].split(chr(10))[0]!r} cannot be read here")
+        return Refused(offset + at, f"{text[at : at + 12].split(chr(10))[0]!r} cannot be read")
     if isinstance(error, UnexpectedToken) and error.token.type != "$END":
         at = error.token.start_pos or 0
-        return Refused(offset + at, f"{str(error.token)[:20]!r} cannot be read here")
+        return Refused(offset + at, f"{str(error.token)[:20]!r} cannot be read")
     if isinstance(error, UnexpectedEOF | UnexpectedToken):
         return Refused(offset + len(text.rstrip()), "a bracket or argument is not closed")
     raise error

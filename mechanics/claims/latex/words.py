@@ -37,12 +37,12 @@ def summed(items: list[Item]) -> list[Item]:
         if found and found[-1].kind == "sum":
             before, node = found.pop(), item.node
             if not isinstance(node, Name) or node.order:
-                raise Refused(before.at, f"the command {SUM} is not known here")
+                raise Refused(before.at, f"the command {SUM} is not supported")
             name = ended(Name(before.at, f"sum{node.name}"), node.end)
             item = Item("node", before.at, name, end=item.end)
         found.append(item)
     if found and found[-1].kind == "sum":
-        raise Refused(found[-1].at, f"the command {SUM} is not known here")
+        raise Refused(found[-1].at, f"the command {SUM} is not supported")
     return found
 
 
@@ -79,7 +79,7 @@ class Words:
         if text == SUM and not sub:
             return [Item("sum", at)]
         if letter not in GREEK and letter not in ("l", DETERMINANT):
-            raise Refused(at, f"the command {text} is not known here")
+            raise Refused(at, f"the command {text} is not supported")
         if letter == "pi" and not sub and not self.naming.knows("pi"):
             return [Item("node", at, Call(at, "pi", ()))]
         return [named(letter, sub, at)]

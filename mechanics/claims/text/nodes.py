@@ -280,7 +280,7 @@ class Nodes:
     def bracket(self, tree: Tree, at: int) -> Node:
         """A bracket around one expression."""
         if len(tree.children) != 1:
-            raise Refused(at, "a comma is out of place here")
+            raise Refused(at, "a comma is out of place")
         return self.node(tree.children[0])
 
     def primed(self, tree: Tree, at: int) -> Node:
@@ -384,7 +384,7 @@ class Nodes:
         if entry is not None:
             return Name(at, entry)
         if len(given) != 1:
-            raise Refused(at, f"the function {name} is not known here")
+            raise Refused(at, f"the function {name} is not supported")
         return self._applied(name, order, given[0], at)
 
     def _sliced(self, name: str, span: Tree, brackets: str, at: int) -> Table:
@@ -414,7 +414,7 @@ class Nodes:
         if moving:
             at_one_time(self.naming, Name(at, name, order), inside)
         if moving is None:
-            raise Refused(at, f"the function {name} is not known here")
+            raise Refused(at, f"the function {name} is not supported")
         self.notes.append(f"{name}(...) is read as a product: {name} is no function")
         return Product(at, (Name(at, name, order), inside))
 

@@ -176,11 +176,11 @@ def _unpacked(tree: Tree, text: str, offset: int, naming: Naming) -> list[Entry]
 def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:
     if isinstance(error, UnexpectedCharacters):
         at, found = error.pos_in_stream, text[error.pos_in_stream : error.pos_in_stream + 1]
-        return Refused(offset + at, f"{found!r} cannot be read here{_advice(text, at, found)}")
+        return Refused(offset + at, f"{found!r} cannot be read{_advice(text, at, found)}")
     if isinstance(error, UnexpectedToken) and error.token.type != "$END":
         at, found = error.token.start_pos or 0, str(error.token)[:20]
         word = "the end of a line" if error.token.type == "_END" else repr(found)
-        return Refused(offset + at, f"{word} cannot be read here{_advice(text, at, found)}")
+        return Refused(offset + at, f"{word} cannot be read{_advice(text, at, found)}")
     return Refused(offset + len(text.rstrip()), "something is missing at the end")
 
 

@@ -84,7 +84,7 @@ def _explained(
         if angles:
             return SingularError(f"{scene.name}: {batch}{angles}")
         return SingularError(
-            f"{scene.name}: {batch}the equations are singular, or too nearly to be told from it, at"
+            f"{scene.name}: {batch}the equations are singular or nearly singular at"
             f" {state}: look for a body without mass, or pass check=False to get what is divided"
         )
     return RangeError(

@@ -121,8 +121,8 @@ def _refuted(finding: Finding, gap: Gap, physics: Physics) -> Finding:
 def _undecided(finding: Finding, gap: Gap, physics: Physics) -> Finding:
     where = f", at {_state(gap, physics)}" if gap.state else ", at rest" if gap.at_rest else ""
     words = (
-        f"right where it has a value, but {gap.obligation.operation} may have none{where}: its"
-        f" argument has to be such that it {gap.obligation.sign.value}"
+        f"correct where it has a value, but {gap.obligation.operation} may have none{where}: this"
+        f" needs an argument that {gap.obligation.sign.value}"
     )
     return undecided(finding.subject, words)
 

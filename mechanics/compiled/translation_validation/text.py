@@ -121,7 +121,7 @@ def read_into(
     Raises
     ------
     ExpressionError
-        If the text holds what is not known here, or an output is not written.
+        If the text holds what is not supported, or an output is not written.
     """
     kept = tuple((name, size) for name, size in groups if size)
     asked = tuple((name, size) for name, size in outputs if size)

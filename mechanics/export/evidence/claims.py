@@ -37,7 +37,7 @@ def prove_claims(
         agree = False
         subject = f"{file}: {path}"
         if left is ABSENT or wanted is ABSENT:
-            words = "it is not there" if left is ABSENT else f"{source} do not have it"
+            words = "it is missing" if left is ABSENT else f"{source} do not have it"
             yield undecided(subject, f"refused: {words}")
         else:
             words = f"{str(left)[:LONGEST]} stands there, {source} give {str(wanted)[:LONGEST]}"

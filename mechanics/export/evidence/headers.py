@@ -137,4 +137,4 @@ def _value(name: str, prefixes: list[str], wanted: dict[str, str]) -> str | None
 
 def _instead(name: str, prefixes: list[str], wanted: dict[str, str]) -> str:
     value = _value(name, prefixes, wanted)
-    return ", which is not known here" if value is None else f" instead of {value}"
+    return ", which is not supported" if value is None else f" instead of {value}"

@@ -78,7 +78,7 @@ def prove_files(
     prefix = str(folder.manifest.get("prefix"))
     parts = [one for one in named_parts(prefix, "both") if f"{one.prefix}.c" in folder.texts]
     for name in folder.misread:
-        yield _odd(name, "the manifest has it not, and a build may read it")
+        yield _odd(name, "the manifest does not list it, and a build may read it")
     try:
         contents = again or as_claimed(folder)
     except ODD as error:
@@ -222,14 +222,14 @@ def _texts(
             yield _odd("folder", f"what is written cannot be made again: {error}")
     for name, text in wanted.items():
         if name not in folder.texts:
-            yield _odd(name, "there is no such file, or the manifest has it not")
+            yield _odd(name, "there is no such file, or the manifest does not list it")
         elif folder.texts[name] != text:
             yield _odd(name, "not shown: it differs from what this version writes for the graphs")
         else:
             yield same(name, folder.texts[name], text, "what is written for these graphs")
     for name in folder.texts:
         if name not in wanted and name not in looked and name not in (*NEEDED, *others):
-            yield _odd(name, "no step looks at it")
+            yield _odd(name, "no step checks it")
 
 
 def _selftests(folder: Folder, scene: str, part: Part) -> dict[str, str]:

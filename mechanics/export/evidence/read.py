@@ -95,7 +95,7 @@ def read_folder(path: Path) -> Folder:
             raise InputError(f"{path / MANIFEST}: {name!r} is no name of a file in the folder")
         if not (path / name).is_file():
             if name in NEEDED:
-                raise InputError(f"{path / name}: the manifest has it, the folder has it not")
+                raise InputError(f"{path / name}: the manifest lists it, but the folder lacks it")
             missing.append(name)
             continue
         raw = _bytes(path / name)
@@ -193,7 +193,9 @@ def _manifest(path: Path) -> dict[str, Any]:
 def _evidence(path: Path, manifest: Mapping[str, Any], texts: Mapping[str, str]) -> Evidence:
     for name in (equations.FILE, graphs.FILE):
         if name not in texts:
-            raise InputError(f"{path / name}: there is no such file, or the manifest has it not")
+            raise InputError(
+                f"{path / name}: there is no such file, or the manifest does not list it"
+            )
     at = path / equations.FILE
     try:
         known = equations.read_equations(_json(at, texts[equations.FILE]))

@@ -56,7 +56,7 @@ NO_PHYSICS = "the equations were not derived again"
 NO_FORM = "form of forward dynamics in the manifest: it follows from the scene"
 VERSIONS = "versions in the manifest: facts about another installation"
 FIGURES = "figures of binaries in the manifest: facts about the machine that wrote it"
-NOTHING_SHOWN = "the manifest tells no chain: nothing was proved when it was written"
+NOTHING_SHOWN = "the manifest records no proof: nothing was proved when it was written"
 
 
 @dataclass(frozen=True)

@@ -117,7 +117,7 @@ def choice(condition: Condition, yes: Decision, no: Decision) -> Decision:
         condition, yes, no = negation(condition), no, yes
     found = Choice(condition, yes, no)
     if found.cases > MOST_CASES:
-        raise ExpressionError(f"an integer that has more than {MOST_CASES} cases is not known here")
+        raise ExpressionError(f"an integer that has more than {MOST_CASES} cases is not supported")
     return found
 
 

@@ -84,6 +84,6 @@ def divided(left: Whole, right: Whole, remainder: bool) -> Whole:
     """
     x, y = left.known, right.known
     if x is None or y is None or y == 0:
-        raise ExpressionError(f"the integer division of {left} by {right} is not known here")
+        raise ExpressionError(f"the integer division of {left} by {right} is not supported")
     quotient = abs(x) // abs(y) * (1 if (x < 0) == (y < 0) else -1)
     return whole(x - quotient * y if remainder else quotient)

@@ -129,7 +129,7 @@ def parse(
         elif not _is_library(node):
             raise ExpressionError(
                 f"{node.coord}: {type(node).__name__} {getattr(node, 'name', '')} outside of"
-                " functions is not known here"
+                " functions is not supported"
             )
     found = {name: tuple(known) for name, known in prototypes.items()}
     return Source(file, functions, found, structs, done.macros, done.asked)

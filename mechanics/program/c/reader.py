@@ -109,7 +109,7 @@ def read_function(
     Raises
     ------
     ExpressionError
-        For a construct that is not known here, or arguments of other types; by file and line.
+        For a construct that is not supported, or arguments of other types; by file and line.
     """
     if name not in source.functions:
         raise ExpressionError(f"{source.file}: there is no function {name}")
@@ -273,7 +273,7 @@ class Reader:
         elif isinstance(node, c_ast.Cast) and declared(node.to_type).words == "void":
             self._ignored(node.expr)
         elif not isinstance(node, c_ast.EmptyStatement):
-            raise ExpressionError(f"{node.coord}: {type(node).__name__} is not known here")
+            raise ExpressionError(f"{node.coord}: {type(node).__name__} is not supported")
 
     def _ignored(self, node: Any) -> None:
         if not isinstance(node, c_ast.ID):
@@ -314,7 +314,7 @@ class Reader:
 
     def _local_array(self, node: Any, kind: Type) -> None:
         if kind.kind not in REALS or kind.size is None:
-            raise ExpressionError(f"{node.coord}: the array {node.name} is not known here")
+            raise ExpressionError(f"{node.coord}: the array {node.name} is not supported")
         if "static" in (node.storage or ()) and not kind.constant:
             raise ExpressionError(f"{node.coord}: {node.name} keeps its value between calls")
         array = Array(node.name, kind.kind, kind.size, constant=kind.constant)
@@ -347,7 +347,7 @@ class Reader:
             if isinstance(at, Pointer):
                 self.store(at, value, node.coord)
                 return
-        raise ExpressionError(f"{node.coord}: this assignment is not known here")
+        raise ExpressionError(f"{node.coord}: this assignment is not supported")
 
     def assign(self, variable: Variable, value: Value, where: Any, gathers: bool = False) -> None:
         """Set a variable; `gathers` where a flag gathers what all lanes say."""
@@ -452,7 +452,7 @@ class Reader:
             raise ExpressionError(f"{where}: a loop is expected as for (int i = 0; i < n; ++i)")
         first, last = self.value(counter.init), self.value(cond.right)
         if not isinstance(first, Whole) or not isinstance(last, Whole) or first.known is None:
-            raise ExpressionError(f"{where}: the bounds of this loop are not known here")
+            raise ExpressionError(f"{where}: the bounds of this loop are not supported")
         if last.known is None:
             if first.known != 0:
                 raise ExpressionError(f"{where}: a loop over lanes begins with the first, 0")
@@ -556,7 +556,7 @@ class Reader:
             if found is None:
                 raise ExpressionError(f"{node.coord}: {node.name.name} gives no value")
             return found
-        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not known here")
+        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not supported")
 
     def real(self, value: Value | None, kind: str, where: Any) -> int:
         """The node of a real number of a type.
@@ -614,7 +614,7 @@ class Reader:
         """Value of an entry."""
         array, entry = at.array, self.entry(at, where)
         if array.kind not in REALS:
-            raise ExpressionError(f"{where}: arrays of {array.kind} are not known here")
+            raise ExpressionError(f"{where}: arrays of {array.kind} are not supported")
         if entry is None:
             self.beyond.append(f"{where}: {array.name}[{at.offset}]")
             node = self.target.input(BEYOND, len(self.beyond) - 1, array.kind)
@@ -632,7 +632,7 @@ class Reader:
 
     def _literal(self, node: Any) -> Value:
         if node.type in ("char", "string"):
-            raise ExpressionError(f"{node.coord}: {node.value} is not known here")
+            raise ExpressionError(f"{node.coord}: {node.value} is not supported")
         kind, value = literal(node.value)
         return whole(int(value)) if kind == "int" else Real(self.target.number(value, kind), kind)
 
@@ -651,7 +651,7 @@ class Reader:
                 return Address(found)
             if isinstance(node.expr, c_ast.ArrayRef):
                 return self.element(node.expr)
-            raise ExpressionError(f"{node.coord}: this address is not known here")
+            raise ExpressionError(f"{node.coord}: this address is not supported")
         value = self.value(node.expr)
         if node.op == "-" and isinstance(value, Whole):
             result = times(whole(-1), value)
@@ -666,7 +666,7 @@ class Reader:
             return value
         if node.op == "-" and isinstance(value, Real):
             return Real(self.target.apply("negate", (value.node,), value.kind), value.kind)
-        raise ExpressionError(f"{node.coord}: {node.op} of {words(value)} is not known here")
+        raise ExpressionError(f"{node.coord}: {node.op} of {words(value)} is not supported")
 
     def condition(self, value: Value, where: Any) -> Condition:
         """A value that decides; a real number does by being zero or not."""
@@ -719,7 +719,7 @@ class Reader:
         if not kinds and op in INTEGERS:
             return of_decision(compared(op, as_decision(left, where), as_decision(right, where)))
         if not kinds:
-            raise ExpressionError(f"{where}: {words(left)} {op} {words(right)} is not known here")
+            raise ExpressionError(f"{where}: {words(left)} {op} {words(right)} is not supported")
         if len(kinds) > 1:
             raise ExpressionError(f"{where}: a float stands beside a double: precisions are mixed")
         (kind,) = kinds
@@ -732,7 +732,7 @@ class Reader:
             return Truth(Atom(op, (x, y)))
         if op == "!=":
             return Truth(Atom("==", (x, y), False))
-        raise ExpressionError(f"{where}: {op} of real numbers is not known here")
+        raise ExpressionError(f"{where}: {op} of real numbers is not supported")
 
     def _ternary(self, node: Any) -> Value:
         self.unwritten(node.iftrue, node.iffalse)
@@ -772,7 +772,7 @@ class Reader:
             return block.bound  # the lanes that are left of a block
         if x is None or y is None:
             raise ExpressionError(
-                f"{node.coord}: which of {left} and {right} is less is not known here"
+                f"{node.coord}: which of {left} and {right} is less is not supported"
             )
         return whole(min(x, y))
 
@@ -785,7 +785,7 @@ class Reader:
                 self._natural(node.coord, value)
             return value
         raise ExpressionError(
-            f"{node.coord}: a cast of {words(value)} to {kind.words} is not known here"
+            f"{node.coord}: a cast of {words(value)} to {kind.words} is not supported"
         )
 
     # ------------------------------------------------------------------ calls
@@ -817,7 +817,7 @@ class Reader:
             return Real(self.target.apply(operation, nodes, kind), kind)
         elif name in self.source.functions:
             return self._own(self.source.functions[name], given, node.coord)
-        raise ExpressionError(f"{node.coord}: the call {name}() is not known here")
+        raise ExpressionError(f"{node.coord}: the call {name}() is not supported")
 
     def unwritten(self, *nodes: Any) -> None:
         """Refuse calls that write where C may leave them out, or reorder them."""
@@ -849,7 +849,7 @@ class Reader:
     def _own(self, function: Any, given: Sequence[Any], where: Any) -> Value | None:
         known = parameters(function.decl.type)
         if self.depth == DEEPEST or len(known) != len(given):
-            raise ExpressionError(f"{where}: the call {function.decl.name}() is not known here")
+            raise ExpressionError(f"{where}: the call {function.decl.name}() is not supported")
         scope: dict[str, Variable | Array] = {}
         for declaration, argument in zip(known, given, strict=True):
             kind = declared(declaration)
@@ -900,7 +900,7 @@ def _integer(op: str, left: Whole, right: Whole, where: Any) -> Value:
     x, y = left.known, right.known
     far = op in ("<<", ">>") and y is not None and not 0 <= y < 32
     if x is None or y is None or far or op not in INTEGERS:
-        raise ExpressionError(f"{where}: {left} {op} {right} is not known here")
+        raise ExpressionError(f"{where}: {left} {op} {right} is not supported")
     return whole(int(INTEGERS[op](x, y)))
 
 

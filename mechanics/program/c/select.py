@@ -80,7 +80,7 @@ def truth(target: Target, condition: Condition, kind: str, where: Any) -> int:
 def _atom(target: Target, atom: Atom, kind: str, where: Any) -> int:
     if atom.relation not in RELATIONS:
         raise ExpressionError(
-            f"{where}: is{atom.relation}(...) decides a value: it has no exact meaning here"
+            f"{where}: is{atom.relation}(...) decides a value: it has no exact meaning"
         )
     x, y = atom.operands
     if atom.relation == "==" and target.constant(y) == 0 and target.is_truth(x):

@@ -107,7 +107,7 @@ class _Reader:
         elif not (word == "include" and words.startswith("<") and words[1:-1] in SYSTEM) and not (
             word == "pragma" and words in {p.replace(" ", "") for p in PRAGMAS}
         ):
-            raise ExpressionError(f"{where}: #{word} {words} is not known here")
+            raise ExpressionError(f"{where}: #{word} {words} is not supported")
 
     def condition(self, word: str, rest: Line, where: str) -> bool:
         """Whether a branch is taken."""
@@ -118,7 +118,7 @@ class _Reader:
         parser = _Condition(rest, self, where)
         value = parser.either()
         if parser.at != len(rest):
-            raise ExpressionError(f"{where}: this condition of #if is not known here")
+            raise ExpressionError(f"{where}: this condition of #if is not supported")
         return value
 
     def is_defined(self, name: str) -> bool:
@@ -132,7 +132,7 @@ class _Reader:
         result: list[str] = []
         for kind, text in line:
             if text in ("#", "##"):
-                raise ExpressionError(f"{where}: {text} is not known here")
+                raise ExpressionError(f"{where}: {text} is not supported")
             if kind == "name" and text in self.macros and text not in inside:
                 self.expansions += 1
                 if self.expansions > MOST_EXPANSIONS:
@@ -226,7 +226,7 @@ class _Condition:
             return self.reader.is_defined(name)
         if text in ("0", "1"):
             return text == "1"
-        raise ExpressionError(f"{self.where}: {text} in #if is not known here")
+        raise ExpressionError(f"{self.where}: {text} in #if is not supported")
 
 
 @dataclass(frozen=True)
@@ -268,7 +268,7 @@ def preprocess(
     Raises
     ------
     ExpressionError
-        For any directive that is not known here, by file and line.
+        For any directive that is not supported, by file and line.
     """
     return _preprocessed(text, file, _entries(includes), _entries(defined))
 

@@ -48,13 +48,13 @@ def declared(node: Any) -> Type:
     Raises
     ------
     ExpressionError
-        For a type, qualifier or storage class that is not known here.
+        For a type, qualifier or storage class that is not supported.
     """
     odd = set(getattr(node, "storage", None) or ()) - STORAGE
     odd |= set(getattr(node, "funcspec", None) or ()) - SPECIFIERS
     odd |= {type(entry).__name__ for entry in getattr(node, "align", None) or ()}
     if odd:
-        raise ExpressionError(f"{node.coord}: {', '.join(sorted(odd))} is not known here")
+        raise ExpressionError(f"{node.coord}: {', '.join(sorted(odd))} is not supported")
     return _type(node.type, node.coord)
 
 
@@ -64,16 +64,16 @@ def _type(node: Any, coord: Any) -> Type:
     if isinstance(node, c_ast.PtrDecl | c_ast.ArrayDecl):
         inner = _type(node.type, coord)
         if inner.depth:
-            raise ExpressionError(f"{coord}: a pointer to pointers is not known here")
+            raise ExpressionError(f"{coord}: a pointer to pointers is not supported")
         size, odd = None, set(getattr(node, "quals", None) or ())
         if isinstance(node, c_ast.ArrayDecl):
             odd = set(node.dim_quals or ())
             size = _size(node.dim, coord)
         if odd - QUALIFIERS:
-            raise ExpressionError(f"{coord}: {', '.join(sorted(map(str, odd)))} is not known here")
+            raise ExpressionError(f"{coord}: {', '.join(sorted(map(str, odd)))} is not supported")
         words = f"{inner.words} {' '.join(sorted(map(str, odd)))}*"
         return Type(inner.kind, inner.constant, 1, size, words)
-    raise ExpressionError(f"{coord}: {type(node).__name__} is a type that is not known here")
+    raise ExpressionError(f"{coord}: {type(node).__name__} is a type that is not supported")
 
 
 def _size(node: Any, coord: Any) -> int | None:
@@ -87,7 +87,7 @@ def _size(node: Any, coord: Any) -> int | None:
 def _plain(node: Any, coord: Any) -> Type:
     # Only a pointer can be restrict.
     if odd := set(node.quals or ()) - {"const"}:
-        raise ExpressionError(f"{coord}: {', '.join(sorted(odd))} is not known here")
+        raise ExpressionError(f"{coord}: {', '.join(sorted(odd))} is not supported")
     constant = "const" in (node.quals or ())
     if isinstance(node.type, c_ast.Struct):
         name = f"struct {node.type.name}"
@@ -97,7 +97,7 @@ def _plain(node: Any, coord: Any) -> Type:
         raise ExpressionError(f"{coord}: {type(node.type).__name__} is no type that is known here")
     kind = "int" if name in WHOLES else name
     if kind not in (*REALS, "int", "void") and not kind.startswith("struct "):
-        raise ExpressionError(f"{coord}: the type {name} is not known here")
+        raise ExpressionError(f"{coord}: the type {name} is not supported")
     return Type(kind, constant, 0, None, f"{'const ' if constant else ''}{name}")
 
 
@@ -112,7 +112,7 @@ def parameters(function: Any) -> list[Any]:
     given = function.args.params if function.args else []
     odd = [p for p in given if isinstance(p, c_ast.EllipsisParam | c_ast.ID)]
     if odd:
-        raise ExpressionError(f"{odd[0].coord}: this list of arguments is not known here")
+        raise ExpressionError(f"{odd[0].coord}: this list of arguments is not supported")
     if len(given) == 1 and isinstance(given[0], c_ast.Typename):
         return []  # f(void)
     return list(given)

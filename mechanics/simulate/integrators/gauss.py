@@ -120,7 +120,7 @@ def _suits(stages: int, problem: Problem, setting: Setting) -> str:
     if (contraction := factor * fastest * (setting.step or 0.0)) > 1:
         return (
             f"the iteration for the stages diverges at the start: a step of {setting.step:g} s is"
-            f" {contraction:.2g} times what it bears, the fastest motion having {fastest:.3g} rad/s"
+            f" {contraction:.2g} times too long, since the fastest motion has {fastest:.3g} rad/s"
         )
     return ""
 

@@ -145,7 +145,7 @@ class Function:
             kind, number = self._unions[union]
             self._unions[union] = Typed(kind, self._domain.do("flipped", kind, number, value.value))
         else:
-            raise ExpressionError(f"{node.coord}: {union}.{field} {node.op} is not known here")
+            raise ExpressionError(f"{node.coord}: {union}.{field} {node.op} is not supported")
 
     def _as(self, kind: str, value: Typed) -> Typed:
         """The value in a type: floating types are converted, integers cut."""
@@ -185,7 +185,7 @@ class Function:
             return self._as(_kind(node.to_type.type), self._value(node.expr))
         if isinstance(node, c_ast.FuncCall):
             return self._call(node)
-        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not known here")
+        raise ExpressionError(f"{node.coord}: {type(node).__name__} is not supported")
 
     def _floating(self, kind: str, node: Any) -> None:
         if kind not in FLOATS:
@@ -216,7 +216,7 @@ class Function:
             )
         if node.op == "*":
             return Typed(kind, self._domain.do("product", kind, x, y))
-        raise ExpressionError(f"{node.coord}: {node.op} is not known here")
+        raise ExpressionError(f"{node.coord}: {node.op} is not supported")
 
     def _call(self, node: Any) -> Typed:
         name, given = node.name.name, [self._value(x) for x in node.args.exprs]
@@ -225,7 +225,7 @@ class Function:
             x, y, z = (self._as(kind, value).value for value in given)
             return Typed(kind, self._domain.do("fused", kind, x, y, z))
         if name not in self._source.functions:
-            raise ExpressionError(f"{node.coord}: function {name} is not known here")
+            raise ExpressionError(f"{node.coord}: function {name} is not supported")
         parameters = self._source.functions[name].decl.type.args.params
         known = {
             p.name: self._as(_kind(p.type), value).value
@@ -239,7 +239,7 @@ def _kind(node: Any) -> str:
     """``double`` of a declaration; a pointer, a struct and what has several words are refused."""
     names = getattr(getattr(node, "type", None), "names", None)
     if names is None or (names != ["void"] and names[0] not in (*FLOATS, *BITS)):
-        raise ExpressionError(f"{node.coord}: this type is not known here")
+        raise ExpressionError(f"{node.coord}: this type is not supported")
     return " ".join(names)
 
 
@@ -251,5 +251,5 @@ def _integer(node: Any, left: Typed, right: Typed) -> Typed:
     elif node.op in ("&", "+"):
         value = left.value & right.value if node.op == "&" else left.value + right.value
     else:
-        raise ExpressionError(f"{node.coord}: {node.op} of integers is not known here")
+        raise ExpressionError(f"{node.coord}: {node.op} of integers is not supported")
     return Typed(kind, value % 2 ** BITS[kind])
