@@ -130,15 +130,15 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
     noted = (note for s in statements for note in s.notes)
     units = any(note.endswith(NOT_USED) for note in noted)
     for values in islice(_candidates(truth.scene, rows, units), MOST):
-        if _right(truth, rows, values):
+        if right_with(truth, rows, values):
             for symbol in list(values):
                 fewer = {s: v for s, v in values.items() if s != symbol}
-                values = fewer if fewer and _right(truth, rows, fewer) else values
+                values = fewer if fewer and right_with(truth, rows, fewer) else values
             return (words(values),)
     return ()
 
 
-def _right(truth: Equations, rows: Sequence[Published], values: Values) -> bool:
+def right_with(truth: Equations, rows: Sequence[Published], values: Values) -> bool:
     """Whether all rows are shown where parameters have values."""
     try:
         target = fix(truth, values)
@@ -153,8 +153,9 @@ def words(values: Values) -> str:
     """``g = 9.81``."""
     parts = []
     for symbol, value in sorted(values.items(), key=lambda item: item[0].name):
-        decimal = repr(float(value))
-        parts.append(f"{symbol.name} = {decimal if Rational(decimal) == value else value}")
+        decimal = repr(float(value)) if value.is_number else ""
+        exact = decimal and Rational(decimal) == value
+        parts.append(f"{symbol.name} = {decimal if exact else value}")
     return ", ".join(part.removesuffix(".0") for part in parts)
 
 

@@ -39,6 +39,7 @@ from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
+from mechanics.judge.special_case import in_special_case
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -167,6 +168,8 @@ def check(
     counts = [len(reading.statements) for reading in readings]
     judged = under_guessed_orders(judged, counts, [reading.names for reading in readings])
     judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
+    if not (counted or held or region):
+        judged = in_special_case(truth, judged)
     if blame:
         judged = _blamed(reference, judged, counted, held)
     judged = tuple(read_otherwise(truth, entry) for entry in judged)

@@ -1,0 +1,81 @@
+r"""Statements about a special case that the text gives: "for $u = 0$ ...", "without torque, ...".
+
+    For $u=0$ we have \ddot\theta = 3g/(2l) \sin\theta    REFUTED as it stands, right if u = 0
+
+What a text gives a value to is not used, since a person's numbers are as a rule an example. Where a
+refuted statement is right with them it is open, and the answer says with which.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from sympy import Expr, Rational, S, Symbol
+
+from mechanics.claims.claim import Written
+from mechanics.claims.prose import sentence_around
+from mechanics.equations import Equations
+from mechanics.judge.at_values import as_identity, right_with, words
+from mechanics.judge.converted_rows import in_plain_symbols
+from mechanics.judge.descriptions import BARE
+from mechanics.kernel import Verdict
+from mechanics.report.answer.judged import Judged
+
+UNIT = r"(?:\\[,;:! ]|~|\s|\\?(?:mathrm|text|textrm|si|unit)\s*\{[^{}$]*\})*"
+GIVEN = re.compile(rf"\$\s*{BARE}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
+PLAIN = r"[A-Za-z]\w*(?:_\{\w+\})?"
+EQUAL = re.compile(rf"\$\s*(?P<names>{PLAIN}(?:\s*=\s*{PLAIN})+)\s*\$")
+IDLE = re.compile(
+    r"\b(?:no|without|zero|vanishing)\s+(?:(?:an?|any|external|applied|driving|motor|control)\s+)*"
+    r"(?:torque|force|forcing|input|control|drive)s?\b"
+    r"|\bun(?:forced|driven|actuated)\b|\bfree\s+(?:motion|oscillation|vibration|swing)",
+    re.IGNORECASE,
+)
+"""What says that nothing drives."""
+
+
+def in_special_case(truth: Equations, entries: Sequence[Judged]) -> tuple[Judged, ...]:
+    """The entries; a refuted one is open where it is right in the case that its text gives.
+
+    Parameters
+    ----------
+    truth : Equations
+    entries : sequence of Judged
+    """
+    return tuple(_open(truth, entry) for entry in entries)
+
+
+def _open(truth: Equations, entry: Judged) -> Judged:
+    row, written = entry.statement.row, entry.statement.written
+    if entry.verdict is not Verdict.REFUTED or row is None or written is None:
+        return entry
+    table = dict(_given(truth, written)) if written.notation == "latex" else {}
+    if not table:
+        return entry
+    plain = in_plain_symbols(truth.kinematics, as_identity(truth, row))
+    gives_it = len({side.xreplace(table) for side in plain.sides}) == 1
+    if not (gives_it or right_with(truth, [plain], table)):
+        return entry
+    return replace(entry, right_if=(f"{words(table)}, as the text says",), open=True)
+
+
+def _given(truth: Equations, written: Written) -> Iterator[tuple[Symbol, Expr]]:
+    """Symbols of the scene with what the text up to the end of its sentence puts for them."""
+    scene, naming = truth.scene, written.naming
+    free = {s.name: s for s in (*scene.parameters, *scene.input_symbols)}
+    sentence = sentence_around(written.text, written.start)
+    end = written.text.find(sentence, max(0, written.start - len(sentence))) + len(sentence)
+    text = " ".join(written.text[:end].split())
+
+    def symbol(name: str) -> Symbol | None:
+        meaning = naming.lookup(name.replace("{", "").replace("}", ""))
+        return None if meaning is None or meaning[1] else free.get(meaning[0])
+
+    if IDLE.search(sentence):
+        yield from ((one, S.Zero) for one in scene.input_symbols)
+    for chain in EQUAL.finditer(text):
+        same = [one for name in chain["names"].split("=") if (one := symbol(name.strip()))]
+        yield from ((one, same[0]) for one in same[1:])
+    for one in GIVEN.finditer(text):
+        if (own := symbol(one["name"])) is not None:
+            yield own, Rational(one["value"])
