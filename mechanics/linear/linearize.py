@@ -165,8 +165,6 @@ class Expansion:
         for i in self.kept:
             if scene.q[i] not in self.point.coordinates:
                 raise missing(scene, "coordinate", scene.q[i])
-        self._steady()
-        self._smooth()
         words = "give coordinates that satisfy the constraints, exactly"
         holonomic = [c.name for c in self.reduction.mechanism.constraints if c.holonomic]
         broken = [(f"constraint {name}", words) for name in holonomic]
@@ -186,6 +184,9 @@ class Expansion:
             raise InputError(
                 f"{scene.name}: {subject} is {k} at the operating point, not zero: {cure}"
             )
+        # Only where the loops close at a regular place are there as many rows as speeds.
+        self._steady()
+        self._smooth()
         kind = "steady motion" if self.point.moves else "equilibrium"
         turning = angular(scene)
         where = self.point.words({q: q in turning for q in scene.q})

@@ -119,7 +119,10 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
     plain = substitute(mechanism.builder, rows, {**table, **moved})
     holonomic = [c.expression for c in mechanism.constraints if c.holonomic]
     conjugate = equations.conjugate and len(rows) == len(mechanism.u)
-    if conjugate:
+    ranks = len(found), _generic_rank(mechanism, matrix)
+    if ranks[0] < ranks[1]:
+        reduced = list(plain)  # a singular place, which is refused
+    elif conjugate:
         reduced = _projected(mechanism, plain, multipliers, speeds, free)
     else:
         reduced = _without_multipliers(equations, mechanism, plain, multipliers, place)
@@ -132,7 +135,7 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
         (*holonomic, *read(mechanism.builder, equations.scene.norms)),
         substitute(mechanism.builder, implied, table) if implied else (),
         conjugate,
-        (len(found), _generic_rank(mechanism, matrix)),
+        ranks,
     )
 
 

@@ -38,8 +38,10 @@ DOTTED = re.compile(r"(?P<base>.+)_(?P<dots>d{1,3})ot$")
 DOTLESS = "0.72em"
 """Height of a letter without its dots."""
 DOTTED_BASE = re.compile(r"(<msup>|<msubsup>)(<mover>(?:(?!</?mover>).)*</mover>)")
-# A component of a reaction: Ax, Ty1.
-COMPONENT = re.compile(r"([A-Z])([xyz]\d*)")
+# A letter with a subscript that has no mark: a component Ax, Ty1, Ixx; mB, IBx.
+LETTERED = re.compile(r"([A-Z](?=[xyz]{1,2}\d*$)|[a-z](?=[A-Z])|I(?=[A-Z][a-z]))([A-Za-z]+\d*)")
+WORD = 3
+"""Letters of a subscript that is a word, upright."""
 ACCENTS = ("", r"\dot", r"\ddot", r"\dddot")
 GREEK = frozenset(greek_unicode)
 # A drawing has the letters of formulas: LaTeX's phi is the straight one.
@@ -57,9 +59,9 @@ def split_name(name: str) -> tuple[str, int, str]:
     """Letter, number of dots and subscript of a plain name: theta1_dot gives theta, 1, "1"."""
     found = DOTTED.match(name)
     stem, dots = (found["base"], len(found["dots"])) if found else (name, 0)
-    component = COMPONENT.fullmatch(stem)
-    if component:
-        return component[1], dots, component[2]
+    lettered = LETTERED.fullmatch(stem)
+    if lettered:
+        return lettered[1], dots, lettered[2]
     base, supers, subs = split_super_sub(stem)
     return base, dots, ",".join(supers + subs)
 
@@ -73,11 +75,13 @@ def latex_name(name: str) -> str:
         letter = rf"\mathrm{{{base}}}"
     if dots:
         letter = f"{ACCENTS[dots]}{{{letter}}}"
-    return f"{letter}_{{{_greek(sub)}}}" if sub else letter
+    return f"{letter}_{{{','.join(map(_subscript, sub.split(',')))}}}" if sub else letter
 
 
-def _greek(sub: str) -> str:
-    return tex_greek_dictionary.get(sub, translate(sub) if len(sub) > 1 else sub)
+def _subscript(part: str) -> str:
+    letter = tex_greek_dictionary.get(part, translate(part) if len(part) > 1 else part)
+    word = letter == part and len(part) >= WORD and part.isalpha()
+    return rf"\mathrm{{{part}}}" if word else letter
 
 
 def svg_name(name: str) -> str:
@@ -161,7 +165,9 @@ class Notation(LatexPrinter):
             bare = alone or isinstance(factor, Derivative)
             text = self._print(factor) if bare else self.parenthesize(factor, PRECEDENCE["Mul"])
             clash = texts and text[:1].isdigit()
-            texts.append(rf"\cdot {text}" if clash else text)
+            # Upright letters side by side would be one word.
+            apart = texts and r"\mathrm" in text[:7] + texts[-1][:7]
+            texts.append(rf"\cdot {text}" if clash else rf"\, {text}" if apart else text)
         return " ".join(texts)
 
     def _print_Float(self, expr: Float) -> str:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup, escape
+from sympy import MatrixBase, S
 
 from mechanics.equations import Line, Side
 from mechanics.report.breaking import broken
@@ -21,6 +22,8 @@ from mechanics.scene.published import Published
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
 FOLDED = 260
 TOO_LONG = 2500
+WIDE = 60
+"""Nodes in the columns of a matrix beyond which it is written entry by entry."""
 # A letter, Latin or Greek, with a short subscript or dots.
 REFERENCE = re.compile(r"\(([EFPKL]\d+)\)")
 NAME = re.compile(rf"\b((?:[A-Za-z]|{'|'.join(sorted(GREEK))})_(?:\w{{1,2}}|d{{1,3}}ot))\b")
@@ -116,10 +119,37 @@ def chain(sides: Sequence[Any], name: str = "") -> Markup:
     """The sides of a published row, joined by equality signs."""
     if len(sides) == 1 and isinstance(sides[0], str):
         return Markup('<p class="eq">{}</p>').format(sides[0])
+    if len(sides) == 1 and isinstance(sides[0], MatrixBase) and _is_wide(sides[0]):
+        return _entries(sides[0], name)
     found = [name] if name else []
     for side in sides:
         found += _joined("=", side) if found else pieces(side)
     return _row([Piece(part) for part in found], "")
+
+
+def _is_wide(matrix: MatrixBase) -> bool:
+    """Whether no page has room for the columns of the matrix."""
+    if matrix.shape == (3, 1):
+        return False  # a vector, set as a sum
+    columns = matrix.T.tolist()
+    return sum(max(operations(e, TOO_LONG) for e in column) for column in columns) > WIDE
+
+
+def _entries(matrix: MatrixBase, name: str) -> Markup:
+    """A matrix entry by entry: each value once, with all of its places; zeros are left out."""
+    places: dict[Any, list[str]] = {}
+    for i, row in enumerate(matrix.tolist(), 1):
+        for j, entry in enumerate(row, 1):
+            places.setdefault(entry, []).append(f"row {i}, column {j}")
+    rest = places.pop(S.Zero, None)
+    rows = [
+        _row(
+            [Piece(part) for part in ([name, *_joined("=", entry)] if name else pieces(entry))],
+            "; ".join(where),
+        )
+        for entry, where in places.items()
+    ]
+    return Markup("").join([*rows, Markup('<p class="note">all others are 0</p>') if rest else ""])
 
 
 def ledger_row(tag: str, sides: Sequence[Any]) -> Markup:

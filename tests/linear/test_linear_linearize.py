@@ -128,3 +128,18 @@ def test_operating_point_by_symbols_and_by_names_is_the_same() -> None:
     plain = linearize(equations, {Symbol("theta", real=True): 0}, {Symbol("f", real=True): 0})
     assert by_name.stiffness == dynamic.stiffness == plain.stiffness
     assert by_name.point == dynamic.point == plain.point
+
+
+@pytest.mark.parametrize("route", (*ROUTES, "lagrange"))
+@pytest.mark.parametrize(
+    ("at", "message"),
+    [
+        ({"q1": 0, "q2": 0, "q3": 0}, "closure along x is .*, not zero"),
+        ({"q1": 0, "q2": 0, "q3": pi}, "1 of 2 constraints are independent: a singular"),
+    ],
+)
+def test_a_place_where_the_loop_is_open_or_stretched_out_is_refused(
+    at: dict, message: str, route: str
+) -> None:
+    with pytest.raises(InputError, match=message):
+        linearize(derived(four_bar, route), at, {"tau": 0}, PARALLELOGRAM)

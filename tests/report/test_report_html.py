@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from markupsafe import escape
-from sympy import Add, Symbol
+from sympy import Add, ImmutableMatrix, Symbol
 
 from mechanics.equations import Line
 from mechanics.kernel import Finding, Verdict
@@ -221,3 +221,15 @@ def test_a_term_lights_the_arrow_of_its_load() -> None:
         assert f'<g class="of-{name} arrow' in page
         assert f'<span class="of-{name}" tabindex="0">' in page
         assert f"span.of-{name}:is(:hover, :focus)) .arrow.of-{name} {{" in page
+
+
+def test_a_wide_matrix_is_written_entry_by_entry() -> None:
+    """A row of it would go beyond the page: the bicycle's."""
+    x = Symbol("x")
+    entry = sum(x**k for k in range(2, 22))
+    wide = typeset.chain((ImmutableMatrix([[entry, 0], [0, x]]),))
+    assert [f"row {i}, column {i}" in wide for i in (1, 2)] == [True, True]
+    assert "row 1, column 2" not in wide
+    assert "all others are 0" in wide
+    assert "mtable" not in wide
+    assert "mtable" in typeset.chain((ImmutableMatrix([[x, 0], [0, x]]),))

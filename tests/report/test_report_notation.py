@@ -105,3 +105,13 @@ def test_svg_names_are_escaped() -> None:
 def test_operations_stop_at_the_limit() -> None:
     assert operations(x + L, 100) == 3
     assert operations((x + L) ** 7 * sin(x), 4) == 4
+
+
+def test_names_are_set_as_the_field_sets_them() -> None:
+    """A letter and what it is of, words upright; words side by side do not run together."""
+    assert [latex_name(n) for n in ("mB", "IBx", "Ixx", "EI")] == [
+        "m_{B}", "I_{Bx}", "I_{xx}", r"\mathrm{EI}",
+    ]  # fmt: skip
+    assert latex_name("q_left_hip") == r"q_{\mathrm{left},\mathrm{hip}}"
+    kt, yaw = symbols("kt yaw")
+    assert latex(kt * yaw) == r"\mathrm{kt} \, \mathrm{yaw}"
