@@ -2,7 +2,8 @@
 
     Q(q) = 0 with angles 0 or pi, solved for the other coordinates, those that stay free 0
 
-Where the loads are not linear in these, all of them are 0. Dampers are left out: a text gives the frequency that the motion has without them.
+Where the loads are not linear in these, all of them are 0. Dampers are left out: a text gives the
+frequency that the motion has without them.
 """
 
 from collections.abc import Iterator, Mapping
