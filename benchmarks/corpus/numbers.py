@@ -46,6 +46,10 @@ class Truth:
         self.kinetic, self.potential = expression(row.get("T", "0")), expression(row.get("V", "0"))
         self.loads = [expression(text) for text in row.get("Q", ["0"] * len(self.names))]
         self.lengths = [sp.Symbol(name) for name in row.get("lengths", "").split()]
+        self.inputs = [sp.Symbol(name) for name in row.get("inputs", "").split()]
+        self.still = {
+            sp.Symbol(name): expression(text) for name, text in row.get("rest", {}).items()
+        }
         self.also = {name: expression(text) for name, text in row.get("also", {}).items()}
         if "motion" in row:  # of speeds that are no derivatives, as it was typed
             self.v, self.a = self.q, self.v
@@ -61,6 +65,12 @@ class Truth:
         rate = p.jacobian(self.q) * self.v + p.jacobian(self.v) * self.a + p.diff(self.t)
         force = sp.Matrix([sp.diff(lagrangian, q) for q in self.q])
         return rate - force - sp.Matrix(self.loads)
+
+    def first_order(self, of: sp.Expr) -> sp.Expr:
+        """What is left where coordinates, their rates and inputs are small."""
+        small = [*self.q, *self.v, *self.a, *self.inputs]
+        zero = dict.fromkeys(small, 0)
+        return sp.Add(of.subs(zero), *(sp.diff(of, s).subs(zero) * s for s in small))
 
     def quantities(self) -> dict[str, sp.Expr]:
         """What a statement may be about besides the motion."""
@@ -126,13 +136,13 @@ def _residuals(of: Truth, row: str) -> list[sp.Expr]:
             ]
         case "rest":  # the motion can stay at this value of the only coordinate
             return [entry.subs(state).subs(of.q[0], typed) for entry in of.motion]
-        case "frequency":  # angular, of a mode about rest at zero: det(K - omega^2 M) = 0
-            zero = state | dict.fromkeys([*of.q, sp.Symbol("t")], 0)
+        case "frequency":  # angular, of a mode about rest: det(K - omega^2 M) = 0
+            zero = dict.fromkeys([*of.v, *of.a, *of.q, sp.Symbol("t")], 0) | of.still
             stiff = of.motion.jacobian(of.q).subs(zero)
             return [(stiff - typed**2 * of.mass.subs(zero)).det()]
         case "linear":  # true to the first order about zero
-            first = of.motion.jacobian(of.q).subs(state).subs(dict.fromkeys(of.q, 0))
-            inertia = of.mass.subs(dict.fromkeys(of.q, 0))
-            stiff, mass = sp.diff(typed, of.q[0]), sp.diff(typed, of.a[0])
-            return [stiff * inertia[0, 0] - mass * first[0, 0]]
+            motion = of.motion.applyfunc(of.first_order)
+            mass, rest = motion.jacobian(of.a), motion.subs(dict.fromkeys(of.a, 0))
+            along = dict(zip(of.a, -mass.inv() * rest, strict=True))
+            return [of.first_order(typed).subs(along)]
     raise ValueError(row)

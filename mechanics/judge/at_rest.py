@@ -7,19 +7,21 @@ is solved for a parameter that it holds in the first degree, or for the coordina
 what is left of the equation of motion at rest, which has to vanish.
 """
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sympy import Expr, Mul, S, factor, solve
+from sympy import Expr, Mul, S, Symbol, factor, solve
 
 from mechanics.claims.claim import Written
 from mechanics.claims.convention import Table
 from mechanics.claims.guess import equilibrium_of
-from mechanics.claims.prose import denies_equilibrium, of_equilibrium
+from mechanics.claims.prose import denies_equilibrium, of_equilibrium, sentence_around
 from mechanics.claims.statement import NO_DEMANDS, Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.meanings import NO_TABLE
+from mechanics.linear.small_oscillations import equilibria
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Identity
@@ -42,7 +44,7 @@ def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> 
     if not isinstance(row.quantity, Identity) or len(row.sides) != 2:
         return statement
     if len(scene.q) != 1:
-        return _of_several(scene, statement, row, written)
+        return _of_several(truth, statement, row, written)
     sides = [scene.plain(side) for side in row.sides]
     held = set().union(*(side.free_symbols for side in sides))
     (q,) = scene.q
@@ -64,16 +66,34 @@ def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> 
     return statement
 
 
-def _of_several(scene: Scene, statement: Statement, row: Published, written: Written) -> Statement:
-    """A place among several coordinates, which one of them does not make an equilibrium."""
+def _of_several(
+    truth: Equations, statement: Statement, row: Published, written: Written
+) -> Statement:
+    """A place among several coordinates: it is that of all equilibria that the sentence leaves."""
+    scene = truth.scene
     name, *others = (scene.plain(side) for side in row.sides)
     held = set().union(*(side.free_symbols for side in others))
     if statement.doubt or name not in scene.q or held - {*scene.parameters, *scene.definitions}:
         return statement
     if not of_equilibrium(written.text, written.start):
         return statement
-    doubt = f"it is read as {name} at an equilibrium, of which it is one coordinate of several"
+    words = f"it is read as {name} at an equilibrium"
+    sentence = sentence_around(written.text, written.start)
+    places = [place for place in equilibria(truth) if _said_so(sentence, place, name)]
+    if places and all(_vanishes(place[name.name] - others[0]) for place in places):
+        found = replace(row, sides=(scene.pressed(places[0][name.name]), *row.sides[1:]))
+        return _said(statement, found, words)
+    doubt = f"{words}, of which it is one coordinate of several"
     return replace(statement, doubt=f"{doubt}: leave it out, or give the equations of motion")
+
+
+def _said_so(sentence: str, place: Mapping[str, Expr], name: Symbol) -> bool:
+    """Whether a sentence gives the other coordinates the values that they have at a place."""
+    values = {
+        q: re.search(rf"(?<!\w){re.escape(q)}\s*=\s*(0|\\?pi)\b", sentence)
+        for q in place if q != name.name
+    }  # fmt: skip
+    return all(m is not None and str(place[q]) == m[1].lstrip("\\") for q, m in values.items())
 
 
 def _said(statement: Statement, row: Published, note: str) -> Statement:

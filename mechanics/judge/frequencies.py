@@ -74,6 +74,8 @@ def solved(truth: Equations, statement: Statement) -> Statement:
                 continue
             square = Symbol("square", positive=True)
             above = expand(numer(together(candidate.vanishing.subs(ROOT, sqrt(square)))))
+            while above != 0 and above.coeff(square, 0) == 0:  # what moves freely has none
+                above = expand(above / square)
             if above.has(square) and degree(above, square) == 1:
                 root = -above.coeff(square, 0) / above.coeff(square, 1)
                 sides = (*(side**2 for side in letter.sides), factor(root))

@@ -1,13 +1,16 @@
 """Frequencies of small oscillations: det(K - omega^2 M) = 0 about equilibria that are at hand.
 
-The equilibria that are tried are those at which all coordinates are 0, angles 0 or pi.
-Dampers are left out: a text gives the frequency that the motion has without them.
+    Q(q) = 0 with angles 0 or pi, solved for the other coordinates, those that stay free 0
+
+Where the loads are not linear in these, all of them are 0. Dampers are left out: a text gives the
+frequency that the motion has without them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice, product
 
-from sympy import Expr, S, Symbol, pi
+from sympy import Expr, S, Symbol, cancel, linsolve, pi
+from sympy.solvers.solveset import NonlinearError
 
 from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
@@ -36,20 +39,47 @@ def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr
         det(K - omega^2 M).
     """
     scene = equations.scene
-    coordinates = tuple(q.name for q in scene.q)
-    if not 0 < len(coordinates) <= MOST or scene.speeds:
-        return
-    turning = angular(scene)
-    values = [(S.Zero, pi) if q in turning else (S.Zero,) for q in scene.q]
-    for chosen in islice(product(*values), MOST_PLACES):
-        place = dict(zip(coordinates, chosen, strict=True))
+    for place in equilibria(equations):
         inputs = dict.fromkeys((symbol.name for symbol in scene.input_symbols), S.Zero)
         try:
             linear = linearize(equations, place, inputs)
         except (InputError, ExpressionError, SceneError, SingularError):
             continue  # no equilibrium, or none that can be told
-        if linear.moves or (len(coordinates) > 1 and not linear.undamped):
+        if linear.moves or (len(place) > 1 and not linear.undamped):
             continue
         pencil = linear.stiffness - SQUARE * linear.mass
         words = ", ".join(f"{name} = {value}" for name, value in place.items())
         yield words, pencil.det(method="berkowitz")
+
+
+def equilibria(equations: Equations) -> Iterator[Mapping[str, Expr]]:
+    """Places that may be equilibria, by the names of the coordinates.
+
+    Parameters
+    ----------
+    equations : Equations
+    """
+    scene = equations.scene
+    if not 0 < len(scene.q) <= MOST or scene.speeds:
+        return
+    turning = angular(scene)
+    angles = [q for q in scene.q if q in turning]
+    still = dict.fromkeys((*scene.qd, *scene.u, *scene.ud, *scene.input_symbols), S.Zero)
+    loads = [row.xreplace(still) for row in equations.residual]
+    for chosen in islice(product((S.Zero, pi), repeat=len(angles)), MOST_PLACES):
+        place = dict(zip(angles, chosen, strict=True))
+        lengths = [q for q in scene.q if q not in place]
+        place |= _solved([load.xreplace(place) for load in loads], lengths)
+        yield {q.name: place[q] for q in scene.q}
+
+
+def _solved(loads: list[Expr], lengths: list[Symbol]) -> dict[Symbol, Expr]:
+    """Where loads vanish that are linear in lengths; zero where nothing tells."""
+    zero = dict.fromkeys(lengths, S.Zero)
+    try:
+        values = next(iter(linsolve(loads, lengths)), None) if lengths else None
+    except NonlinearError:
+        values = None
+    if values is None:
+        return zero
+    return {q: cancel(v.xreplace(zero)) for q, v in zip(lengths, values, strict=True)}

@@ -92,3 +92,19 @@ def test_a_state_taken_apart_by_names_and_a_column_stacked_under_speeds() -> Non
     for right, wrong in (("4/3", "1/3"), ("thd^2", "xd^2"), ("xd; thd", "thd; xd")):
         found = check(truth, UNPACKED.replace(right, wrong), blame=False)
         assert found.verdict is Verdict.REFUTED
+
+
+OVER_TIMES = """function r = swing(t, s)
+th = s(1,:); w = s(2,:);
+r(1,:) = w;
+r(2,:) = -g*sin(th);
+r(2,:) = r(2,:)./l;
+end"""
+
+
+def test_rows_over_many_times_and_a_result_that_is_filled_entry_by_entry() -> None:
+    assert set(verdicts("pendulum", OVER_TIMES)) == {"PROVED"}
+    for right, wrong in (("sin", "cos"), ("= w", "= th"), ("./l", ".*l"), ("s(2,:)", "s(1,:)")):
+        assert "REFUTED" in verdicts("pendulum", OVER_TIMES.replace(right, wrong))
+    columns = OVER_TIMES.replace("1,:", ":,1").replace("2,:", ":,2")
+    assert set(verdicts("pendulum", columns)) == {"PROVED"}

@@ -3,10 +3,12 @@
 from functools import cache
 
 import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
+from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
 from systems import cartpole, cylinder_in_cylinder, two_mass_chain
 from tests.notation_scenes import judged, verdicts
 
@@ -102,3 +104,67 @@ def chain() -> Equations:
 def test_of_several_frequencies_each_is_another_root(text: str, verdict: list[str]) -> None:
     found = mechanics.check(chain(), text, blame=False)
     assert [entry.finding.verdict.name for entry in found.judged] == verdict
+
+
+@cache
+def trolleys() -> Equations:
+    """Two trolleys that a spring of the length a holds apart, free to roll away together."""
+    x, y = dynamicsymbols("x y")
+    M, m, k, a = parameters("M m k a", units="kg kg N/m m")
+    N, O = ReferenceFrame("N"), Point("O")
+    ends = [O.locatenew(name, q * N.x) for name, q in (("P", x), ("Q", y))]
+    pull = k * (y - x - a) * N.x
+    return derived(
+        Scene(
+            "trolleys", N, O, coordinates=(x, y),
+            bodies=(Particle("first", ends[0], M), Particle("second", ends[1], m)),
+            loads=(force("on first", ends[0], pull, on="first"),
+                   force("on second", ends[1], -pull, on="second")),
+            reactions=tuple(
+                reaction(f"{side} {name}", at=end, on=name, by=None, along=axis)
+                for name, end in zip(("first", "second"), ends, strict=True)
+                for side, axis in (("y", N.y), ("z", N.z))
+            ),
+        )
+    )  # fmt: skip
+
+
+def test_a_frequency_beside_a_mode_that_moves_freely() -> None:
+    right = r"\omega = \sqrt{\frac{k(M+m)}{Mm}}"
+    assert [e.verdict.name for e in mechanics.check(trolleys(), right).judged] == ["PROVED"]
+    (wrong,) = mechanics.check(trolleys(), r"\omega = \sqrt{\frac{kM}{Mm}}").judged
+    assert wrong.verdict.name == "REFUTED"
+    assert wrong.blame is not None
+    (edit,) = wrong.blame.repairs[0].edits
+    assert "m" in edit.right
+
+
+@cache
+def hung() -> Equations:
+    """A sleeve that hangs on a spring of the length a, on a rod that swings."""
+    r, phi = dynamicsymbols("r phi")
+    m, k, a, g = parameters("m k a g", units="kg N/m m m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (phi, N.z))
+    P = O.locatenew("P", -r * A.y)
+    return derived(
+        Scene(
+            "sleeve", N, O, plane=N.z, coordinates=(r, phi), bodies=(Particle("bob", P, m),),
+            loads=(gravity(-g * N.y), force("spring", P, k * (r - a) * A.y, on="bob")),
+        )
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"It oscillates about $r = a + \frac{mg}{k}$, $\phi = 0$.", "PROVED"),
+        (r"It oscillates about $r = a + \frac{mg}{k}$, $\phi = \pi$.", "UNDECIDED"),
+        (r"It oscillates about $r = a - \frac{mg}{k}$, $\phi = 0$.", "UNDECIDED"),
+        (r"It oscillates about $r = a + \frac{mg}{k}$.", "UNDECIDED"),
+        (r"Up and down its frequency is $\omega = \sqrt{k/m}$.", "PROVED"),
+        (r"Up and down its frequency is $\omega = \sqrt{2k/m}$.", "REFUTED"),
+    ],
+)
+def test_a_place_among_several_coordinates(text: str, verdict: str) -> None:
+    assert verdict in [e.verdict.name for e in mechanics.check(hung(), text, blame=False).judged]

@@ -68,16 +68,18 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     tables = {name: line for name, line in own.items() if isinstance(line.sides[1], Table)}
     tables |= _columns_of_state(lines, arrays, size)
     lines = _with_locals(lines, naming, (*arrays, *tables))
-    returned = _returned(lines, tables, size)
+    returned = _returned(lines, tables, size) or _returned_by_entries(lines, arrays, size)
     found: dict[str, tuple[str, str]] = {}
     rates: dict[str, str] = {}
-    state = _returned_state(arrays, tables, size) if returned else ""
+    passed = {name: places for name, places in arrays.items() if name != returned}
+    state = _returned_state(passed, tables, size) if returned else ""
     for array in arrays:
         rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
         if not rate and array == state:
             rate = returned
         said = _said(lines, naming, array)
-        if rate or said or not any(array in _named_rates(other) for other in arrays):
+        of_another = array == returned or any(array in _named_rates(other) for other in arrays)
+        if rate or said or not of_another:
             found |= _meanings(lines, naming, array, rate, arrays, said)
             rates[rate] = array
     columns = {
@@ -138,6 +140,21 @@ def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> 
     return columns[0] if len(columns) == 1 else ""
 
 
+def _returned_by_entries(lines: Sequence[Entry], arrays: Mapping[str, set[int]], size: int) -> str:
+    """The one array that gets all its entries, as many as a state has: y(1) = x(3); y(2) = ..."""
+    assigned: dict[str, list[int]] = {}
+    for line in lines:
+        left = line.sides[0] if isinstance(line, Line) and len(line.sides) == 2 else None
+        if isinstance(left, Name) and (part := ELEMENT.fullmatch(left.name)):
+            assigned.setdefault(part["array"], []).append(int(part["index"]))
+    whole = [
+        array for array, places in assigned.items()
+        if {*places} == arrays[array] and len(arrays[array]) == size > 1
+        and not any(array in _named_rates(other) for other in arrays)
+    ]  # fmt: skip
+    return whole[0] if len(whole) == 1 and len(arrays) > 1 else ""
+
+
 def _columns_of_state(
     lines: Sequence[Entry], arrays: Mapping[str, set[int]], size: int
 ) -> dict[str, Line]:
@@ -156,6 +173,7 @@ def _returned_state(arrays: Mapping[str, set[int]], tables: Container[str], size
     if any(name in tables for array in arrays for name in _named_rates(array)):
         return ""
     fitting = [array for array, places in arrays.items() if max(places) >= size // 2]
+    fitting = [array for array in fitting if len(arrays[array]) == size] or fitting
     plain = [array for array in fitting if array not in INPUTS] or fitting
     return plain[0] if len(plain) == 1 else ""
 

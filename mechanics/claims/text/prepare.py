@@ -38,6 +38,11 @@ PROSE = re.compile(
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
+OVER_TIMES = re.compile(
+    r"(?<=\w\()(?:[ \t]*(\d+)[ \t]*,[ \t]*:[ \t]*|:[ \t]*,[ \t]*(\d+)[ \t]*)(?=\))"
+)
+"""A row or column of states at many times, x(3, :), which is x(3) at each of them."""
+
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
@@ -46,6 +51,7 @@ def prepared(text: str) -> str:
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)
+    text = OVER_TIMES.sub(lambda m: (m[1] or m[2]).ljust(len(m[0])), text)
     text = barred(without_declarations(text))
     text = on_one_line(sentences(text))
     out = list(text)

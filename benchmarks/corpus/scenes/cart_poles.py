@@ -1,0 +1,220 @@
+"""Carts with a rod or a load, with two of them, on a spring."""
+
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
+
+
+def P(text, **more):
+    """Parameters, "m:kg l:m"."""
+    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
+    return parameters(" ".join(names), units=" ".join(units), **more)
+
+
+def _cart(x, mass, rods, g, push, inputs=(), moments=()):
+    """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
+
+    Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
+    """
+    N, O = ReferenceFrame("N"), Point("O")
+    track = slide("track", None, "cart", at=O, axis=N.x, distance=x)
+    bodies, joints, ends = (
+        [RigidBody("cart", track.point, N, mass, 0)],
+        [track],
+        {"cart": track.point},
+    )
+    loads = [gravity(-g * N.y)]
+    if push != 0:
+        loads.append(force("push", track.point, push * N.x, on="cart"))
+    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
+        axis = -N.z if up * sense > 0 else N.z
+        joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
+        y = up * joint.frame.y
+        bodies.append(
+            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
+        )
+        joints.append(joint)
+        ends[name] = joint.point.locatenew(f"E {name}", length * y)
+        for on, moment in moments:
+            if on == name:
+                loads.append(torque(f"friction {name}", moment * axis, on=name, by=parent))
+    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
+
+
+def _one(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0):
+    moments = (("rod", moment),) if moment != 0 else ()
+    return _cart(
+        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, moments
+    )
+
+
+def swingup():
+    """A uniform pole of the length l, theta from upright, its top at x - l sin(theta); friction b
+    of the cart."""
+    x, theta, F = dynamicsymbols("x theta action")
+    mp, mc, l, b, g = P("m_p:kg m_c:kg l:m b:N*s/m g:m/s^2")
+    return _one(
+        x, theta, mc, mp, l / 2, g, F - b * x.diff(), up=1, sense=-1, I=mp * l**2 / 12, inputs=(F,)
+    )
+
+
+def crocoddyl():
+    """A bob m2 on l, th from upright, its top at y - l sin(th)."""
+    y, th, f = dynamicsymbols("y th f")
+    m1, m2, l, g = P("m1:kg m2:kg l:m g:m/s^2")
+    return _one(y, th, m1, m2, l, g, f, up=1, sense=-1, inputs=(f,))
+
+
+def _uniform(names, F, sense):
+    x, theta, force_ = dynamicsymbols(f"x theta {F}")
+    M, m, l, g = parameters(names, units="kg kg m m/s^2")
+    return _one(x, theta, M, m, l, g, force_, up=1, sense=sense, I=m * l**2 / 3, inputs=(force_,))
+
+
+def gym():
+    """A uniform pole of half the length `length`, from upright."""
+    return _uniform("masscart masspole length gravity", "force", 1)
+
+
+def capitals():
+    """The same in capitals."""
+    return _uniform("MASSCART MASSPOLE LENGTH GRAVITY", "force", 1)
+
+
+def florian():
+    """The same as in the literature."""
+    return _uniform("m_c m_p l g", "F", 1)
+
+
+def mppi():
+    """The same, theta counterclockwise."""
+    return _uniform("M m l g", "force", -1)
+
+
+def guide():
+    """A bob M_p on L, theta counterclockwise from upright, frictions of cart and pin."""
+    x, theta, F = dynamicsymbols("x theta F")
+    Mc, Mp, L, dc, dp, g = P("M_c:kg M_p:kg L:m d_c:N*s/m d_p:N*m*s g:m/s^2")
+    return _one(
+        x,
+        theta,
+        Mc,
+        Mp,
+        L,
+        g,
+        F - dc * x.diff(),
+        up=1,
+        sense=-1,
+        inputs=(F,),
+        moment=-dp * theta.diff(),
+    )
+
+
+def derivation():
+    """A rod with an inertia about its mass centre, clockwise from upright, frictions of cart and
+    pin."""
+    x, theta, F = dynamicsymbols("x theta F")
+    M, m, l, I, bx, bt, g = P("M:kg m_pend:kg l:m I_com:kg*m^2 b_x:N*s/m b_theta:N*m*s g:m/s^2")
+    push = F - bx * x.diff()
+    return _one(
+        x, theta, M, m, l, g, push, up=1, sense=1, I=I, inputs=(F,), moment=-bt * theta.diff()
+    )
+
+
+def double():
+    """Two hanging bobs, both angles from the vertical."""
+    x, a, b, F = dynamicsymbols("x theta_1 theta_2 F")
+    M, m1, m2, l1, l2, g = P("M:kg m_1:kg m_2:kg l_1:m l_2:m g:m/s^2")
+    rods = [("one", "cart", a, -1, 1, m1, l1, 0, l1), ("two", "one", b, -1, 1, m2, l2, 0, 0)]
+    return _cart(x, M, rods, g, F, (F,))
+
+
+def balance():
+    """Åström's balance system: top at q - l sin(theta), inertia J, frictions c and gamma."""
+    q, theta, u = dynamicsymbols("q theta u")
+    M, m, J, l, c, gamma, g = P("M:kg m:kg J:kg*m^2 l:m c:N*s/m gamma:N*m*s g:m/s^2")
+    push = u - c * q.diff()
+    return _one(
+        q, theta, M, m, l, g, push, up=1, sense=-1, I=J, inputs=(u,), moment=-gamma * theta.diff()
+    )
+
+
+def mathworks():
+    """A bob, theta counterclockwise from upright, cart at z with a damping Kd."""
+    z, theta, F = dynamicsymbols("z theta F")
+    M, m, g, l, Kd = P("M:kg m:kg g:m/s^2 l:m Kd:N*s/m")
+    return _one(z, theta, M, m, l, g, F - Kd * z.diff(), up=1, sense=-1, inputs=(F,))
+
+
+def bob():
+    """A bob m on l, clockwise from upright, pushed by u."""
+    x, theta, u = dynamicsymbols("x theta u")
+    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
+    return _one(x, theta, M, m, l, g, u, up=1, sense=1, inputs=(u,))
+
+
+def inertia():
+    """A rod with the inertia J about its mass centre, clockwise from upright."""
+    x, theta, u = dynamicsymbols("x theta u")
+    M, m, L, J, g = P("M:kg m:kg L:m J:kg*m^2 g:m/s^2")
+    return _one(x, theta, M, m, L, g, u, up=1, sense=1, I=J, inputs=(u,))
+
+
+def gantry():
+    """A container m that hangs on r at x + r sin(theta), dampings dc of the trolley and dp of the
+    swing."""
+    x, theta, u = dynamicsymbols("x theta u")
+    m, M, r, dp, dc, g = P("m:kg M:kg r:m dp:N*m*s dc:N*s/m g:m/s^2")
+    push = u - dc * x.diff()
+    return _one(x, theta, M, m, r, g, push, up=-1, sense=1, inputs=(u,), moment=-dp * theta.diff())
+
+
+def web():
+    """A bob, theta counterclockwise from upright, pushed by F."""
+    x, theta, F = dynamicsymbols("x theta F")
+    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
+    return _one(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
+
+
+def hanging():
+    """A bob that hangs at x + l sin(theta) on a free cart."""
+    x, theta = dynamicsymbols("x theta")
+    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
+    return _one(x, theta, M, m, l, g, 0, up=-1, sense=1)
+
+
+def ctms():
+    """A rod that hangs, with the inertia I about its mass centre, friction b of the cart."""
+    x, theta, F = dynamicsymbols("x theta F")
+    M, m, l, I, b, g = P("M:kg m:kg l:m I:kg*m^2 b:N*s/m g:m/s^2")
+    return _one(x, theta, M, m, l, g, F - b * x.diff(), up=-1, sense=1, I=I, inputs=(F,))
+
+
+def on_spring():
+    """A cart on a spring k with a bob that hangs on R; dampings d of the cart and b of the pin."""
+    x, theta = dynamicsymbols("x theta")
+    M, m, R, k, d, b, g = P("M:kg m:kg R:m k:N/m d:N*s/m b:N*m*s g:m/s^2")
+    push = -k * x - d * x.diff()
+    return _one(x, theta, M, m, R, g, push, up=-1, sense=1, moment=-b * theta.diff())
+
+
+def sliding_rod():
+    """A uniform rod len on a block with a spring k1 and a driving force epf cos(om t); spring k2
+    and dampings c1, c2."""
+    x1, phi = dynamicsymbols("x1 phi")
+    t = dynamicsymbols._t
+    m1, m2, L, g, c1, c2, k1, k2, epf, om = P(
+        "m1:kg m2:kg len:m g:m/s^2 c1:N*s/m c2:N*m*s k1:N/m k2:N*m epf:N om:1/s"
+    )
+    from sympy import cos
+
+    push = epf * cos(om * t) - c1 * x1.diff() - k1 * x1
+    moment = -c2 * phi.diff() - k2 * phi
+    return _one(x1, phi, m1, m2, L / 2, g, push, up=-1, sense=1, I=m2 * L**2 / 12, moment=moment)
+
+
+def hanging_u():
+    """A bob mp that hangs at x + l sin(theta) on a cart mc, pushed by u."""
+    x, theta, u = dynamicsymbols("x theta u")
+    mc, mp, l, g = P("mc:kg mp:kg l:m g:m/s^2")
+    return _one(x, theta, mc, mp, l, g, u, up=-1, sense=1, inputs=(u,))

@@ -1,0 +1,383 @@
+"""Pendulums: one, two, on a spring, driven; rods on springs; beads on rods that turn."""
+
+from sympy import cos, sin, sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    force,
+    gravity,
+    holonomic,
+    parameters,
+    pin,
+    reaction,
+    torque,
+)
+
+t = dynamicsymbols._t
+
+
+def P(text, **more):
+    """Parameters, "m:kg l:m"."""
+    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
+    return parameters(" ".join(names), units=" ".join(units), **more)
+
+
+def _two(angles, m1, m2, l1, l2, g):
+    """Two bobs, both angles from the downward vertical."""
+    a, b = dynamicsymbols(angles)
+    N, O = ReferenceFrame("N"), Point("O")
+    first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
+    E1 = first.point.locatenew("E1", -l1 * first.frame.y)
+    second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
+    E2 = E1.locatenew("E2", -l2 * second.frame.y)
+    return Scene(
+        "double pendulum",
+        N,
+        O,
+        plane=N.z,
+        joints=(first, second),
+        loads=(gravity(-g * N.y),),
+        bodies=(
+            RigidBody("upper", E1, first.frame, m1, 0),
+            RigidBody("lower", E2, second.frame, m2, 0),
+        ),
+    )
+
+
+def subscripts():
+    """theta_1, m_1, l_1."""
+    return _two("theta_1 theta_2", *P("m_1:kg m_2:kg l_1:m l_2:m g:m/s^2"))
+
+
+def plain():
+    """theta1, m1, l1."""
+    return _two("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
+
+
+def capitals():
+    """theta_1, M_1, L_1, G."""
+    return _two("theta_1 theta_2", *P("M_1:kg M_2:kg L_1:m L_2:m G:m/s^2"))
+
+
+def phis():
+    """phi1, m1, L1."""
+    return _two("phi1 phi2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
+
+
+def arms():
+    """theta1, m1, L1."""
+    return _two("theta1 theta2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
+
+
+def th():
+    """th1, M1, L1, G."""
+    return _two("th1 th2", *P("M1:kg M2:kg L1:m L2:m G:m/s^2"))
+
+
+def equal():
+    """Equal bobs on equal rods."""
+    m, l, g = P("m:kg l:m g:m/s^2")
+    return _two("theta1 theta2", m, m, l, l, g)
+
+
+def _one(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
+    """A body on a pin, counterclockwise from the downward vertical (clockwise from the upward
+    one)."""
+    N, O = ReferenceFrame("N"), Point("O")
+    axis = -N.z if up else N.z
+    hold = pin("hold", None, "body", at=O, axis=axis, angle=angle)
+    C = hold.point.locatenew("C", (1 if up else -1) * reach * hold.frame.y)
+    loads = [gravity(-g * N.y)] if g != 0 else []
+    if moment != 0:
+        loads.append(torque("moment", moment * axis, on="body"))
+    return Scene(
+        "pendulum",
+        N,
+        O,
+        plane=N.z,
+        bodies=(RigidBody("body", C, hold.frame, m, inertia),),
+        joints=(hold,),
+        inputs=inputs,
+        loads=loads,
+    )
+
+
+def damped_torque():
+    """A torque tau and a damping B."""
+    theta, tau = dynamicsymbols("theta tau")
+    m, l, g, B = P("m:kg l:m g:m/s^2 B:N*m*s")
+    return _one(theta, m, 0, l, g, tau - B * theta.diff(), (tau,))
+
+
+def rod_upright():
+    """A uniform rod of the length l, clockwise from upright, with a torque u."""
+    theta, u = dynamicsymbols("theta u")
+    m, l, g = P("m:kg l:m g:m/s^2")
+    return _one(theta, m, m * l**2 / 12, l / 2, g, u, (u,), up=True)
+
+
+def air():
+    """A drag mu times the velocity of the bob."""
+    theta = dynamicsymbols("theta")
+    m, l, g, mu = P("m:kg l:m g:m/s^2 mu:N*s/m")
+    return _one(theta, m, 0, l, g, -mu * l**2 * theta.diff())
+
+
+def driven():
+    """A damping b and a drive A cos(k t)."""
+    theta = dynamicsymbols("theta")
+    m, R, g, b, A, k = P("m:kg R:m g:m/s^2 b:N*m*s A:N*m k:1/s")
+    return _one(theta, m, 0, R, g, -b * theta.diff() + A * cos(k * t))
+
+
+def estop():
+    """A torque `action`, a friction per moment of inertia."""
+    theta, u = dynamicsymbols("theta action")
+    m, l, g, f = P("mass:kg length:m gravity:m/s^2 friction:1/s")
+    return _one(theta, m, 0, l, g, u - f * m * l**2 * theta.diff(), (u,))
+
+
+def torque_damped():
+    """A torque u and a damping c."""
+    theta, u = dynamicsymbols("theta u")
+    m, l, g, c = P("m:kg l:m g:m/s^2 c:N*m*s")
+    return _one(theta, m, 0, l, g, u - c * theta.diff(), (u,))
+
+
+def damped():
+    """A damping b."""
+    theta = dynamicsymbols("theta")
+    m, L, g, b = P("m:kg L:m g:m/s^2 b:N*m*s")
+    return _one(theta, m, 0, L, g, -b * theta.diff())
+
+
+def with_inertia():
+    """An inertia I about the pivot, the mass centre at lc, a torque u, a friction b."""
+    theta, u = dynamicsymbols("theta u")
+    m, b, lc, I, g = P("m:kg b:N*m*s lc:m I:kg*m^2 g:m/s^2")
+    return _one(theta, m, I - m * lc**2, lc, g, u - b * theta.diff(), (u,))
+
+
+def inverted_spring():
+    """A bob at l, clockwise from upright; a horizontal spring k and damper c at the height d; a
+    torque M."""
+    theta, M = dynamicsymbols("theta M")
+    m, l, d, k, c, g = P("m:kg l:m d:m k:N/m c:N*s/m g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    hold = pin("hold", None, "rod", at=O, axis=-N.z, angle=theta)
+    C, D = (hold.point.locatenew(n, s * hold.frame.y) for n, s in (("C", l), ("D", d)))
+    side = d * sin(theta)
+    return Scene(
+        "inverted pendulum on a spring",
+        N,
+        O,
+        plane=N.z,
+        joints=(hold,),
+        inputs=(M,),
+        bodies=(RigidBody("rod", C, hold.frame, m, 0),),
+        loads=(
+            gravity(-g * N.y),
+            torque("motor", -M * N.z, on="rod"),
+            force("spring", D, -(k * side + c * side.diff(t)) * N.x, on="rod"),
+        ),
+    )
+
+
+def cartesian():
+    """A bob at x, y below or above the pivot, held at the distance L; Fo is the tension."""
+    x, y = dynamicsymbols("x y")
+    m, g, L = P("m:kg g:m/s^2 L:m", typical="1 9.81 1")
+    N, O = ReferenceFrame("N"), Point("O")
+    C = O.locatenew("C", x * N.x + y * N.y)
+    return Scene(
+        "pendulum",
+        N,
+        O,
+        coordinates=(x, y),
+        bodies=(Particle("bob", C, m),),
+        loads=(gravity(-g * N.y),),
+        constraints=(holonomic("rod", x**2 + y**2 - L**2, "Fo"),),
+        reactions=(
+            reaction("Fo", at=C, on="bob", by=None, along=(-x * N.x - y * N.y) / sqrt(x**2 + y**2)),
+            reaction("side", at=C, on="bob", by=None, along=N.z),
+        ),
+        example={"x": 0.6, "y": -0.8},
+    )
+
+
+def _elastic(angle, length, m, g, pull, across=0, order=None):
+    """A bob at the distance `length`, the angle from the downward vertical; pull inwards, across
+    forwards."""
+    N, O = ReferenceFrame("N"), Point("O")
+    B = N.orientnew("B", "Axis", (angle, N.z))
+    C = O.locatenew("C", -length * B.y)
+    return Scene(
+        "spring pendulum",
+        N,
+        O,
+        coordinates=order or (length, angle),
+        bodies=(Particle("bob", C, m),),
+        loads=(gravity(-g * N.y), force("spring", C, pull * B.y + across * B.x, on="bob")),
+        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
+        example={str(length.func): 2.0, str(angle.func): 0.5},
+    )
+
+
+def elastic():
+    """r, theta, k, L0."""
+    r, theta = dynamicsymbols("r theta")
+    m, k, L0, g = P("m:kg k:N/m L0:m g:m/s^2")
+    return _elastic(theta, r, m, g, k * (r - L0))
+
+
+def elastic_wiki():
+    """r, theta, k, L_0."""
+    r, theta = dynamicsymbols("r theta")
+    m, k, L0, g = P("m:kg k:N/m L_0:m g:m/s^2")
+    return _elastic(theta, r, m, g, k * (r - L0))
+
+
+def elastic_soton():
+    """r, theta, k, l."""
+    r, theta = dynamicsymbols("r theta")
+    m, k, l, g = P("m:kg k:N/m l:m g:m/s^2")
+    return _elastic(theta, r, m, g, k * (r - l))
+
+
+def springy():
+    """theta, l; l0 is the length at rest with the bob on it, da a drag across, ds a damping of the
+    spring."""
+    theta, l = dynamicsymbols("theta l")
+    l0, k, m, g, da, ds = P("l0:m k:N/m m:kg g:m/s^2 da:N*s/m ds:N*s/m")
+    pull = k * (l - l0) + m * g + ds * l.diff()
+    return _elastic(theta, l, m, g, pull, -da * l * theta.diff(), order=(theta, l))
+
+
+def cone():
+    """A particle on a cone that opens downwards, on a spring from its top: s along it, phi about
+    it."""
+    s, phi = dynamicsymbols("s phi")
+    m, g, k, L0, a = P("m:kg g:m/s^2 k:N/m L_0:m alpha:1", typical="1 9.81 20 0.5 0.5")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (phi, N.z))
+    along, across = sin(a) * A.x - cos(a) * A.z, cos(a) * A.x + sin(a) * A.z
+    C = O.locatenew("C", s * along)
+    return Scene(
+        "spring pendulum on a cone",
+        N,
+        O,
+        coordinates=(s, phi),
+        bodies=(Particle("particle", C, m),),
+        loads=(gravity(-g * N.z), force("spring", C, -k * (s - L0) * along, on="particle")),
+        reactions=(reaction("R", at=C, on="particle", by=None, along=across),),
+        example={"s": 1.0},
+    )
+
+
+def moving_pivot():
+    """The pivot goes up and down as a cos(omega t)."""
+    theta = dynamicsymbols("theta")
+    m, l, a, omega, g = P("m:kg l:m a:m omega:1/s g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = O.locatenew("A", a * cos(omega * t) * N.y)
+    hold = pin("hold", None, "rod", at=A, axis=N.z, angle=theta)
+    C = hold.point.locatenew("C", -l * hold.frame.y)
+    return Scene(
+        "driven pendulum",
+        N,
+        O,
+        plane=N.z,
+        joints=(hold,),
+        loads=(gravity(-g * N.y),),
+        bodies=(RigidBody("rod", C, hold.frame, m, 0),),
+    )
+
+
+def _rod_on_spring(L, reach, k):
+    """A uniform rod M, L on a hinge, without gravity; a spring across it at the reach."""
+    theta = dynamicsymbols("theta")
+    (M,) = parameters("M", units="kg")
+    N, O = ReferenceFrame("N"), Point("O")
+    hold = pin("hinge", None, "rod", at=O, axis=N.z, angle=theta)
+    C, D = (hold.point.locatenew(n, s * hold.frame.x) for n, s in (("C", L / 2), ("D", reach)))
+    return Scene(
+        "rod on a spring",
+        N,
+        O,
+        plane=N.z,
+        joints=(hold,),
+        bodies=(RigidBody("rod", C, hold.frame, M, M * L**2 / 12),),
+        loads=(force("spring", D, -k * reach * sin(theta) * N.y, on="rod"),),
+    )
+
+
+def rod_end():
+    """The spring at its end."""
+    L, K = P("L:m K:N/m")
+    return _rod_on_spring(L, L, K)
+
+
+def rod_at():
+    """The spring at the distance a."""
+    L, a, k = P("L:m a:m k:N/m")
+    return _rod_on_spring(L, a, k)
+
+
+def _bead(r, m, turn, frame_z, g=0):
+    """A bead at r on a smooth rod that turns."""
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (turn, N.z))
+    C = O.locatenew("C", r * A.x)
+    loads = (gravity(-g * N.y),) if g != 0 else ()
+    return Scene(
+        "bead on a rod",
+        N,
+        O,
+        coordinates=(r,),
+        bodies=(Particle("bead", C, m),),
+        loads=loads,
+        reactions=(
+            reaction("across", at=C, on="bead", by=None, along=A.y),
+            reaction("side", at=C, on="bead", by=None, along=N.z),
+        ),
+    )
+
+
+def bead_vertical():
+    """The rod turns in a vertical plane, omega t from the horizontal."""
+    m, omega, g = P("m:kg omega:1/s g:m/s^2")
+    return _bead(dynamicsymbols("s"), m, omega * t, None, g)
+
+
+def bead_horizontal():
+    """The rod turns in a horizontal plane."""
+    m, omega = P("m:kg omega:1/s")
+    return _bead(dynamicsymbols("r"), m, omega * t, None)
+
+
+def walker():
+    """The simplest walker on a slope gamma: stance leg theta from the slope's normal, swing leg
+    phi from the stance leg."""
+    theta, phi = dynamicsymbols("theta phi")
+    M, m, l, gamma, g = P("M:kg m:kg l:m gamma:1 g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    # N.y is the slope's normal; the walker goes to x, downhill.
+    foot = pin("foot", None, "stance", at=O, axis=N.z, angle=theta)
+    hip = foot.point.locatenew("H", l * foot.frame.y)
+    swing = pin("hip", "stance", "swing", at=hip, axis=-foot.frame.z, angle=phi)
+    down = -cos(gamma) * N.y + sin(gamma) * N.x
+    return Scene(
+        "walker",
+        N,
+        O,
+        plane=N.z,
+        joints=(foot, swing),
+        loads=(gravity(g * down),),
+        bodies=(
+            RigidBody("stance", hip, foot.frame, M, 0),
+            RigidBody("swing", hip.locatenew("S", -l * swing.frame.y), swing.frame, m, 0),
+        ),
+    )
