@@ -23,15 +23,6 @@ def kept_symbols(scene: Scene, expression: Expr) -> frozenset[Symbol]:
     return frozenset(s for s in scene.definitions if s in held or _unasked(scene, s, held))
 
 
-def written_out(scene: Scene, kept: frozenset[Symbol]) -> dict[Symbol, Expr]:
-    """What stands for the other definitions."""
-    table: dict[Symbol, Expr] = {}
-    for symbol, value in ordered(scene.definitions):
-        if symbol not in kept:
-            table[symbol] = value.xreplace(table)
-    return table
-
-
 def _unasked(scene: Scene, symbol: Symbol, held: set[Symbol]) -> bool:
     """Whether the bodies have a symbol, and nothing that only its definition holds is asked for."""
     own = set().union(*(_massive(body) for body in scene.bodies))

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from sympy import Expr, Symbol
 
-from mechanics.blame.abbreviations import folded, kept_symbols, written_out
+from mechanics.blame.abbreviations import folded, kept_symbols
 from mechanics.blame.candidates import Candidates
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.groups import second_rates
@@ -18,6 +18,7 @@ from mechanics.blame.mistakes.moving_point import wrong_rows
 from mechanics.blame.nearest import Candidate
 from mechanics.blame.search.point import Points
 from mechanics.blame.view import View
+from mechanics.checks.ledger_compare import definitions_in_full
 from mechanics.equations import Equations
 
 
@@ -86,6 +87,6 @@ class Reference:
         if kept not in self._folded:
             truth, used = folded(self.truth, kept)
             other = self if truth is self.truth else Reference(truth)
-            self._folded[kept] = other, written_out(scene, used)
+            self._folded[kept] = other, definitions_in_full(scene, used)
         other, table = self._folded[kept]
         return other, expression.xreplace(table)

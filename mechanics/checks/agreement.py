@@ -125,7 +125,7 @@ def compare_pairs(routes: Mapping[str, Derived]) -> dict[tuple[str, str], Findin
     found = {}
     for one, two in combinations(routes, 2):
         premises = [direct[name] for name in (one, two) if name != reference]
-        subject = _subject(one, two)
+        subject = subject_of(one, two)
         if not all(premise.shown for premise in premises):
             found[one, two] = compare(routes[one], routes[two], filter_)
         elif len(premises) == 1:
@@ -136,13 +136,14 @@ def compare_pairs(routes: Mapping[str, Derived]) -> dict[tuple[str, str], Findin
     return found
 
 
-def _subject(one: str, two: str) -> str:
+def subject_of(one: str, two: str) -> str:
+    """What a finding about two routes is called."""
     return f"{one} = {two}: accelerations"
 
 
 def compare(one: Derived, two: Derived, filter_: Residues) -> Finding:
     """Whether two routes give the same accelerations, and the same reactions where these stay."""
-    mechanism, subject = one.mechanism, _subject(one.rows.route, two.rows.route)
+    mechanism, subject = one.mechanism, subject_of(one.rows.route, two.rows.route)
     pairing = matched(filter_, one.rows.values, two.rows.values)
     if pairing is not None:
         return equal(subject, mechanism, one.rows.values, _signed(two.rows.values, pairing))

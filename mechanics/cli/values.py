@@ -8,12 +8,10 @@ from sympy import Expr, Rational, Symbol, pi
 
 from mechanics.errors import InputError, RangeError
 from mechanics.nearest import instead
-from mechanics.program.constants import rational
+from mechanics.program.constants import rational, with_pi
 from mechanics.scene import Scene
 from mechanics.scene.validity import condition_parameters
 
-TURN = re.compile(r"([+-]?)(?:([\d.eE+-]+|\d+/\d+) *\*? *)?pi(?: */ *([\d.]+))?")
-"""A multiple of pi: its sign, factor and divisor."""
 LETTER = re.compile(r"[A-Za-z]")
 FACTOR = re.compile(r"([*/]?) *([A-Za-z]\w*|[\d.]+)")
 PRODUCT = re.compile(r"[+-]? *([A-Za-z]\w*|[\d.]+)( *[*/] *([A-Za-z]\w*|[\d.]+))*")
@@ -78,13 +76,8 @@ def points(entries: Sequence[str], option: str) -> dict[str, Expr]:
     """
     found: dict[str, Expr] = {}
     for name, text, entry in _named(entries, option):
-        turn = TURN.fullmatch(text)
         try:
-            if turn:
-                sign, factor, divisor = turn.groups()
-                number = Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1")
-            else:
-                number = rational(text)
+            number, turn = with_pi(text)
         except RangeError as error:
             raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):

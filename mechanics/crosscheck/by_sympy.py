@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 
+from mechanics.checks.agreement import subject_of
 from mechanics.clock import timed
 from mechanics.compiled import Model, compile
 from mechanics.crosscheck.programs import Programs, same_motion
@@ -61,7 +62,7 @@ def by_sympy(
             continue
         stage(f"deriving by {name}")
         equations, seconds = timed(partial(derive, scene))
-        pairs[route, name] = same_motion(_subject(route, name), programs, route, equations)
+        pairs[route, name] = same_motion(subject_of(route, name), programs, route, equations)
         columns[name] = RouteResult(None, seconds, matrix_operations(compile(equations)))
     for route, name in [*pairs]:
         known = {**routes, **pairs}
@@ -69,12 +70,8 @@ def by_sympy(
             premises = [finding, known[route, name]]
             if route in (one, two) and name not in (one, two) and all(p.shown for p in premises):
                 other = two if one == route else one
-                pairs[other, name] = follows(_subject(other, name), premises)
+                pairs[other, name] = follows(subject_of(other, name), premises)
     return BySympy(columns, pairs)
-
-
-def _subject(one: str, two: str) -> str:
-    return f"{one} = {two}: accelerations"
 
 
 def matrix_operations(model: Model) -> int:

@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterator, Sequence
 
 from mechanics.compiled.c.batch import BLOCK
 from mechanics.compiled.c.lanes import SHARED
+from mechanics.compiled.c.status import wrapped
 from mechanics.export.header import comment
 from mechanics.export.precision import Part
-from mechanics.export.selftest import table, wrapped
+from mechanics.export.selftest import table
 from mechanics.export.vectors import Vector
 from mechanics.program.routine import Routine
 

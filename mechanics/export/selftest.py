@@ -4,10 +4,10 @@ Inputs, expected values and tolerances are hexadecimal floats, so no digit is lo
 `mechanics.export.vectors` for where the values come from.
 """
 
-import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from mechanics.compiled.c.source import LINE, literal
+from mechanics.compiled.c.source import literal
+from mechanics.compiled.c.status import wrapped
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED
 from mechanics.compiled.programs.of_model import PARTS, WHOLE
 from mechanics.export.header import comment
@@ -150,11 +150,3 @@ def table(kind: str, name: str, rows: Sequence[Sequence[float]]) -> Iterator[str
         numbers = ", ".join(literal(value, kind) for value in row)
         yield from wrapped(f"{{{numbers}}},", "        ")
     yield "    };"
-
-
-def wrapped(text: str, indent: str) -> list[str]:
-    """Lines that are not too long."""
-    return textwrap.wrap(
-        text, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
-        break_long_words=False, break_on_hyphens=False,
-    )  # fmt: skip

@@ -6,6 +6,8 @@ from fractions import Fraction
 from mechanics.errors import RangeError
 
 EXPONENT = re.compile(r"[eE][+-]?0*([\d_]+)\s*\Z")
+TURN = re.compile(r"([+-]?)\s*(?:([\d.eE+-]+|\d+/\d+)\s*\*?\s*)?pi(?:\s*/\s*([\d.]+))?")
+"""A multiple of pi: its sign, factor and divisor."""
 DIGITS = 4
 """Of an exponent: doubles have three, and 10^99999999 takes minutes to be written out."""
 
@@ -27,6 +29,15 @@ def rational(text: str) -> Fraction:
         float(text)  # what is no number is told first
         raise RangeError(f"{text[:40]}: doubles lie between 1e-308 and 1.8e308")
     return Fraction(text)
+
+
+def with_pi(text: str) -> tuple[Fraction, bool]:
+    """A number, or how many times pi it is; and whether it is a multiple of pi."""
+    turn = TURN.fullmatch(text)
+    if turn is None:
+        return rational(text), False
+    sign, factor, divisor = turn.groups()
+    return Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1"), True
 
 
 def unit_fraction(value: Fraction) -> int | None:

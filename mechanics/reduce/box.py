@@ -14,12 +14,11 @@ from mechanics.compiled.fixed import read_fixed
 from mechanics.compiled.quantities import Quantities
 from mechanics.errors import InputError, RangeError, ValueMissingError
 from mechanics.nearest import instead
-from mechanics.program.constants import rational
+from mechanics.program.constants import with_pi
 from mechanics.reduce.proof import Box
 from mechanics.scene import Scene
 
 ENTRY = re.compile(r"\s*(\w+)\s+in\s+\[([^,\[\]]+),([^,\[\]]+)\]\s*")
-TURN = re.compile(r"([+-]?)\s*(?:([\d.eE+-]+|\d+/\d+)\s*\*?\s*)?pi(?:\s*/\s*([\d.]+))?")
 PI = Fraction("3.14159265358979323846264338327950288")
 """To 35 digits: a box is rational."""
 FORM = "write --over 'theta in [-1, 1]'"
@@ -52,15 +51,10 @@ def number(text: str, where: str) -> Fraction:
     ------
     InputError
     """
-    turn = TURN.fullmatch(text)
     try:
-        if turn is None:
-            found = rational(text)
-        else:
-            sign, factor, divisor = turn.groups()
-            found = Fraction(f"{sign}1") * rational(factor or "1") / rational(divisor or "1") * PI
-        float(found)
-        return found
+        value, turn = with_pi(text)
+        float(value)
+        return value * PI if turn else value
     except RangeError as error:
         raise InputError(f"{where}: {error}") from None
     except OverflowError:

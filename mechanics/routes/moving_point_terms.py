@@ -38,7 +38,8 @@ class BodyTerms:
 
 def body_terms(mechanism: Mechanism, found: Candidates, balance: Balance) -> Iterator[BodyTerms]:
     """Rates of the bodies of a free body."""
-    axis, along, centre = balance.principle.axis, balance.principle.along, _centre(found, balance)
+    axis, along = balance.principle.axis, balance.principle.along
+    centre = moment_centre(found, balance)
     gain = tuple(tangent(balance.velocity, mechanism.rates))
     for index in mechanism.subtree(balance.principle.root):
         mass, motion = mechanism.bodies[index].mass, found.bodies[index]
@@ -62,12 +63,14 @@ def load_terms(
     mechanism: Mechanism, found: Candidates, balance: Balance
 ) -> Iterator[tuple[str, int, Node]]:
     """The name of each load, the body that it acts on, and its moment or force."""
-    axis, along, centre = balance.principle.axis, balance.principle.along, _centre(found, balance)
+    axis, along = balance.principle.axis, balance.principle.along
+    centre = moment_centre(found, balance)
     for index in mechanism.subtree(balance.principle.root):
         for load in found.loads[index]:
             yield load.name, index, dot(axis, load.moment(centre)) + dot(along, load.force)
 
 
-def _centre(found: Candidates, balance: Balance) -> Vector:
+def moment_centre(found: Candidates, balance: Balance) -> Vector:
+    """Where the moving point is."""
     point = found.subtrees[balance.principle.root].point
     return add(found.motions.points[point].position, balance.principle.offset)

@@ -1,6 +1,5 @@
 """Parameters: the constants of a scene, with unit, meaning and a typical value."""
 
-import re
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, Self
@@ -8,10 +7,9 @@ from typing import Any, Self
 from sympy import Expr, Rational, Symbol, pi
 
 from mechanics.errors import RangeError, SceneError
-from mechanics.program.constants import rational
+from mechanics.program.constants import with_pi
 from mechanics.scene.unit_names import dimension_of_unit
 
-MULTIPLE = re.compile(r"([+-]?)(?:(\d+(?:\.\d+)?)\*)?pi(?:/(\d+(?:\.\d+)?))?")
 NEAR_PI = Fraction("3.14159265358979323846264338327950288419716939937510582")
 
 
@@ -135,12 +133,9 @@ def typical_value(name: str, text: str) -> tuple[Fraction | None, Fraction | Non
     """A typical value, or in its place how many times pi it is."""
     if text in ("", "-"):
         return None, None
-    multiple = MULTIPLE.fullmatch(text)
     try:
-        if multiple:
-            sign, times, parts = multiple.groups()
-            return None, Fraction(f"{sign}1") * Fraction(times or 1) / Fraction(parts or 1)
-        return rational(text), None
+        value, half_turns = with_pi(text)
+        return (None, value) if half_turns else (value, None)
     except (ValueError, RangeError, ZeroDivisionError):
         raise SceneError(
             f"parameter {name}: the typical value {text!r} is no number:"

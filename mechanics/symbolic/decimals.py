@@ -13,6 +13,7 @@ from flint import arb
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel import enclose as enclose_program
+from mechanics.kernel.finding import exact
 from mechanics.program import Program
 from mechanics.symbolic.arithmetic import Arithmetic
 
@@ -106,7 +107,7 @@ def decimal_matches(value: arb, printed: str) -> bool:
     low, high = roundings(printed)
     if not value.is_finite():
         return False
-    middle, radius = _fraction(value.mid()), _fraction(value.rad())
+    middle, radius = exact(value.mid()), exact(value.rad())
     return low <= middle - radius and middle + radius <= high
 
 
@@ -127,9 +128,3 @@ def roundings(printed: str) -> tuple[Fraction, Fraction]:
         raise ValueError(f"{printed!r} is no finite decimal number: write it like 0.7071")
     half = Fraction(10) ** exponent / 2
     return Fraction(number) - half, Fraction(number) + half
-
-
-def _fraction(dyadic: arb) -> Fraction:
-    """Return the exact value of a ball of radius zero, so that a tie counts as a match."""
-    mantissa, exponent = dyadic.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -76,7 +76,7 @@ def test_a_parameter_may_have_any_sign() -> None:
         (("a b", "", "1 2 3"), "2 names but 3 typical values"),
         (("a", "", "", ("one", "two")), "1 names but 2 meanings"),
         (("a", "", "pi/0"), "parameter a: the typical value 'pi/0' is no number"),
-        (("a", "", "2pi"), "a multiple of pi such as pi/10"),
+        (("a", "", "pi*2"), "a multiple of pi such as pi/10"),
         (("a", "", "heavy"), "parameter a: the typical value 'heavy' is no number"),
     ],
 )

@@ -7,7 +7,6 @@ for (int i = n; i >= a; i--) s            ->  for (int k = 0; k < n - a + 1; ++k
 if (c) return a; s; return b;             ->  if (c) r = a; else {s; r = b;} return r;
 """
 
-from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import replace
 from itertools import pairwise
@@ -15,6 +14,7 @@ from typing import Any
 
 from pycparser import c_ast
 
+from mechanics.claims.code.c_library import below
 from mechanics.claims.code.c_pointers import use_of
 from mechanics.claims.code.c_wrapper import WRAPPER
 from mechanics.errors import ExpressionError
@@ -40,7 +40,7 @@ def flat(source: Source) -> Source:
     called = {
         getattr(node.name, "name", "")
         for own, f in functions.items() if own != WRAPPER
-        for node in _below(f.body) if isinstance(node, c_ast.FuncCall)
+        for node in below(f.body) if isinstance(node, c_ast.FuncCall)
     }  # fmt: skip
     for name, function in functions.items():
         if name not in called:
@@ -57,7 +57,7 @@ def flat(source: Source) -> Source:
         columns: Columns = {
             p.name: n for p, n in zip(_parameters(function.decl), heads[name], strict=True) if n
         }
-        for node in _below(function.body):
+        for node in below(function.body):
             if isinstance(node, c_ast.Decl):
                 _flat_declared(node, columns)
         _uses(function.body, columns, heads)
@@ -77,7 +77,7 @@ def _without_idle(function: Any) -> None:
     arguments = function.decl.type.args
     if arguments is None or not all(isinstance(p, KINDS) for p in arguments.params):
         return
-    used = {node.name for node in _below(function.body) if isinstance(node, c_ast.ID)}
+    used = {node.name for node in below(function.body) if isinstance(node, c_ast.ID)}
 
     def idle(parameter: Any) -> bool:
         words = getattr(getattr(parameter.type, "type", None), "names", None)
@@ -97,12 +97,6 @@ def _only_read(function: Any) -> None:
             continue
         if "const" not in kind.type.quals and not use_of(function.body, parameter.name).written:
             kind.type.quals = [*kind.type.quals, "const"]
-
-
-def _below(node: Any) -> Iterator[Any]:
-    yield node
-    for _, child in node.children():
-        yield from _below(child)
 
 
 def _number(node: Any) -> int | None:
@@ -192,7 +186,7 @@ def _plain_counters(body: Any) -> dict[str, Any]:
     """Integers that are declared without a value."""
     return {
         node.name: node
-        for node in _below(body)
+        for node in below(body)
         if isinstance(node, c_ast.Decl) and node.init is None
         and isinstance(node.type, c_ast.TypeDecl)
         and getattr(node.type.type, "names", None) == ["int"]
@@ -233,7 +227,7 @@ def _counts_down(node: Any, name: str) -> bool:
 def _turned(node: Any, counter: Any, one: Any) -> None:
     """A loop that counts down as one that counts up."""
     turn = f"{counter.name}_turn"
-    if any(getattr(below, "name", None) == turn for below in _below(node)):
+    if any(getattr(below, "name", None) == turn for below in below(node)):
         return
     first, last = counter.init, node.cond.right
     length = c_ast.BinaryOp("-", deepcopy(first), last, node.coord)
@@ -276,7 +270,7 @@ def _one_way_out(function: Any) -> None:
     words, where = getattr(kind.type, "names", None), function.coord
     name = f"{function.decl.name}_result" if words == ["double"] else ""
     early = any(_returns(one) and not isinstance(one, c_ast.Return) for one in statements)
-    taken = name and any(getattr(node, "name", None) == name for node in _below(function))
+    taken = name and any(getattr(node, "name", None) == name for node in below(function))
     if taken or not early or words not in (["double"], ["void"]):
         return
     joined = _without_returns(statements, name)
@@ -290,7 +284,7 @@ def _one_way_out(function: Any) -> None:
 
 
 def _returns(node: Any) -> bool:
-    return any(isinstance(below, c_ast.Return) for below in _below(node))
+    return any(isinstance(below, c_ast.Return) for below in below(node))
 
 
 def _without_returns(statements: list[Any], name: str) -> list[Any] | None:

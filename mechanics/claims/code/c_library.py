@@ -87,7 +87,7 @@ def with_library(source: Source, judged: str) -> tuple[Source, tuple[str, ...]]:
 
 def _exact(function: Any, source: Source) -> None:
     """Refuse a function that has no exact meaning."""
-    for node in _below(function.body):
+    for node in below(function.body):
         name = _of_the_library(node)
         if name in REFUSED and name not in source.functions:
             call = "" if name.isupper() else "()"
@@ -118,7 +118,8 @@ def _is_negative_zero(node: Any) -> bool:
     )
 
 
-def _below(node: Any) -> Iterator[Any]:
+def below(node: Any) -> Iterator[Any]:
+    """A node and all below it."""
     yield node
     for _, child in node.children():
-        yield from _below(child)
+        yield from below(child)

@@ -115,11 +115,11 @@ def status_lines(
     why = f"{singular} ? {codes.singular} : {codes.overflow}" if divisors else codes.overflow
     return [
         f"    int {name} = {codes.ok};",
-        *_wrapped(f"if (!({_finite(values)})) {{", "    "),
-        *_wrapped(f"if (!({_finite(inputs)}))", "        "),
+        *wrapped(f"if (!({_finite(values)})) {{", "    "),
+        *wrapped(f"if (!({_finite(inputs)}))", "        "),
         f"            {name} = {codes.bad_input};",
         "        else",
-        *_wrapped(f"{name} = {why};", "            "),
+        *wrapped(f"{name} = {why};", "            "),
         "    }",
     ]
 
@@ -128,7 +128,8 @@ def _finite(names: Sequence[str]) -> str:
     return " && ".join(f"isfinite({name})" for name in dict.fromkeys(names)) or "1"
 
 
-def _wrapped(text: str, indent: str) -> list[str]:
+def wrapped(text: str, indent: str) -> list[str]:
+    """Lines that are not too long."""
     return textwrap.wrap(
         text, LINE, initial_indent=indent, subsequent_indent=indent + "    ",
         break_long_words=False, break_on_hyphens=False,

@@ -12,6 +12,7 @@ from mechanics.kernel.statement import LEFT, RIGHT
 from mechanics.program import Builder, Node
 from mechanics.program.sympy_reader import read
 from mechanics.routes.rows import substitute
+from mechanics.symbolic.arithmetic import range_of
 
 Entry = tuple[str, Node, Node]
 """Name of an entry, and two values that should be equal."""
@@ -52,7 +53,7 @@ class Physics:
         """What is declared of the inputs."""
         every = [symbol for group in self.known.symbols.values() for symbol in group]
         numbers = dict.fromkeys(self.constants, Range.POSITIVE)
-        return {symbol.name: _range(symbol) for symbol in every} | numbers
+        return {symbol.name: range_of(symbol) for symbol in every} | numbers
 
     def constant(self, number: Fraction) -> Node:
         """An input that stands for a positive number."""
@@ -103,11 +104,3 @@ class Physics:
         left, right = [entry[1] for entry in entries], [entry[2] for entry in entries]
         program = self.builder.program({LEFT: left, RIGHT: right})
         return decide(Statement(subject, program, self.ranges), try_normal=try_normal)
-
-
-def _range(symbol: Symbol) -> Range:
-    if symbol.is_positive:
-        return Range.POSITIVE
-    if symbol.is_nonnegative:
-        return Range.NONNEGATIVE
-    return Range.NEGATIVE if symbol.is_negative else Range.FREE

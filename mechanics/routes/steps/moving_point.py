@@ -10,9 +10,9 @@ from sympy import Add, Dummy, Expr, Mul, Symbol, sign
 
 from mechanics.equations import Diagram, Line, Step, Term
 from mechanics.program.builder import Node
-from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract, times
+from mechanics.program.vectors import Vector, cross, dot, scale, subtract, times
 from mechanics.routes.moving_point import Balance, Candidates, Choice, candidates, choose
-from mechanics.routes.moving_point_terms import load_terms
+from mechanics.routes.moving_point_terms import load_terms, moment_centre
 from mechanics.routes.steps.writer import Numbers, Writer, arrival, worked_out
 
 LARGEST_SCENE = 6
@@ -105,7 +105,7 @@ def _angular(
 ) -> tuple[list[Line], list[Term], list[Term]]:
     printer, mechanism, axis = writer.printer, writer.mechanism, balance.principle.axis
     letter, _ = _centre(writer, found, balance)
-    centre = _moment_centre(found, balance)
+    centre = moment_centre(found, balance)
     spin, momentum = writer.letter("spin"), writer.letter("momentum")
     lines, parts = [], []
     for index in mechanism.subtree(balance.principle.root):
@@ -226,11 +226,6 @@ def _share(writer: Writer, coefficients: Mapping[int, Node], symbols: list[Symbo
     return Add(*(f * symbols[r] for r, f in zip(coefficients, factors, strict=True)))
 
 
-def _moment_centre(found: Candidates, balance: Balance) -> tuple[Node, ...]:
-    point = found.subtrees[balance.principle.root].point
-    return add(found.motions.points[point].position, balance.principle.offset)
-
-
 def _centre(writer: Writer, found: Candidates, balance: Balance) -> tuple[str, tuple[Node, ...]]:
     """A letter for the moment centre, and where it is."""
     if balance.principle.linear:
@@ -238,7 +233,7 @@ def _centre(writer: Writer, found: Candidates, balance: Balance) -> tuple[str, t
     name = writer.mechanism.points[found.subtrees[balance.principle.root].point].name
     beside = any(not entry.is_zero for entry in balance.principle.offset)
     name = name if re.fullmatch(r"[A-Za-z]\w{0,2}", name) else "B"
-    return name + ("'" if beside else ""), _moment_centre(found, balance)
+    return name + ("'" if beside else ""), moment_centre(found, balance)
 
 
 def _free(writer: Writer, inside: tuple[int, ...] | range) -> str:
