@@ -10,18 +10,15 @@ installed is named and left out. Processor time, so that what else runs counts l
 
 import argparse
 from collections.abc import Iterator
-from statistics import median
-from time import process_time
 
 import numpy as np
 
-from benchmarks.arm.kernels import Run, by_casadi, by_pinocchio, no_pinocchio, printed, table
+from benchmarks.arm.kernels import Run, by_casadi, by_pinocchio, printed, table, timed
 from benchmarks.arm.programs import JOINTS, TAU, UD, forward, inverse, numbers
+from benchmarks.kernels.robots import no_pinocchio
 from mechanics.program import Program
 
 STATES = 256
-SHORTEST = 2e-3
-"""Seconds of the processor that one measurement takes at least."""
 AGREEMENT = 1e-9
 """Largest difference, relative to the largest value."""
 GOALS = {"CasADi's C": 1.0, "Pinocchio": 1 / 3}
@@ -35,23 +32,13 @@ def race(kernels: dict[str, Run], rounds: int) -> dict[str, float]:
     """ns a state of each kernel; all of them have to compute the same."""
     random = np.random.default_rng(7)
     q, u, given = (random.uniform(-2, 2, (STATES, JOINTS)) for _ in range(3))
-    results = {name: np.empty_like(q) for name in kernels}
-    for name, run in kernels.items():
-        run(q, u, given, results[name])
-    first = next(iter(results.values()))
-    for name, found in results.items():
-        apart = float(np.abs(found - first).max() / np.abs(first).max())
+    found, times = timed(kernels, q, u, given, rounds)
+    first = next(iter(found.values()))
+    for name, own in found.items():
+        apart = float(np.abs(own - first).max() / np.abs(first).max())
         if not apart < AGREEMENT:
             raise SystemExit(f"{name} computes something else: {apart:.1g} apart")
-    times: dict[str, list[float]] = {name: [] for name in kernels}
-    for _ in range(rounds):
-        for name, run in kernels.items():
-            passes, start = 0, process_time()
-            while (spent := process_time() - start) < SHORTEST:
-                run(q, u, given, results[name])
-                passes += 1
-            times[name].append(spent / passes / STATES * 1e9)
-    return {name: median(found) for name, found in times.items()}
+    return times
 
 
 def rows(rounds: int) -> Iterator[str]:

@@ -1,21 +1,20 @@
 """The kernels, compiled with the same flags: our C, CasADi's C of the same program, Pinocchio."""
 
 import ctypes
-import importlib.util
-import shutil
-import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from statistics import median
+from time import process_time
 
 import casadi
 import numpy as np
 
 from benchmarks.arm.programs import Q, U, joints, numbers
-from benchmarks.kernels.robots import BOOST, EIGEN
+from benchmarks.kernels.race import SHORTEST
+from benchmarks.kernels.robots import BOOST, EIGEN, address, built
 from mechanics.compiled.c.source import function_source
-from mechanics.errors import CompilerError
 from mechanics.program import Program
 from mechanics.program.casadi_printer import print_function
 from mechanics.program.casadi_reader import read_routine
@@ -67,18 +66,9 @@ def looping(text: str, call: str, folder: Path = HERE) -> Run:
     library = _built("gcc", "kernel.c", text + LOOP % call, [f"-I{folder}"], ["-lm"])
 
     def run(q: Array, u: Array, given: Array, found: Array) -> None:
-        library.loop(ctypes.c_long(len(q)), *map(_at, (q, u, given, found)))
+        library.loop(ctypes.c_long(len(q)), *map(address, (q, u, given, found)))
 
     return run
-
-
-def no_pinocchio() -> str:
-    """Why Pinocchio cannot run here; empty if it can."""
-    if importlib.util.find_spec("pinocchio") is None:
-        return "Pinocchio is not installed: pip install pin"
-    if not EIGEN.exists() or not shutil.which("g++"):
-        return "Pinocchio's headers need g++ and Eigen (libeigen3-dev)"
-    return ""
 
 
 def table() -> Array:
@@ -116,11 +106,11 @@ def by_pinocchio(algorithm: str, rows: Array, gravity: float) -> Run:
         Downwards along z.
     """
     library = _pinocchio()
-    arm = ctypes.c_void_p(library.arm_new(len(rows), ctypes.c_double(gravity), _at(rows)))
+    arm = ctypes.c_void_p(library.arm_new(len(rows), ctypes.c_double(gravity), address(rows)))
     function = getattr(library, algorithm)
 
     def run(q: Array, u: Array, given: Array, found: Array) -> None:
-        function(arm, ctypes.c_long(len(q)), *map(_at, (q, u, given, found)))
+        function(arm, ctypes.c_long(len(q)), *map(address, (q, u, given, found)))
 
     return run
 
@@ -129,14 +119,22 @@ def _built(
     compiler: str, name: str, text: str, before: Sequence[str], after: Sequence[str]
 ) -> ctypes.CDLL:
     with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
-        source, library = Path(folder) / name, Path(folder) / "kernel.so"
+        source = Path(folder) / name
         source.write_text(text, encoding="ascii")
-        command = [compiler, "-shared", "-fPIC", *FLAGS, *before, str(source), "-o", str(library)]
-        done = subprocess.run([*command, *after], capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise CompilerError(f"{compiler} refused {name}: {done.stderr.strip()[:500]}")
-        return ctypes.CDLL(str(library))
+        return built(compiler, source, [*FLAGS, *before], after)
 
 
-def _at(array: Array) -> ctypes.c_void_p:
-    return ctypes.c_void_p(array.ctypes.data)
+def timed(
+    kernels: Mapping[str, Run], q: Array, u: Array, given: Array, rounds: int
+) -> tuple[dict[str, Array], dict[str, float]]:
+    """What each kernel finds, a row a state, and its ns a state: medians, in turn."""
+    found = {name: np.empty_like(q) for name in kernels}
+    times: dict[str, list[float]] = {name: [] for name in kernels}
+    for _ in range(rounds):
+        for name, run in kernels.items():
+            passes, start = 0, process_time()
+            while (spent := process_time() - start) < SHORTEST:
+                run(q, u, given, found[name])
+                passes += 1
+            times[name].append(spent / passes / len(q) * 1e9)
+    return found, {name: median(own) for name, own in times.items()}

@@ -9,17 +9,15 @@ same file; its headers are compiled with the same flags, -O3 -march=native. Both
 
 import argparse
 from pathlib import Path
-from statistics import median
 from tempfile import TemporaryDirectory
-from time import process_time
 
 import numpy as np
 
-from benchmarks.arm.kernels import Run, by_pinocchio, looping, no_pinocchio
+from benchmarks.arm.kernels import Run, by_pinocchio, looping, timed
+from benchmarks.kernels.robots import no_pinocchio
 from mechanics import compile, derive, from_urdf, write_c
 
 STATES = 1000
-SHORTEST = 2e-3
 AGREEMENT = 1e-12
 GRAVITY = 9.81
 
@@ -63,21 +61,13 @@ def main() -> None:
     with TemporaryDirectory(prefix="mechanics-") as folder:
         runs = {"ours": ours(settings.path, Path(folder) / "robot"),
                 "Pinocchio": by_pinocchio("rnea", table, GRAVITY)}  # fmt: skip
-    found = {name: np.empty_like(q) for name in runs}
-    times: dict[str, list[float]] = {name: [] for name in runs}
-    for _ in range(settings.rounds):
-        for name, run in runs.items():
-            passes, start = 0, process_time()
-            while (spent := process_time() - start) < SHORTEST:
-                run(q, u, ud, found[name])
-                passes += 1
-            times[name].append(spent / passes / STATES * 1e9)
+    found, times = timed(runs, q, u, ud, settings.rounds)
     apart = (
         np.abs(found["ours"] - found["Pinocchio"]) / np.abs(found["Pinocchio"]).max(axis=1)[:, None]
     )
     if not apart.max() < AGREEMENT:
         raise SystemExit(f"they compute something else: {apart.max():.1g} apart")
-    own, other = (median(times[name]) for name in ("ours", "Pinocchio"))
+    own, other = times["ours"], times["Pinocchio"]
     print(f"{settings.path.name}, {STATES} states: {apart.max():.1g} apart;"
           f" ours {own:.0f} ns, rnea {other:.0f} ns: {other / own:.1f} times")  # fmt: skip
 

@@ -9,6 +9,7 @@ import importlib.util
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -33,23 +34,27 @@ Arguments = list[Array]
 def pinocchio() -> Contender:
     """Aba of the library in the package `pin`, with the settings that it was built for."""
 
-    def absent() -> str:
-        if importlib.util.find_spec("pinocchio") is None:
-            return "pin is not installed"
-        if not EIGEN.exists() or not shutil.which("g++"):
-            return "pin's headers need g++ and Eigen (libeigen3-dev)"
-        return ""
-
     def prepare(case: Case) -> Lap:
         library = _pinocchio()
         library.chain_new.restype = ctypes.c_void_p
         lengths, masses = (np.ascontiguousarray(a) for a in (case.lengths, case.masses))
         chain = ctypes.c_void_p(
-            library.chain_new(case.links, ctypes.c_double(case.p[0]), _at(lengths), _at(masses))
+            library.chain_new(
+                case.links, ctypes.c_double(case.p[0]), address(lengths), address(masses)
+            )
         )
         return _lap(case, lambda *arrays: library.loop(chain, *arrays))
 
-    return Contender("Pinocchio aba", absent, prepare)
+    return Contender("Pinocchio aba", no_pinocchio, prepare)
+
+
+def no_pinocchio() -> str:
+    """Why Pinocchio cannot run here; empty if it can."""
+    if importlib.util.find_spec("pinocchio") is None:
+        return "Pinocchio is not installed: pip install pin"
+    if not EIGEN.exists() or not shutil.which("g++"):
+        return "Pinocchio's headers need g++ and Eigen (libeigen3-dev)"
+    return ""
 
 
 @cache
@@ -59,7 +64,7 @@ def _pinocchio() -> ctypes.CDLL:
     prefix = Path(pinocchio.__file__).parents[4]
     where = f"-I{prefix}/include -I{EIGEN} -L{prefix}/lib -Wl,-rpath,{prefix}/lib"
     words = "-std=c++17 -O2 -DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION"
-    return _built("g++", "pinocchio_aba.cpp", [*words.split(), *BOOST, *where.split()],
+    return built("g++", HERE / "pinocchio_aba.cpp", [*words.split(), *BOOST, *where.split()],
                   ["-lpinocchio_default"])  # fmt: skip
 
 
@@ -77,8 +82,8 @@ def mujoco() -> Contender:
         folder = Path(mujoco.__file__).parent
         (shared,) = folder.glob("libmujoco.so.*")
         # Every chain has a library, and so a model, of its own.
-        library = _built("gcc", "mujoco_forward.c", [*FLAGS.split(), f"-I{folder}/include"],
-                         [str(shared), f"-Wl,-rpath,{folder}"])  # fmt: skip
+        library = built("gcc", HERE / "mujoco_forward.c", [*FLAGS.split(), f"-I{folder}/include"],
+                        [str(shared), f"-Wl,-rpath,{folder}"])  # fmt: skip
         why = ctypes.create_string_buffer(1000)
         with tempfile.TemporaryDirectory(prefix="mechanics-") as scratch:
             file = Path(scratch) / "chain.xml"
@@ -111,17 +116,19 @@ def mjcf(case: Case) -> str:
     )
 
 
-def _built(compiler: str, source: str, before: list[str], after: list[str]) -> ctypes.CDLL:
+def built(compiler: str, source: Path, before: Sequence[str], after: Sequence[str]) -> ctypes.CDLL:
+    """A library of one source, compiled with words before and after its name."""
     with tempfile.TemporaryDirectory(prefix="mechanics-") as folder:
         library = Path(folder) / "peer.so"
-        command = [compiler, "-shared", "-fPIC", *before, str(HERE / source), "-o", str(library)]
-        done = subprocess.run([*command, *after], capture_output=True, text=True, check=False)
+        command = [compiler, "-shared", "-fPIC", *before, str(source), "-o", str(library), *after]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode:
-            raise CompilerError(f"{compiler} refused {source}: {done.stderr.strip()[:500]}")
+            raise CompilerError(f"{compiler} refused {source.name}: {done.stderr.strip()[:500]}")
         return ctypes.CDLL(str(library))
 
 
-def _at(array: Array) -> ctypes.c_void_p:
+def address(array: Array) -> ctypes.c_void_p:
+    """Where the numbers of an array stand."""
     return ctypes.c_void_p(array.ctypes.data)
 
 
@@ -130,7 +137,7 @@ def _lap(case: Case, call) -> Lap:
     forces = np.zeros_like(relative[0])
     forces[:, 0] = case.inputs[0]
     arrays = [*relative, forces, np.empty_like(forces)]
-    arguments = [ctypes.c_long(case.count), *map(_at, arrays)]
+    arguments = [ctypes.c_long(case.count), *map(address, arrays)]
     return Lap(
         lambda: call(*arguments),
         case.count,
