@@ -12,9 +12,9 @@ from rich.console import Console
 
 from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.read import file_text
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
-from mechanics.cli.values import assignments, names_of
+from mechanics.cli.values import JudgedAtOption, assignments, names_of
 from mechanics.errors import InputError
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
@@ -58,10 +58,7 @@ def check(
     black_box: Annotated[
         bool, typer.Option("--black-box", help="Call Python functions, do not read them: no proof.")
     ] = False,
-    value: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
-    ] = None,
+    value: JudgedAtOption = None,
     where: Annotated[
         list[str] | None,
         typer.Option(metavar="'cos(q) > 0'", help="Judge only where this holds."),
@@ -78,9 +75,7 @@ def check(
         Path | None,
         typer.Option(metavar="FILE.html", help="Write the answer as a page for a browser."),
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     quiet: Annotated[
         bool, typer.Option("--quiet", "-q", help="Print nothing; the exit code is the answer.")
     ] = False,

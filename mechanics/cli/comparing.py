@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import JsonOption, refuse_unwritable, write
 from mechanics.cli.findings import STYLES
 from mechanics.cli.load import load
 from mechanics.cli.values import assignments
@@ -33,9 +33,7 @@ def compare(
         list[str] | None, typer.Option(metavar="NAME=VALUE", help="Value of a parameter.")
     ] = None,
     states: Annotated[int, typer.Option(min=2, help="How many states are drawn.")] = STATES,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
 ) -> None:
     """Compare a model with other engines, and name the cause where they differ.
 

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Column, Table
 
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.findings import counted, explain
 from mechanics.cli.load import load
 from mechanics.crosscheck import CrossCheck
@@ -62,9 +62,7 @@ def crosscheck(
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write a report for a browser.")
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     routes: Annotated[
         str, typer.Option(help="Routes to use, separated by commas; all when not given.")
     ] = "",

@@ -11,7 +11,7 @@ from sympy import Matrix
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.program_listing import program_latex, program_python, program_text
 from mechanics.cli.python_module import python_module
-from mechanics.cli.values import assignments
+from mechanics.cli.values import FixOption, assignments
 from mechanics.compiled import compile
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
@@ -35,10 +35,7 @@ def derive(
     form: Annotated[
         Format, typer.Option("--format", help="Notation of the equations.")
     ] = Format.TEXT,
-    fixed: Annotated[
-        list[str] | None,
-        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
-    ] = None,
+    fixed: FixOption = None,
 ) -> None:
     """Print the equations of motion M u' = f + B lambda, A u' = b of one route.
 

@@ -12,7 +12,7 @@ from rich.markup import escape
 
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.progress import working
-from mechanics.cli.values import points, sorted_out
+from mechanics.cli.values import BeyondOption, RouteOption, SettingsOption, points, sorted_out
 from mechanics.cluster import Team, workers
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
@@ -39,10 +39,7 @@ def ensemble(
     ],
     out: Annotated[Path, typer.Option(metavar="FOLDER", help="Folder of the Parquet files.")],
     duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
-    ] = None,
+    settings: SettingsOption = None,
     samples: Annotated[
         int, typer.Option(min=2, help="Times at which states are written; 2: the end only.")
     ] = 2,
@@ -59,10 +56,8 @@ def ensemble(
     part: Annotated[
         int | None, typer.Option(min=1, help="Motions in a file; chosen when not given.")
     ] = None,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
-    beyond_domain: Annotated[
-        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
-    ] = False,
+    route: RouteOption = "kane",
+    beyond_domain: BeyondOption = False,
 ) -> None:
     """Integrate many motions, on one machine or on many; write them to a folder of Parquet.
 

@@ -12,8 +12,9 @@ from rich.markup import escape
 from rich.table import Table
 
 from mechanics.cli.ensembles import ClusterOption, ProcessesOption
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import load
+from mechanics.cli.values import RouteOption
 from mechanics.cluster import spread, workers
 from mechanics.crosscheck import derive
 from mechanics.extremes import CAUSES, Cause, Extremes, to_record
@@ -42,14 +43,12 @@ def extremes(
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write the map for a browser.")
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     plot: Annotated[
         Path | None,
         typer.Option(metavar="FILE.svg", help="Write one pair of maps of the first system."),
     ] = None,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    route: RouteOption = "kane",
     form: Annotated[
         list[str] | None, typer.Option(help="Form of forward dynamics; all when not given.")
     ] = None,

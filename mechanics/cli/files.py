@@ -3,10 +3,16 @@
 import os
 import sys
 from pathlib import Path
+from typing import Annotated
+
+import typer
 
 from mechanics.errors import InputError
 
 SCREEN = "-"
+JsonOption = Annotated[
+    str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
+]
 
 
 def refuse_unwritable(*files: Path | str | None) -> None:

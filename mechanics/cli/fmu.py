@@ -7,7 +7,14 @@ import typer
 from rich.console import Console
 
 from mechanics.cli.load import SystemArgument, load
-from mechanics.cli.values import assignments, points, sorted_out
+from mechanics.cli.values import (
+    BeyondOption,
+    FixOption,
+    RouteOption,
+    assignments,
+    points,
+    sorted_out,
+)
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.crosscheck.fmu import unit_start
@@ -25,17 +32,12 @@ def fmu(
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Start value, parameter or input."),
     ] = None,
-    fix: Annotated[
-        list[str] | None,
-        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
-    ] = None,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
+    fix: FixOption = None,
+    route: RouteOption = "free_body",
     step: Annotated[
         float | None, typer.Option(help="Longest internal step of co-simulation, in s.")
     ] = None,
-    beyond_domain: Annotated[
-        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
-    ] = False,
+    beyond_domain: BeyondOption = False,
 ) -> None:
     """Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.
 

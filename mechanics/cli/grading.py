@@ -11,9 +11,9 @@ from rich.console import Console
 from rich.progress import Progress
 from rich.table import Table
 
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import load
-from mechanics.cli.values import assignments, names_of
+from mechanics.cli.values import JudgedAtOption, assignments, names_of
 from mechanics.errors import InputError
 from mechanics.grading.grade import REQUIRE, RIGHT, UNJUDGED
 from mechanics.grading.group import Group, grade_files
@@ -39,10 +39,7 @@ def grade(
     function: Annotated[
         str | None, typer.Option(metavar="NAME", help="Function of code; by default the last one.")
     ] = None,
-    value: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
-    ] = None,
+    value: JudgedAtOption = None,
     run_python: Annotated[
         bool, typer.Option("--run-python", help="Run code in Python. Limits are no sandbox.")
     ] = False,
@@ -52,9 +49,7 @@ def grade(
     csv: Annotated[
         str | None, typer.Option(metavar="FILE|-", help="Write a table; - for the screen.")
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     report: Annotated[
         Path | None,
         typer.Option(metavar="FOLDER", help="Write index.html, and a page for each submission."),

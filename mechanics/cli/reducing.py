@@ -8,9 +8,10 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from mechanics.cli.files import refuse_unwritable, write
+from mechanics.cli.files import JsonOption, refuse_unwritable, write
 from mechanics.cli.findings import explain
 from mechanics.cli.load import SystemArgument, is_file, load
+from mechanics.cli.values import RouteOption
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
 from mechanics.export import write_c
@@ -54,13 +55,11 @@ def reduce(
         typer.Option("--out", "-o", metavar="DIR", help="Write the reduced model as C.",
                      parser=named),
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     boxes: Annotated[
         int, typer.Option(min=1, help="Examine at most so many parts of the box.")
     ] = BOXES,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    route: RouteOption = "kane",
 ) -> None:  # fmt: skip
     """Find what may be left out of an output over a box, with a proved bound of the change.
 

@@ -8,7 +8,7 @@ import numpy as np
 import typer
 from sympy import Expr, Matrix, Rational, Symbol
 
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
@@ -100,9 +100,7 @@ def modes(
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE.svg", help="Draw the poles over it.")
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
 ) -> None:
     """Print frequencies and shapes about rest or a steady motion, or poles over a parameter.
 

@@ -13,9 +13,9 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.files import refuse_unwritable, write, write_file
+from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
-from mechanics.cli.values import points, sorted_out
+from mechanics.cli.values import RouteOption, SettingsOption, points, sorted_out
 from mechanics.crosscheck import derive, derive_textbook
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
@@ -34,23 +34,18 @@ WIDE = 130
 def trade(
     system: SystemArgument,
     horizon: Annotated[float, typer.Option(help="Length of the motion in s.")] = 10.0,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
-    ] = None,
+    settings: SettingsOption = None,
     target: Annotated[
         float | None, typer.Option(metavar="ERROR", help="Largest error allowed, such as 1e-6.")
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write tables and plot for a browser.")
     ] = None,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE.svg", help="Write the work-precision plot.")
     ] = None,
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "kane",
+    route: RouteOption = "kane",
 ) -> None:
     """Measure what integrators, precisions, forms and simpler models cost and how far they err.
 

@@ -10,7 +10,15 @@ from rich.markup import escape
 
 from mechanics.cli.load import SystemArgument, is_file, load
 from mechanics.cli.progress import working
-from mechanics.cli.values import assignments, points, sorted_out
+from mechanics.cli.values import (
+    BeyondOption,
+    FixOption,
+    RouteOption,
+    SettingsOption,
+    assignments,
+    points,
+    sorted_out,
+)
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
@@ -31,10 +39,7 @@ def simulate(
         Path | None, typer.Option(metavar="FILE.csv|.parquet", help="File of the samples.")
     ] = None,
     duration: Annotated[float, typer.Option(help="In s.")] = 10.0,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
-    ] = None,
+    settings: SettingsOption = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Draw the motion.")] = None,
     animate: Annotated[
         Path | None, typer.Option(metavar="FILE.svg", help="Draw the scene as it moves.")
@@ -51,9 +56,7 @@ def simulate(
     reactions: Annotated[
         bool, typer.Option("--reactions", help="Add a column for each reaction of the scene.")
     ] = False,
-    beyond_domain: Annotated[
-        bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
-    ] = False,
+    beyond_domain: BeyondOption = False,
 ) -> None:
     """Integrate the equations of motion; write the samples, or draw the motion.
 
@@ -137,11 +140,8 @@ def codegen(
         Path,
         typer.Option("--out", "-o", metavar="DIR", help="Folder to write.", parser=named),
     ],
-    route: Annotated[str, typer.Option(help="Route that derives the equations.")] = "free_body",
-    fix: Annotated[
-        list[str] | None,
-        typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
-    ] = None,
+    route: RouteOption = "free_body",
+    fix: FixOption = None,
     outputs: Annotated[
         str, typer.Option(metavar="NAME,...", help="Functions to write; all by default.")
     ] = "",

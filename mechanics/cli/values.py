@@ -3,7 +3,9 @@
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Annotated
 
+import typer
 from sympy import Expr, Rational, Symbol, pi
 
 from mechanics.errors import InputError, RangeError
@@ -11,6 +13,23 @@ from mechanics.nearest import instead
 from mechanics.program.constants import rational, with_pi
 from mechanics.scene import Scene
 from mechanics.scene.validity import condition_parameters
+
+RouteOption = Annotated[str, typer.Option(help="Route that derives the equations.")]
+FixOption = Annotated[
+    list[str] | None,
+    typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
+]
+SettingsOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Initial value, parameter or input."),
+]
+BeyondOption = Annotated[
+    bool, typer.Option("--beyond-domain", help="Go on where the model is not valid.")
+]
+JudgedAtOption = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
+]
 
 LETTER = re.compile(r"[A-Za-z]")
 FACTOR = re.compile(r"([*/]?) *([A-Za-z]\w*|[\d.]+)")

@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from mechanics.cli.excerpt import excerpt_of_c
-from mechanics.cli.files import write
+from mechanics.cli.files import JsonOption, write
 from mechanics.cli.findings import STYLES, counted, explain
 from mechanics.cli.load import CALL, built_in, load
 from mechanics.compiled.reduced import FILE
@@ -47,9 +47,7 @@ def verify(
     measure: Annotated[
         bool, typer.Option("--compile/--no-compile", help="Compile it and compare values, too.")
     ] = True,
-    json_file: Annotated[
-        str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON; - for the screen.")
-    ] = None,
+    json_file: JsonOption = None,
 ) -> None:
     """Prove the C in a folder again, from the physics to the machine code.
 
