@@ -3,18 +3,14 @@
 Of s**2 + c**2 = 1 every angle uses the side that leaves fewer terms.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import cmp_to_key
 from itertools import compress
-from typing import TYPE_CHECKING
 
 import sympy
 from flint import fmpq_mpoly
 
-if TYPE_CHECKING:
-    from mechanics.kernel.ring import Ring
+from mechanics.kernel.ring import Ring
 
 Factor = tuple[int, int]
 """Place of a generator and its power."""
