@@ -17,6 +17,7 @@ from mechanics.scene import (
     gravity,
     parameters,
     reaction,
+    spring,
     torque,
 )
 from systems import double_pendulum
@@ -61,6 +62,21 @@ def _slider(name: str, mass: Symbol, along) -> Scene:
     return Scene(
         name, N, O, coordinates=(x,), bodies=(Particle("mass", place, mass),),
         loads=(force("drive", place, along * N.x),), example={"x": 0.3},
+    )  # fmt: skip
+
+
+def swinging() -> Scene:
+    """A mass on a spring that swings, in polar coordinates."""
+    r, theta = dynamicsymbols("r theta")
+    m, k, g = parameters("m k g", units="kg N/m m/s^2", typical="1 20 9.81")
+    ground = ReferenceFrame("N")
+    arm = ground.orientnew("A", "Axis", (theta, ground.z))
+    origin = Point("O")
+    mass = origin.locatenew("P", -r * arm.y)
+    return Scene(
+        "spring pendulum", ground, origin, coordinates=(r, theta),
+        bodies=(Particle("mass", mass, m),),
+        loads=(gravity(-g * ground.y), spring("k", origin, mass, k)),
     )  # fmt: skip
 
 

@@ -3,29 +3,11 @@ r"""Functions of a person's own are taken of what they are defined of; x(0) is n
 import re
 
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
-from mechanics import Particle, Scene, gravity, parameters
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from mechanics.scene import spring
-
-
-def swinging() -> Scene:
-    """A mass on a spring that swings, in polar coordinates."""
-    r, theta = dynamicsymbols("r theta")
-    m, k, g = parameters("m k g", units="kg N/m m/s^2", typical="1 20 9.81")
-    ground = ReferenceFrame("N")
-    arm = ground.orientnew("A", "Axis", (theta, ground.z))
-    origin = Point("O")
-    mass = origin.locatenew("P", -r * arm.y)
-    return Scene(
-        "spring pendulum", ground, origin, coordinates=(r, theta),
-        bodies=(Particle("mass", mass, m),),
-        loads=(gravity(-g * ground.y), spring("k", origin, mass, k)),
-    )  # fmt: skip
-
+from tests.notation_scenes import swinging
 
 TRUTH = derived(swinging())
 EQUATION = r"\[ m\ddot r - m r\dot\theta^2 + k r = m g USE \]"

@@ -4,10 +4,10 @@ import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
-from mechanics import Particle, Scene, force, gravity, parameters
+from mechanics import Particle, Scene, force, parameters
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from mechanics.scene import spring
+from tests.notation_scenes import swinging
 
 V = r"\frac12 k r^2 - m g r\cos\theta"
 DEFINED = (
@@ -18,21 +18,6 @@ DEFINED = (
 COLUMNS = (r"p = M\dot q", r"M = \begin{pmatrix} m & 0 \\ 0 & m r^2 \end{pmatrix}", rf"V = {V}",
            r"H = \frac12 p^T M^{-1} p + V")  # fmt: skip
 LAGRANGIAN = (r"v = r\dot\theta", rf"L = \frac12 m (\dot r^2 + v^2) - ({V})")
-
-
-def swinging() -> Scene:
-    """A mass on a spring that swings, in polar coordinates."""
-    r, theta = dynamicsymbols("r theta")
-    m, k, g = parameters("m k g", units="kg N/m m/s^2", typical="1 20 9.81")
-    ground = ReferenceFrame("N")
-    arm = ground.orientnew("A", "Axis", (theta, ground.z))
-    origin = Point("O")
-    mass = origin.locatenew("P", -r * arm.y)
-    return Scene(
-        "spring pendulum", ground, origin, coordinates=(r, theta),
-        bodies=(Particle("mass", mass, m),),
-        loads=(gravity(-g * ground.y), spring("k", origin, mass, k)),
-    )  # fmt: skip
 
 
 def pushed() -> Scene:

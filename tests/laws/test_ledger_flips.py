@@ -5,13 +5,12 @@ that the normal form shows to change nothing is left out: a constant under d/dt,
 side of an equation of motion ... = 0.
 """
 
-from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import pytest
-from sympy import Basic, Expr, ImmutableMatrix, sympify
+from sign_flips import flipped_rows
+from sympy import Expr
 from sympy.matrices import MatrixBase
 
 import systems
@@ -32,37 +31,6 @@ ROWS = [
 ]
 
 WITH_ROWS = list(dict.fromkeys(parameter.values[0] for parameter in ROWS))
-
-
-def flips(side: Any) -> Iterator[Any]:
-    """Copies of a side with one sign flipped."""
-    if isinstance(side, MatrixBase):
-        for i, entry in enumerate(side):
-            for flipped in flips(entry):
-                entries = [*side[:i], flipped, *side[i + 1 :]]
-                yield ImmutableMatrix(*side.shape, entries)
-        return
-    side = sympify(side)
-    if side != 0:
-        yield -side
-    yield from inner_flips(side)
-
-
-def inner_flips(expression: Basic) -> Iterator[Expr]:
-    """Copies of an expression with one term of one sum in it flipped."""
-    for i, part in enumerate(expression.args):
-        before, after = expression.args[:i], expression.args[i + 1 :]
-        if expression.is_Add:
-            yield expression.func(*before, -part, *after)
-        for flipped in inner_flips(part):
-            yield expression.func(*before, flipped, *after)
-
-
-def flipped_rows(row: Published) -> Iterator[Published]:
-    """Copies of a row with one sign flipped."""
-    for i, side in enumerate(row.sides):
-        for flipped in flips(side):
-            yield replace(row, sides=(*row.sides[:i], flipped, *row.sides[i + 1 :]))
 
 
 def says_the_same(equations: Equations, row: Published, other: Published) -> bool:
