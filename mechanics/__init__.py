@@ -35,7 +35,8 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
-from types import FrameType, ModuleType
+from traceback import walk_stack
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -229,16 +230,11 @@ class _Package(ModuleType):
             super().__setattr__(name, value)
 
     def __dir__(self) -> list[str]:
-        # help() would print each docstring in full, 2,300 lines: it gets this package's own alone.
-        return [] if _pydoc_asks() else sorted({*super().__dir__(), *__all__})
-
-
-def _pydoc_asks() -> bool:
-    """Whether the caller is pydoc, through functions of inspect; it has no other hook."""
-    frame: FrameType | None = sys._getframe(2)
-    while frame and frame.f_globals.get("__name__") == "inspect":
-        frame = frame.f_back
-    return frame is not None and frame.f_globals.get("__name__") == "pydoc"
+        # pydoc has no other hook: it prints the docstring of each name that dir() gives, 2,300
+        # lines. For it there are none, so that help() is the docstring above.
+        if any(frame.f_globals.get("__name__") == "pydoc" for frame, _ in walk_stack(None)):
+            return []
+        return sorted({*super().__dir__(), *__all__})
 
 
 sys.modules[__name__].__class__ = _Package

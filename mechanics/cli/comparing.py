@@ -1,6 +1,7 @@
 """`mechanics compare`: a scene beside other engines, and why they differ."""
 
 import json
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -67,7 +68,9 @@ def compare(
         write(json.dumps([to_record(f) for f in found], indent=2, allow_nan=False), json_file)
     if json_file != "-":
         for comparison in found:
-            _print(Console(highlight=False, emoji=False, soft_wrap=True), comparison)
+            _print(
+                Console(highlight=False, emoji=False, soft_wrap=not sys.stdout.isatty()), comparison
+            )
     if refused and against:
         raise InputError("; ".join(dict.fromkeys(refused.values())))
     for words in refused.values():

@@ -1,6 +1,7 @@
 """`mechanics reduce`: what may be left out of an output, and how much that changes it at most."""
 
 import json
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -103,7 +104,7 @@ def reduce(
     if json_file is not None:
         write(json.dumps(record(found), indent=1, ensure_ascii=False), json_file)
     if json_file != "-":
-        _print(Console(soft_wrap=True, highlight=False), found, out)
+        _print(Console(soft_wrap=not sys.stdout.isatty(), highlight=False), found, out)
     if found.finding.verdict is not Verdict.PROVED:
         raise typer.Exit(3)
 

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from textwrap import fill
 from typing import Annotated, Any
 
 import numpy as np
@@ -30,6 +31,9 @@ from mechanics.linear.values import with_numbers
 from mechanics.nearest import instead
 from mechanics.report.modes_plot import modes_plot
 from mechanics.simulate.files import writable
+
+WIDTH = 80
+"""Columns of a terminal."""
 
 ROWS = 10
 """Lines of a table over a parameter."""
@@ -70,9 +74,9 @@ def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption 
     )
     if linear.moves:
         moving = ", ".join(f"{u} = {value}" for u, value in linear.speeds.items() if value != 0)
-        typer.echo(f"about the steady motion {moving}")
+        _tell(f"about the steady motion {moving}")
         if linear.cyclic:
-            typer.echo(f"ignorable coordinates: {', '.join(map(str, linear.cyclic))}")
+            _tell(f"ignorable coordinates: {', '.join(map(str, linear.cyclic))}")
     for title, matrix in (("M", linear.mass), ("C", linear.damping), ("K", linear.stiffness)):
         typer.echo(f"{title} = {_rows(matrix)}")
     for order, matrix in enumerate(linear.input_matrices):
@@ -81,9 +85,9 @@ def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption 
             typer.echo(f"B = {_rows(matrix)}, for {names}")
     try:
         kind = "steady motion" if linear.moves else "equilibrium"
-        typer.echo(f"{kind}: {stability(linear).value}")
+        _tell(f"{kind}: {stability(linear).value}")
     except ExpressionError as error:
-        typer.echo(f"stability: {error}")
+        _tell(f"stability: {error}")
 
 
 def modes(
@@ -169,7 +173,7 @@ def _print_sweep(found: Sweep) -> None:
         shown = sorted((p for p in poles if p.imag >= 0), key=lambda p: (-p.real, p.imag))
         mark = "unstable" if found.unstable[k] else "stable"
         text = ", ".join(map(_pole, shown))
-        typer.echo(f"{found.over} = {found.values[k]:<8.5g} {mark:<8}  {text}")
+        _tell(f"{found.over} = {found.values[k]:<8.5g} {mark:<8}  {text}")
     for border in found.borders:
         typer.echo(f"stability changes at {found.over} = {border:.10g}")
 
@@ -187,11 +191,11 @@ def _pole(pole: complex) -> str:
 
 def _print_modes(linear: Linear) -> None:
     counted = [str(q) for q in linear.coordinates if q not in linear.cyclic]
-    typer.echo(f"shapes list {', '.join(counted)}")
+    _tell(f"shapes list {', '.join(counted)}")
     if linear.moves or damped(linear):
         typer.echo("at typical values, in motion" if linear.moves else "at typical values, damped")
         for line in damped_modes(linear).words:
-            typer.echo(line)
+            _tell(line)
     elif not linear.undamped:
         typer.echo("at typical values, where nothing damps")
         _numeric(linear)
@@ -202,20 +206,20 @@ def _print_modes(linear: Linear) -> None:
 def _natural(linear: Linear) -> None:
     try:
         exact = exact_modes(linear)
-    except ExpressionError as error:
-        typer.echo(f"typical values ({error})")
+    except ExpressionError:
+        _tell("at typical values: the frequencies have no formula in the parameters")
         _numeric(linear)
         return
     for i, value in enumerate(exact.eigenvalues):
         shape = ", ".join(str(entry) for entry in exact.shapes[:, i])
-        typer.echo(f"omega_{i + 1}^2 = {value}   shape ({shape})")
+        _tell(f"omega_{i + 1}^2 = {value}   shape ({shape})")
 
 
 def _numeric(linear: Linear) -> None:
     numeric = numeric_modes(linear)
     for i, value in enumerate(numeric.eigenvalues):
         shape = ", ".join(f"{entry + 0.0:.10g}" for entry in numeric.shapes[:, i])
-        typer.echo(f"omega_{i + 1}^2 = {value + 0.0:.10g}   shape ({shape})")
+        _tell(f"omega_{i + 1}^2 = {value + 0.0:.10g}   shape ({shape})")
 
 
 def _linear(name: str, settings: list[str], moving: list[str], over: str | None = None) -> Linear:
@@ -242,6 +246,11 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         typer.echo("at typical values: the equations are too long for formulas", err=True)
         return about(equations, coordinates, inputs, numbers, speeds)
     return about(equations, coordinates, inputs, None, speeds)
+
+
+def _tell(line: str) -> None:
+    """Print a line, in several where it is wider than a terminal."""
+    typer.echo(fill(line, WIDTH, subsequent_indent="    ", break_long_words=False))
 
 
 def _rows(matrix: Matrix) -> str:

@@ -5,6 +5,7 @@ file is run where the person names it.
 """
 
 import json
+import sys
 from collections import Counter
 from pathlib import Path
 from typing import Annotated
@@ -72,7 +73,7 @@ def verify(
         equations, remark = _derived(read, scene)
         again = None if equations is None else _reduced(read, equations)
         found = check(read, equations, measure, lambda words: status.update(escape(words)), again)
-    console = Console(soft_wrap=True)
+    console = Console(soft_wrap=not sys.stdout.isatty())
     if json_file is not None:
         _write(found, json_file)
     if json_file != "-":

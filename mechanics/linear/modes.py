@@ -88,9 +88,9 @@ def modes(linear: Linear, convention: Convention = Convention.ENGINEERING) -> Mo
         roots = coefficients(factor, EIGENVALUE)
         if len(roots) != 2:
             raise ExpressionError(
-                f"{linear.scene.name}: the characteristic polynomial has a factor of degree"
-                f" {len(roots) - 1}, of which no root is found in the parameters: give values and"
-                " use numeric_modes"
+                f"{linear.scene.name}: the roots of a factor of degree {len(roots) - 1} of the"
+                " characteristic polynomial have no formula in the parameters: give values and use"
+                " numeric_modes"
             )
         value = reduced(-roots[0] / roots[1])
         for shape in _shapes(linear, value):
