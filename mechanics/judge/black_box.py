@@ -113,7 +113,7 @@ def _called(ready: Box, state: State) -> np.ndarray | None:
         result = np.asarray(ready.box.function(**arguments), dtype=float).reshape(-1)
     except (ArithmeticError, ValueError, AssertionError):
         return None  # it has no value there, and others are drawn
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         words = " ".join(str(error).split())
         raise InputError(f"black box {ready.box.title}: {type(error).__name__}: {words}") from None
     before = [state[str(symbol)] for symbol in ready.arguments.state]

@@ -161,7 +161,9 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
     equal = [condition for condition in conditions if isinstance(condition, Eq)]
     others = tuple(c for c in conditions if not isinstance(c, Eq | Ne))
     region = region_of(others) if not equal else slice_of(equal, others)
-    if region is not None:
+    # What the motion determines cannot be chosen so that conditions hold.
+    solved = {*truth.unknowns, *(symbol for symbol, _ in truth.reactions)}
+    if region is not None and not solved & region.keys():
         finding = decide(subject, _in_region(truth, row, region))
         if finding.verdict is Verdict.REFUTED and equal:
             # What differs at single states only may be meant to be another limit.

@@ -87,8 +87,10 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     forces = [r.symbol for r in scene.reactions if r.name not in given]
     written = partial(momenta_written_out, truth.kinematics)
     sides = [[scene.plain(written(s), r.tag) for s in r.sides[:2]] for r in rows]
-    slopes = [gradient(scene, pair) for pair in sides]
-    unknown = [[slope(one - two, force) for force in forces] for one, two in sides]
+    # u (theta'' - ...) = 0 says nothing of what moves by itself.
+    idle = dict.fromkeys(scene.input_symbols, S.Zero)
+    slopes = [[e.xreplace(idle) for e in gradient(scene, pair)] for pair in sides]
+    unknown = [[slope(a - b, force).xreplace(idle) for force in forces] for a, b in sides]
     constraints = closing(truth).tolist()
     closure = truth.kinematics.mechanism.closure
     if closure and not closure.values:

@@ -26,9 +26,10 @@ def with_content(statement: Statement, finding: Finding) -> Finding:
     returns the rate of a coordinate says which it is: these stay.
     """
     row, written = statement.row, statement.written
-    if row is None or written is None or not isinstance(row.quantity, Identity):
+    if row is None or not isinstance(row.quantity, Identity):
         return finding
-    if written.notation == "code" or statement.derived:
+    code = statement.demands.code if written is None else written.notation == "code"
+    if code or statement.derived:
         return finding
     if not finding.shown or _names(statement):
         return finding

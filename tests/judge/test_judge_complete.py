@@ -5,12 +5,14 @@ from math import cos, sin
 
 import casadi
 import pytest
+import sympy
 
 from mechanics import check
 from mechanics.claims.code.outputs import named_by_title
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
+from mechanics.testing import assert_equivalent
 from systems import cartpole, rod_pendulum
 
 
@@ -122,3 +124,14 @@ def test_a_guessed_order_of_parameters_refutes_nothing(order: str, verdict: Verd
     outputs = [casadi.vertcat(state[1], rate)]
     function = casadi.Function("f", [state, u, p], outputs, ["x", "u", "p"], ["xdot"])
     assert check(rod(), function, blame=False).verdict is verdict
+
+
+def test_an_equation_times_an_input_says_nothing_of_free_motion() -> None:
+    text = "u*(theta'' - 3*g/(2*l)*sin(theta) - 3*u/(m*l**2)) = 0"
+    with pytest.raises(AssertionError, match="only 0 of 1"):
+        assert_equivalent(text, rod_pendulum.scene())
+
+
+def test_an_equation_of_sympy_between_equal_sides_says_nothing() -> None:
+    equation = sympy.Eq(sympy.S.Zero, sympy.S.Zero, evaluate=False)
+    assert check(rod(), equation).verdict is Verdict.UNDECIDED

@@ -215,7 +215,7 @@ def _formulas(program: _Program, numbers: Numbers, rounded: int) -> _Formulas | 
 class _Failed(Exception):
     """A call of the person's code ended with an error; at another state it may have a value."""
 
-    def __init__(self, error: Exception) -> None:
+    def __init__(self, error: BaseException) -> None:
         super().__init__(f"{type(error).__name__}: {' '.join(str(error).split())}")
         self.excused = isinstance(error, ArithmeticError | ValueError | AssertionError)
 
@@ -246,7 +246,7 @@ def _returned(
             warnings.simplefilter("ignore")
             found = [np.asarray(part, dtype=float) for part in parts_of(function(**arguments))]
         numbers = [float(number) for part in found for number in part.flat]
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise _Failed(error) from error
     if not all(isfinite(number) for number in numbers):
         raise _Failed(ArithmeticError("what it returns is not finite"))

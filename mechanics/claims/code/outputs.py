@@ -220,15 +220,18 @@ def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Exp
 def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
     """The state in the order in which code names the rates that it returns; () for other names.
 
-    ``{"theta_ddot": ..., "theta_dot": ...}``
+    ``{"theta_ddot": ..., "theta_dot": ...}``, or by what they are the rates of:
+    ``{"theta_dot": ..., "theta": ...}``
     """
     scene = naming.vocabulary.scene
-    table = {rate: s for s, rate in rate_table(scene).items()}
+    rates = {rate: s for s, rate in rate_table(scene).items()}
     found = [naming.lookup(name) for name in names]
     moving = [known for known in found if known and known[0] in naming.vocabulary.functions]
-    state = [table.get(naming.symbol(*known)) for known in moving]
-    whole = len(state) == len(names) and set(state) == {*scene.q, *scene.u}
-    return tuple(s for s in state if s is not None) if whole else ()
+    for table in (rates, {s: s for s in (*scene.q, *scene.u)}):
+        state = [table[s] for known in moving if (s := naming.symbol(*known)) in table]
+        if len(state) == len(names) and set(state) == {*scene.q, *scene.u}:
+            return tuple(state)
+    return ()
 
 
 def _second(naming: Naming, name: str) -> tuple[str, int] | None:

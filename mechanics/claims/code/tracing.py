@@ -195,7 +195,7 @@ def _called(
             explorer.failure = RAISED if _raises(error) else ERROR
             return None
         raise InputError(f"{title}{_where(origin, error, given)}") from None
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InputError(f"{title} cannot be traced{_where(origin, error, given)}") from None
     explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
@@ -211,7 +211,7 @@ def _raises(error: Exception) -> bool:
     return frame.tb_frame.f_code.co_code[frame.tb_lasti] == opmap["RAISE_VARARGS"]
 
 
-def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
+def _where(function: Callable[..., Any], error: BaseException, given: Given) -> str:
     """In which line of a function something failed, how, and what its arguments were read as."""
     words = f": {type(error).__name__}: {' '.join(str(error).split())}{_unnamed(function)}"
     line, code = _line(function, error)
@@ -223,7 +223,7 @@ def _where(function: Callable[..., Any], error: Exception, given: Given) -> str:
     return f"{words}{line}: {code}{more}"
 
 
-def _line(function: Callable[..., Any], error: Exception) -> tuple[str, str]:
+def _line(function: Callable[..., Any], error: BaseException) -> tuple[str, str]:
     """In which line of a function's file something failed, in words, and what stands there."""
     code = getattr(function, "__code__", getattr(type(function).__call__, "__code__", None))
     file = getattr(code, "co_filename", None)
@@ -269,7 +269,7 @@ def parts_of(result: Any) -> list[Any]:
 
 
 def _is_array(part: Any) -> bool:
-    return isinstance(part, np.ndarray | list | tuple) and np.ndim(part) > 0
+    return isinstance(part, list | tuple) or (isinstance(part, np.ndarray) and part.ndim > 0)
 
 
 def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
