@@ -12,8 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from mechanics.report.animation import moving_picture
-from mechanics.report.drawing import attached, paper_for
-from mechanics.report.projection import View, closed
+from mechanics.report.drawing import paper_for
+from mechanics.report.projection import View, attached, closed
 from mechanics.report.result import Swing
 from mechanics.scene import Scene
 
