@@ -273,15 +273,18 @@ def _is_between_places(spring: Spring, rest: View) -> bool:
     return spring.along is not None and spring.length == 0 and float(np.hypot(*apart)) < 1e-9
 
 
-def closed(scene: Scene, state: Mapping[str, float]) -> Mapping[str, float]:
+def closed(
+    scene: Scene, state: Mapping[str, float], start: Mapping[str, float] | None = None
+) -> Mapping[str, float]:
     """A state whose loops are closed: c(q) = 0 by Newton's method, from where the state is.
 
-    Coordinates that the state names keep their values where the others can close the loops.
+    Coordinates that the state names keep their values where the others can close the loops; these
+    begin at `start`, or at 0.
     """
     closing = [scene.plain(c.expression) for c in scene.constraints if c.holonomic]
     named = [q for q in scene.q if q.name not in state and q not in scene.quaternions]
     for free in (named, [q for q in scene.q if q not in scene.quaternions]):
-        view = View(scene, state)
+        view = View(scene, {**(start or {}), **state})
         slopes = Matrix(closing).jacobian(free) if closing and free else Matrix()
         for _ in range(ITERATIONS if slopes else 0):
             off = view.numbers(Matrix(closing)).ravel()
