@@ -9,10 +9,10 @@ textbooks on gyroscopes, as K. Magnus, "Kreisel: Theorie und Anwendungen" (1971)
 integrals of alpha and gamma; nothing is weighed, since all mass centres are at rest.
 """
 
-from sympy import cos, sin
+from sympy import Rational, cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, parameters, pin
+from mechanics.scene import Outline, RigidBody, Scene, parameters, pin
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion, GeneralizedMomentum, KineticEnergy
 from mechanics.scene.typed import d_dt
@@ -44,17 +44,30 @@ def scene() -> Scene:
         ("inner gimbal", inner.frame, (B1, C1, A1)),
         ("rotor", bearing.frame, (A, C, A)),
     )
+    rings = {
+        "outer gimbal": (Outline(_cm(12) * outer.frame.x, _cm(12) * outer.frame.z),),
+        "inner gimbal": (Outline(_cm(10) * inner.frame.x, _cm(10) * inner.frame.y),),
+        "rotor": (
+            Outline(_cm(10) * bearing.frame.y),
+            Outline(_cm(7) * bearing.frame.x, _cm(7) * bearing.frame.z, filled=True),
+        ),
+    }
     return Scene(
         "gyroscope",
         ground,
         centre,
         bodies=tuple(
-            RigidBody(name, centre, frame, 0, inertia(frame, *values))
+            RigidBody(name, centre, frame, 0, inertia(frame, *values), rings[name])
             for name, frame, values in moments
         ),
         joints=(outer, inner, bearing),
         example={"beta": 0.3, "gamma_dot": 400.0},
     )
+
+
+def _cm(count: int) -> Rational:
+    """A length that drawings have; no equation has any."""
+    return Rational(count, 100)
 
 
 spin = gamma.diff() + alpha.diff() * sin(beta)

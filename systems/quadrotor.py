@@ -12,7 +12,7 @@ International Conference on Robotics and Automation (2011).
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, torque
+from mechanics.scene import Outline, RigidBody, Scene, force, gravity, parameters, torque
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
 
@@ -47,6 +47,10 @@ def scene() -> Scene:
         force(f"F{i}", centre.locatenew(f"R{i}", place), push * body.z, on="body")
         for i, (place, push) in enumerate(zip(places, inputs, strict=True), 1)
     )
+    arms = (Outline(places[0]), Outline(places[1]))
+    rotors = tuple(
+        Outline(L / 2 * body.x, L / 2 * body.y, at=place, filled=True) for place in places
+    )
     return Scene(
         "quadrotor",
         ground,
@@ -60,7 +64,9 @@ def scene() -> Scene:
             (q, theta.diff() + psi.diff() * sin(phi)),
             (r, phi.diff() * sin(theta) + psi.diff() * cos(phi) * cos(theta)),
         ),
-        bodies=(RigidBody("body", centre, body, m, inertia(body, Ixx, Iyy, Izz)),),
+        bodies=(
+            RigidBody("body", centre, body, m, inertia(body, Ixx, Iyy, Izz), (*arms, *rotors)),
+        ),
         loads=(
             gravity(-g * ground.z),
             *pushes,

@@ -157,7 +157,10 @@ def coordinate_picture(
     turn = turn_of(view, body, coordinate)
     still = aside is None
     if turn is not None:
-        return _arc(view, paper, coordinate, turn, _reaches(view, body, turn), still)
+        rod = _reaches(view, body, turn)
+        shift = view.projection.T @ view.slack.get(body.centre, np.zeros(2))
+        turn = turn._replace(centre=turn.centre + shift)
+        return _arc(view, paper, coordinate, turn, rod, still)
     return _arrow(view, paper, coordinate, body, aside)
 
 

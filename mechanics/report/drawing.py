@@ -17,7 +17,7 @@ from mechanics.report.coordinates import coordinate_picture, trace, zero_end
 from mechanics.report.label_places import apart
 from mechanics.report.labels import length_labels, point_labels
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, closed, normal, unit
+from mechanics.report.projection import View, attached, closed, normal, unit
 from mechanics.report.supports import (
     BLOCK,
     Paper,
@@ -26,9 +26,8 @@ from mechanics.report.supports import (
     is_slack_at_anchor,
     load_symbol,
 )
-from mechanics.scene import Body, RigidBody, Scene
-from mechanics.scene.actions import carrier_of
-from mechanics.scene.loads import Damper, Force, Gravity, Spring, Torque
+from mechanics.scene import Body, Position, RigidBody, Scene
+from mechanics.scene.loads import Force, Gravity, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
 PUSHED = 96.0
@@ -107,7 +106,9 @@ def paper_for(
         points += [zero for q in few if (zero := zero_end(view, q)) is not None]
     for body in scene.bodies:
         points += list(circle) if (circle := trace(views[0], body)) is not None else []
-    return paper_of([*points, views[0].point(scene.origin)], margin, size)
+    # Where nothing leads to the ground, the origin is far from what is drawn.
+    held = any(reaction.by is None for reaction in scene.reactions)
+    return paper_of([*points, *([views[0].point(scene.origin)] if held else [])], margin, size)
 
 
 def plain_picture(view: View, paper: Paper, moving: bool = False) -> tuple[list[str], list[str]]:
@@ -174,28 +175,20 @@ def _free_corner(drawn: str) -> tuple[float, float]:
     return corners[int(np.argmin(inside))]
 
 
-def attached(scene: Scene, body: Body) -> list[Point]:
-    """The centre of a body and the points where reactions and springs act on it."""
-    points = [body.centre]
-    for reaction in scene.reactions:
-        if body.name in (reaction.on, reaction.by) and reaction.at is not None:
-            points.append(reaction.at)
-    for load in scene.loads:
-        if isinstance(load, Spring | Damper):
-            for point, stated in ((load.first, load.first_on), (load.second, load.second_on)):
-                if carrier_of(scene, load, point, stated) == body.name:
-                    points.append(point)
-    return points
-
-
 def outline(view: View, body: Body) -> list[np.ndarray]:
     """Corners of a body on paper, in m: one for a block, two or more for a rod, many for a disc."""
+    if declared := view.outlines(body):
+        return [point for points in declared for point in points]
     found: list[np.ndarray] = []
     for point in attached(view.scene, body):
         place = view.point(point)
         if all(np.hypot(*(place - other)) > 1e-9 for other in found):
             found.append(place)
-    if not isinstance(body, RigidBody) or len(found) > 2:
+    if not isinstance(body, RigidBody):
+        return found
+    if ends := _ends(view, body):
+        return [view.point(end) for end in ends]
+    if len(found) > 2:
         return found
     if view.number(body.mass) == 0:
         return found  # a moment of inertia alone says nothing about a shape
@@ -220,6 +213,28 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
         return [centre - first, centre, centre + first]
     angles = np.linspace(0, 2 * np.pi, 49)
     return [centre + np.cos(a) * first + np.sin(a) * second for a in angles]
+
+
+def _ends(view: View, body: RigidBody) -> list[Point]:
+    """Where a link of a chain in space is drawn: from joint to joint, or to its output."""
+    scene = view.scene
+    if view.planar or len(scene.bodies) <= FEW:
+        return []
+    joints = {r.at for r in scene.reactions if body.name in (r.on, r.by) and r.at is not None}
+    points = sorted(joints, key=lambda point: point.name)
+    for shown in (o.point for o in scene.outputs.values() if isinstance(o, Position)):
+        for carrier, step in shown._pos_dict.items():
+            if carrier in joints and all(frame == body.frame for _, frame in step.args):
+                points.append(shown)
+    places = [view.place(point) for point in points]
+    apart = [
+        point
+        for k, point in enumerate(points)
+        if all(np.linalg.norm(places[k] - other) > 1e-9 for other in places[:k])
+    ]
+    if len(apart) == 1 and len(points) > 1:
+        return [*apart, body.centre]
+    return apart if len(apart) > 1 else []
 
 
 def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
@@ -253,6 +268,8 @@ def paper_of(points: Sequence[np.ndarray], margin: float, size: tuple[float, flo
 
 def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) -> str:
     """A body alone: a dot, a block, rods, or an ellipse."""
+    if isinstance(body, RigidBody) and body.outlines:
+        return _declared_shape(view, paper, body)
     pixels = [paper.place(corner) for corner in corners]
     centre = paper.place(view.point(body.centre))
     if len(corners) == 1:
@@ -266,18 +283,44 @@ def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) 
             return ink.block(centre, paper.turn(view.shift(body.centre, moving[0])), *BLOCK)
         rail = normal(paper.turn(view.direction(slides[0].along)))
         return ink.block(centre, rail, *BLOCK)
+    ends = _ends(view, body) if isinstance(body, RigidBody) else []
+    if len(ends) > 2:
+        shape = ink.path(ink.around(pixels), "body", closed=True)
+        return shape + ink.dot(centre, 3, "ink")
+    if ends:
+        # The mass centre need not lie on the line of the joints.
+        middle = (pixels[0] + pixels[1]) / 2
+        aside = ink.path([middle, centre], "faint")
+        return aside + _rods(pixels[0], pixels) + ink.dot(centre, 3, "ink")
     if len(corners) > 20:
         shape = ink.path(pixels, "body", closed=True)
         spoke = ink.path([pixels[0], centre, pixels[12]], "faint")
         return shape + spoke + ink.dot(centre, 3, "ink")
-    rods = "".join(
-        ink.path([centre, pixel], style)
+    point_mass = isinstance(body, RigidBody) and body.inertia == 0
+    return _rods(centre, pixels) + ink.dot(centre, 8 if point_mass else 3, "ink")
+
+
+def _rods(start: np.ndarray, pixels: Sequence[np.ndarray]) -> str:
+    return "".join(
+        ink.path([start, pixel], style)
         for style in ("rim", "rod")
         for pixel in pixels
-        if np.hypot(*(pixel - centre)) > 1
+        if np.hypot(*(pixel - start)) > 1
     )
-    point_mass = isinstance(body, RigidBody) and body.inertia == 0
-    return rods + ink.dot(centre, 8 if point_mass else 3, "ink")
+
+
+def _declared_shape(view: View, paper: Paper, body: RigidBody) -> str:
+    """The outlines that a body is declared to have: discs with a spoke, rings and rods."""
+    centre, drawn = paper.place(view.point(body.centre)), ""
+    for outline, points in zip(body.outlines, view.outlines(body), strict=True):
+        pixels = [paper.place(point) for point in points]
+        if outline.filled:
+            middle = np.mean(pixels[:-1], axis=0)
+            drawn += ink.path(pixels, "body", closed=True)
+            drawn += ink.path([pixels[0], middle, pixels[12]], "faint")
+        else:
+            drawn += "".join(ink.path(pixels, style) for style in ("rim", "rod"))
+    return drawn + ink.dot(centre, 3, "ink")
 
 
 def _joints(view: View, paper: Paper) -> str:
@@ -320,14 +363,21 @@ def _lever(view: View, paper: Paper, body: RigidBody) -> tuple[np.ndarray, np.nd
     return pivot, centre - pivot, 1.0 if (rate @ frame.T)[1, 0] > 0 else -1.0
 
 
+def _words(body: Body) -> str:
+    return escape(body.name.replace("_", " "))
+
+
 def _label(view: View, paper: Paper, body: Body) -> str:
     centre = paper.place(view.point(body.centre))
+    if isinstance(body, RigidBody) and body.outlines:
+        at = _clear_corner(view, paper, body)
+        return ink.text(at + 18 * unit(at - paper.middle), _words(body))
     if isinstance(body, RigidBody):
         _, arm, sense = _lever(view, paper, body)
         side = -sense * normal(unit(arm)) if np.hypot(*arm) > 1 else np.array([0.7, 0.7])
         anchor = "start" if side[0] > 0.3 else "end" if side[0] < -0.3 else "middle"
         driven = any(isinstance(load, Torque) and load.on == body.name for load in view.scene.loads)
-        return ink.text(centre + (44 if driven else 20) * side, escape(body.name), "name", anchor)
+        return ink.text(centre + (44 if driven else 20) * side, _words(body), "name", anchor)
     if not view.scene.reactions:
         return ink.text(centre, escape(body.name))
     if trace(view, body) is not None:
@@ -335,3 +385,18 @@ def _label(view: View, paper: Paper, body: Body) -> str:
     # A block has its coordinate on one half of its outer side, and its name on the other.
     below = 1 if centre[1] >= paper.middle[1] - 1 else -1
     return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")
+
+
+def _clear_corner(view: View, paper: Paper, body: Body) -> np.ndarray:
+    """The pixel of a body's outlines that is far out, and far from those of all others."""
+    own = [paper.place(corner) for corner in outline(view, body)]
+    others = [
+        paper.place(corner)
+        for other in view.scene.bodies
+        if other is not body
+        for corner in outline(view, other)
+    ]
+    others = others or [paper.place(view.point(body.centre))]
+    apart = [min(float(np.hypot(*(at - other))) for other in others) for at in own]
+    out = [float(np.hypot(*(at - paper.middle))) for at in own]
+    return own[int(np.argmax(np.add(apart, out)))]

@@ -97,9 +97,8 @@ def _section(number: int, result: SystemResult) -> Section:
         residuals=residual_rows(result),
         moving=_moving(result),
         swings=[
-            (caption, Markup(svg))
+            [(caption, Markup(svg)) for caption, svg in swings(result.scene, modes.swings)]
             for modes in result.modes
-            for caption, svg in swings(result.scene, modes.swings)
         ],
         charts=motion_charts(result),
     )

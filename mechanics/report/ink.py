@@ -19,6 +19,24 @@ def path(points: Iterable[Pixel], style: str, closed: bool = False) -> str:
     return f'<{"polygon" if closed else "polyline"} class="{style}" points="{text}"/>'
 
 
+def around(points: Iterable[Pixel]) -> list[Pixel]:
+    """The corners of the convex polygon around some points, in their order."""
+    rest = sorted(points, key=tuple)
+    corners: list[Pixel] = []
+    for side in (rest, rest[::-1]):
+        start = len(corners)
+        for point in side:
+            while len(corners) > start + 1 and not _turns_left(corners[-2], corners[-1], point):
+                corners.pop()
+            corners.append(point)
+        corners.pop()
+    return corners
+
+
+def _turns_left(first: Pixel, second: Pixel, third: Pixel) -> bool:
+    return bool(normal(second - first) @ (third - second) > 0)
+
+
 def dot(at: Pixel, radius: float, style: str) -> str:
     """A circle."""
     return f'<circle class="{style}" cx="{at[0]:.1f}" cy="{at[1]:.1f}" r="{radius:.1f}"/>'

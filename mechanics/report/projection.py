@@ -16,7 +16,8 @@ from sympy.physics.vector import Point, ReferenceFrame, Vector
 from mechanics.program import Builder, Program, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.program.sympy_reader import read
-from mechanics.scene import Gravity, Scene, Spring
+from mechanics.scene import Body, Damper, Gravity, Scene, Spring
+from mechanics.scene.actions import carrier_of
 from mechanics.scene.joints import Rope
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
@@ -28,6 +29,8 @@ TURNED = np.diag([1.0, -1.0, -1.0])
 # Arrows of other inputs and of parameters without a typical value need some length.
 UNKNOWN = 1.0
 ITERATIONS = 40
+STACKED = 0.22
+"""Parts of the width of a scene between bodies that springs hold above each other."""
 ARRAYS = Arrays()
 
 
@@ -151,6 +154,7 @@ class View:
             if isinstance(rope, Rope):
                 self._hang(rope, found)
         if self.scene.reactions:
+            self._stack(found)
             return found
         largest = max(abs(self.values[q]) for q in self.scene.q)
         for load in self.scene.loads:
@@ -158,6 +162,22 @@ class View:
                 along = unit(self.direction(load.along))
                 found[load.second] = found.get(load.first, 0.0) + 4 * (largest or 1.0) * along
         return found
+
+    def _stack(self, found: dict[Point, np.ndarray]) -> None:
+        """Bodies on springs above each other, where the scene counts them from one place."""
+        scene, rest = self.scene, View(self.scene, {}, self.constants, {}, self.program)
+        springs = [s for s in scene.loads if isinstance(s, Spring) and _is_between_places(s, rest)]
+        if not any(rest.swings(spring.first) for spring in springs):
+            return
+        wide = [rest.point(point)[0] for body in scene.bodies for point in attached(scene, body)]
+        step = STACKED * float(np.ptp(wide)) or UNKNOWN
+        for _ in springs:
+            for spring in springs:
+                if spring.first in found or not rest.swings(spring.first):
+                    carrier = carrier_of(scene, spring, spring.second, spring.second_on)
+                    shift = found.get(spring.first, 0.0) + step * unit(rest.direction(spring.along))
+                    for point in attached(scene, scene.body(str(carrier))):
+                        found.setdefault(point, shift)
 
     def _hang(self, rope: Rope, found: dict[Point, np.ndarray]) -> None:
         """The ends of a rope beside each other, where the scene has all of it on one line."""
@@ -209,6 +229,16 @@ class View:
         """How a point moves on paper with a coordinate: dr/dq."""
         return self.project(self.numbers(self.scene.position(point), coordinate))
 
+    def outlines(self, body: Body) -> list[np.ndarray]:
+        """What is declared to be drawn of a body, as points on paper: 2 of a line, 49 of others."""
+        found = []
+        for outline in getattr(body, "outlines", ()):
+            at = self.point(body.centre) + self.direction(outline.at)
+            first, second = self.direction(outline.first), self.direction(outline.second)
+            angles = np.linspace(0, 2 * np.pi, 49) if outline.second.args else np.array([0, np.pi])
+            found.append(at + np.outer(np.cos(angles), first) + np.outer(np.sin(angles), second))
+        return found
+
     def turns(self, vector: Vector) -> bool:
         """Whether the direction of a vector depends on a coordinate or the time."""
         return bool(self.scene.vector(vector).free_symbols & {*self.scene.q, TIME})
@@ -223,15 +253,38 @@ class View:
         return bool(free & {*self.scene.q, *self.scene.input_symbols})
 
 
-def closed(scene: Scene, state: Mapping[str, float]) -> Mapping[str, float]:
+def attached(scene: Scene, body: Body) -> list[Point]:
+    """The centre of a body and the points where reactions and springs act on it."""
+    points = [body.centre]
+    for reaction in scene.reactions:
+        if body.name in (reaction.on, reaction.by) and reaction.at is not None:
+            points.append(reaction.at)
+    for load in scene.loads:
+        if isinstance(load, Spring | Damper):
+            for point, stated in ((load.first, load.first_on), (load.second, load.second_on)):
+                if carrier_of(scene, load, point, stated) == body.name:
+                    points.append(point)
+    return points
+
+
+def _is_between_places(spring: Spring, rest: View) -> bool:
+    """Whether a spring along a line has no length at rest."""
+    apart = rest.point(spring.first) - rest.point(spring.second)
+    return spring.along is not None and spring.length == 0 and float(np.hypot(*apart)) < 1e-9
+
+
+def closed(
+    scene: Scene, state: Mapping[str, float], start: Mapping[str, float] | None = None
+) -> Mapping[str, float]:
     """A state whose loops are closed: c(q) = 0 by Newton's method, from where the state is.
 
-    Coordinates that the state names keep their values where the others can close the loops.
+    Coordinates that the state names keep their values where the others can close the loops; these
+    begin at `start`, or at 0.
     """
     closing = [scene.plain(c.expression) for c in scene.constraints if c.holonomic]
     named = [q for q in scene.q if q.name not in state and q not in scene.quaternions]
     for free in (named, [q for q in scene.q if q not in scene.quaternions]):
-        view = View(scene, state)
+        view = View(scene, {**(start or {}), **state})
         slopes = Matrix(closing).jacobian(free) if closing and free else Matrix()
         for _ in range(ITERATIONS if slopes else 0):
             off = view.numbers(Matrix(closing)).ravel()

@@ -59,16 +59,17 @@ class ResidualResult:
 
 @dataclass(frozen=True)
 class Swing:
-    """A mode in numbers: exp(growth t) Re(a exp(i omega t)).
+    """A mode in numbers: q0 + exp(growth t) Re(a exp(i omega t)).
 
-    Its number, omega in rad/s, amplitudes a by coordinate, complex where they have phases, and
-    growth in 1/s, negative where it is damped.
+    Its number, omega in rad/s, amplitudes a by coordinate, complex where they have phases,
+    growth in 1/s, negative where it is damped, and the equilibrium q0 where it is not 0.
     """
 
     number: int
     omega: float
     shape: Mapping[str, complex]
     growth: float = 0.0
+    about: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ class Modes:
     """Natural frequencies and shapes about an equilibrium, or poles.
 
     `rows` are (label, symbolic value or None, number as text); `swings` are the modes that
-    oscillate without damping, at typical values.
+    oscillate, at typical values.
     """
 
     title: str

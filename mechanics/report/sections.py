@@ -129,7 +129,7 @@ class Section:
     witnesses: list[Finding]
     residuals: list[ResidualRow]
     moving: Markup
-    swings: list[tuple[str, Markup]]
+    swings: list[list[tuple[str, Markup]]]
     charts: list[Chart]
 
     @property

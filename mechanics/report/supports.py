@@ -88,7 +88,10 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: 
     push = max(pushes, key=lambda p: abs(p @ down))
     into = push if push @ down > 0 else -push
     if _is_pin(view, at, held):
-        return ink.pin(place, into)
+        # A ring that turns about its middle is held where it ends.
+        rims = view.outlines(view.scene.body(held[0].on))
+        pixels = [paper.place(point) for points in rims for point in points]
+        return ink.pin(max([place, *pixels], key=lambda pixel: float(pixel @ into)), into)
     if _is_led(view, held):
         return ""  # a point mass on a string, a rod or a curve: its trace is drawn, not which
     body = view.scene.body(held[0].on)
@@ -142,12 +145,19 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
     if isinstance(load, Coulomb):
         return _friction(view, paper, load)
     if isinstance(load, Torque | TorsionSpring):
-        centre = paper.place(view.point(view.scene.body(load.on).centre))
+        centre = paper.place(view.point(_joint_of(view, load)))
         at = centre + np.array([0.0, -38.0])
         return ink.arc(centre, 26, 0.4, 2.3, "force") + ink.text(
             at, label(Symbol(load.name), load.name), "force-name"
         )
     raise TypeError(f"no drawing is known for the load {load!r}")
+
+
+def _joint_of(view: View, load: Torque | TorsionSpring) -> Point:
+    """Where a torque is drawn: in space at the joint of the two bodies, else at the mass centre."""
+    pair = {load.on, load.by}
+    joints = [r.at for r in view.scene.reactions if {r.on, r.by} == pair and r.at is not None]
+    return joints[0] if joints and not view.planar else view.scene.body(load.on).centre
 
 
 def gravity_arrow(view: View, paper: Paper) -> str:

@@ -1,19 +1,18 @@
 """Mode shapes that swing: the scene along each shape, in one period after the other.
 
-q = A exp(growth t) Re(a exp(i omega t)), of a size that can be seen: what moves farthest moves
+q = q0 + A exp(growth t) Re(a exp(i omega t)), of a size that can be seen: what moves farthest moves
 `FARTHEST` on paper. Periods are drawn equally long, whatever omega is, which the words beside a
 picture tell; of a mode that is damped, or grows, a few of them. Coordinates without an amplitude
 of their own close the loops.
 """
 
 import math
-from collections.abc import Mapping
 
 import numpy as np
 
 from mechanics.report.animation import moving_picture
-from mechanics.report.drawing import attached, paper_for
-from mechanics.report.projection import View, closed
+from mechanics.report.drawing import paper_for
+from mechanics.report.projection import View, attached, closed
 from mechanics.report.result import Swing
 from mechanics.scene import Scene
 
@@ -46,17 +45,22 @@ def _changes(mode: Swing) -> bool:
 
 
 def _picture(scene: Scene, mode: Swing) -> str:
-    size = _size(scene, mode.shape)
+    size = _size(scene, mode)
     periods = PERIODS if _changes(mode) else 1
     times = np.linspace(0, periods * PERIOD, 24 * periods + 1)
     phase = 2 * math.pi * times / PERIOD
     growth = mode.growth / mode.omega * phase if _changes(mode) else 0 * phase
     # A quarter of a period later, so that it begins at rest where all phases are one.
     wave = size * np.exp(growth - growth.max()) * np.exp(1j * (phase - math.pi / 2))
-    columns = {name: (amplitude * wave).real for name, amplitude in mode.shape.items()}
+    columns = {name: value + 0 * times for name, value in mode.about.items()}
+    columns |= {
+        name: mode.about.get(name, 0.0) + (amplitude * wave).real
+        for name, amplitude in mode.shape.items()
+    }
     if any(c.holonomic for c in scene.constraints):
+        own = [name for name in columns if name in mode.shape]
         states = [
-            closed(scene, {name: float(values[k]) for name, values in columns.items()})
+            closed(scene, {name: float(columns[name][k]) for name in own}, mode.about)
             for k in range(len(times))
         ]
         columns = {q.name: np.array([s.get(q.name, 0.0) for s in states]) for q in scene.q}
@@ -64,9 +68,9 @@ def _picture(scene: Scene, mode: Swing) -> str:
     return moving_picture(scene, times, every, title=f"{scene.name}: mode {mode.number}")
 
 
-def _size(scene: Scene, shape: Mapping[str, complex]) -> float:
+def _size(scene: Scene, mode: Swing) -> float:
     """A, with which the point that moves farthest does so by `FARTHEST`, to first order."""
-    rest = View(scene, {})
+    rest, shape = View(scene, mode.about), mode.shape
     paths = [
         sum(shape.get(q.name, 0.0) * rest.shift(point, q) for q in scene.q)
         for body in scene.bodies

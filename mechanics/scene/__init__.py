@@ -1,6 +1,6 @@
 """What a user declares: one mechanical system, in SymPy's own words."""
 
-from mechanics.scene.bodies import Body, Particle, RigidBody
+from mechanics.scene.bodies import Body, Outline, Particle, RigidBody
 from mechanics.scene.conditions import Condition, condition
 from mechanics.scene.euler import Euler, euler
 from mechanics.scene.joints import (
@@ -67,6 +67,7 @@ __all__ = [
     "Joint",
     "Load",
     "Orientation",
+    "Outline",
     "Output",
     "Parameter",
     "Particle",

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from sympy import Expr
-from sympy.physics.vector import Dyadic, Point, ReferenceFrame
+from sympy.physics.vector import Dyadic, Point, ReferenceFrame, Vector
 
 from mechanics.errors import SceneError
 from mechanics.scene.declared import scalar
@@ -30,6 +30,30 @@ class Particle:
         object.__setattr__(self, "mass", _mass(self.name, self.mass))
 
 
+NOTHING = Vector(0)
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What drawings show of a body: r = at + first cos(a) + second sin(a), an ellipse or a line.
+
+    Parameters
+    ----------
+    first, second : Vector
+        Semi-axes along the body's frame, of numbers in m or parameters of the scene. A line goes
+        from at - first to at + first; its second one is ``Vector(0)``.
+    at : Vector, optional
+        From the mass centre.
+    filled : bool
+        A disc, and not a ring.
+    """
+
+    first: Vector
+    second: Vector = NOTHING
+    at: Vector = NOTHING
+    filled: bool = False
+
+
 @dataclass(frozen=True)
 class RigidBody:
     """A rigid body.
@@ -45,6 +69,8 @@ class RigidBody:
     inertia : Expr or sympy Dyadic
         About the mass centre. A scalar is the moment of inertia about the normal of the plane
         that the scene keeps; in a scene that leaves its plane it is refused.
+    outlines : tuple of Outline, optional
+        How it is drawn, where its inertia and its joints do not tell; nothing else reads them.
     """
 
     name: str
@@ -52,6 +78,7 @@ class RigidBody:
     frame: ReferenceFrame
     mass: Expr
     inertia: Expr | Dyadic
+    outlines: tuple[Outline, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "mass", _mass(self.name, self.mass))

@@ -58,6 +58,25 @@ def validate(scene: Declaration) -> None:
     check_contacts(scene)
     check_units(scene)
     check_outputs(scene)
+    _outlines(scene)
+
+
+def _outlines(scene: Declaration) -> None:
+    """What is drawn of a body moves with it."""
+    for body in (body for body in scene.bodies if isinstance(body, RigidBody)):
+        for outline in body.outlines:
+            for vector in (outline.first, outline.second, outline.at):
+                for column, frame in vector.args:
+                    if frame != body.frame:
+                        raise SceneError(
+                            f"body {body.name}: an outline is along {frame}: write it along"
+                            f" {body.frame}, the frame of the body"
+                        )
+                    if unknown := column.free_symbols - {*scene.parameters}:
+                        raise SceneError(
+                            f"body {body.name}: an outline depends on {min(unknown, key=str)}:"
+                            " write it in numbers and in parameters of the scene"
+                        )
 
 
 def _bodies(scene: Declaration) -> None:

@@ -5,30 +5,37 @@ import pkgutil
 import re
 import xml.etree.ElementTree as ElementTree
 from functools import cache
+from types import ModuleType
 
 import numpy as np
 import pytest
 from shared_scenes import built
-from sympy import cos
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy import Symbol, cos
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 import systems
+from mechanics.errors import SceneError
 from mechanics.report.charts import Axis, bar, line_chart, round_step
 from mechanics.report.coordinate_drawings import coordinate_drawings
-from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline
+from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline, paper_for
 from mechanics.report.label_places import box_of, overlap
 from mechanics.report.labels import TEXT
-from mechanics.report.projection import View
+from mechanics.report.projection import View, closed
 from mechanics.scene import (
+    Outline,
     Particle,
     RigidBody,
     Scene,
     damper,
     gravity,
     parameters,
+    pin,
     reaction,
     spring,
 )
+from mechanics.scene.json import from_json, to_json
+from mechanics.scene.loads import Spring
+from systems import gyroscope, half_car, humanoid, quadrotor
 
 
 @cache
@@ -219,3 +226,40 @@ def test_no_name_lies_on_another(name: str) -> None:
         boxes = [box_of(match) for match in TEXT.finditer(text.split("<g transform")[0])]
         for k, box in enumerate(boxes):
             assert overlap(box, np.array(boxes[:k]).reshape(-1, 4)) <= 0.4, (name, text)
+
+
+@pytest.mark.parametrize("system", [quadrotor, gyroscope, half_car, humanoid])
+def test_a_drawing_is_filled_by_its_bodies(system: ModuleType) -> None:
+    """Whatever is far away, or of no size in the equations."""
+    scene = system.scene()
+    view = View(scene, closed(scene, scene.example))
+    paper = paper_for([view])
+    corners = [paper.place(c) for body in scene.bodies for c in outline(view, body)]
+    assert max(np.ptp(corners, axis=0) / (WIDTH, HEIGHT)) > 0.4
+
+
+def test_springs_that_the_scene_gives_no_length_are_drawn_with_one() -> None:
+    scene = half_car.scene()
+    view = View(scene, scene.example)
+    springs = [load for load in scene.loads if isinstance(load, Spring)]
+    lengths = [np.hypot(*(view.point(s.second) - view.point(s.first))) for s in springs]
+    assert len(lengths) == 4 and min(lengths) > 0.2
+
+
+def test_an_outline_moves_with_its_body_and_knows_no_stranger() -> None:
+    ground, origin, q = ReferenceFrame("N"), Point("O"), dynamicsymbols("q")
+    joint = pin("pin", None, "disc", at=origin, axis=ground.z, angle=q)
+
+    def scene(*outlines: Outline) -> Scene:
+        body = RigidBody("disc", origin, joint.frame, 1, inertia(joint.frame, 1, 1, 2), outlines)
+        return Scene("disc", ground, origin, bodies=(body,), joints=(joint,))
+
+    with pytest.raises(SceneError, match="body disc: an outline is along N: write it along"):
+        scene(Outline(ground.x))
+    with pytest.raises(SceneError, match="body disc: an outline depends on R"):
+        scene(Outline(Symbol("R") * joint.frame.x))
+    drawn = scene(Outline(joint.frame.x, 2 * joint.frame.y, filled=True), Outline(joint.frame.y))
+    view = View(drawn, {"q": np.pi / 2})
+    ends, P = view.outlines(drawn.bodies[0]), view.projection
+    assert np.allclose(ends[1], [[-1, 0, 0], [1, 0, 0]] @ P.T)
+    assert to_json(from_json(to_json(drawn))) == to_json(drawn)

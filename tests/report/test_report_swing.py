@@ -1,9 +1,11 @@
 """Mode shapes swing: along the shape, through rest, far enough to be seen."""
 
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from sympy import pi
 
 from mechanics import derive
 from mechanics.crosscheck.small_motions import small_motions
@@ -15,6 +17,7 @@ from systems import (
     elastic_pendulum,
     half_car,
     rocker,
+    rod_pendulum,
     two_mass_chain,
 )
 
@@ -108,3 +111,24 @@ def test_what_rolls_swings_with_its_constraint() -> None:
     # A cylinder that rolls inside another one: omega^2 = 2 g / (3 (R - r)).
     assert mode.omega**2 == pytest.approx(2 * g / (3 * (R - a)))
     assert "<animate" in text
+
+
+def test_a_mode_about_a_declared_equilibrium_swings_about_that() -> None:
+    """A pendulum counted from the upright hangs at pi, and is drawn below its pin."""
+    scene = replace(rod_pendulum.scene(), equilibria=({"theta": pi},))
+    found, remarks = small_motions({"kane": derive(scene, "kane")})
+    upright, hanging = found
+    assert (upright.title, hanging.title) == (
+        "Natural modes about q = 0", "Natural modes about theta = pi",
+    )  # fmt: skip
+    assert remarks == upright.swings == ()
+    (mode,) = hanging.swings
+    assert mode.about == {"theta": pytest.approx(np.pi)}
+    assert mode.omega == pytest.approx(np.sqrt(1.5 * 10))
+    _, text = swings(scene, (mode,))[0]
+    moving = next(e for e in ElementTree.fromstring(text) if e.get("class") == "moving")
+    rod = next(e for e in moving if e.get("class") == "rod")
+    pin = next(e for e in moving if e.get("class") == "plate")
+    below = [float(pair.split(",")[1]) for pair in str(rod.get("points")).split()]
+    top = [float(pair.split(",")[1]) for pair in str(pin.get("points")).split()]
+    assert max(below) > max(top) + 20

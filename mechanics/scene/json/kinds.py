@@ -7,7 +7,7 @@ from dataclasses import MISSING, Field, fields
 from functools import cache
 from typing import Any, get_args, get_type_hints
 
-from mechanics.scene.bodies import Particle, RigidBody
+from mechanics.scene.bodies import Outline, Particle, RigidBody
 from mechanics.scene.conditions import Condition
 from mechanics.scene.euler import Euler
 from mechanics.scene.joints.joint import Joint
@@ -31,6 +31,7 @@ FORMAT = "mechanics scene 1"
 KINDS: dict[str, type] = {
     "particle": Particle,
     "rigid body": RigidBody,
+    "outline": Outline,
     "gravity": Gravity,
     "spring": Spring,
     "damper": Damper,
