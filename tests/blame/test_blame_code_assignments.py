@@ -174,3 +174,28 @@ def test_code_is_mended_neither_by_another_output_nor_by_what_it_has_not(tmp_pat
     assert (wrong.finding.verdict.name, right.finding.verdict.name) == ("REFUTED", "PROVED")
     for repair in wrong.blame.repairs:
         assert not any("_ddot" in edit.written + edit.right for edit in repair.edits)
+
+
+def test_what_is_put_in_has_the_authors_name_where_the_code_has_one(tmp_path) -> None:
+    found = _told(tmp_path, "costheta**2 / total_mass", "costheta**2 / masscart")
+    (entry,) = [e for e in found.judged if e.statement.tag == "theta_ddot"]
+    (edit,) = entry.blame.repairs[0].edits
+    assert (edit.definition, edit.written, edit.right) == ("thetaacc", "masscart", "total_mass")
+
+
+MACROS = """#define INERTIA (m*l*l/3)
+#define WEIGHT (m*g)
+void rates(double theta, double w, double u, double m, double l, double g, double d[2])
+{
+    d[0] = w;
+    d[1] = (u - WEIGHT*l/2*sin(theta))/INERTIA;
+}"""
+
+
+def test_a_macro_of_c_is_a_definition_with_its_name() -> None:
+    right = MACROS.replace("u - WEIGHT", "u + WEIGHT")
+    assert mechanics.check(ROD, right, notation="c").ok
+    found = mechanics.check(ROD, right.replace("l*l/3", "l/3"), notation="c")
+    (entry,) = [e for e in found.judged if not e.finding.shown]
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.definition == "INERTIA"

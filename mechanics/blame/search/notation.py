@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from sympy.matrices import MatrixBase
 
@@ -17,7 +17,18 @@ from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.syntax_tree import Forest
 from mechanics.claims.claim import Trees
 from mechanics.claims.spelling import Spelling, hidden_minus
-from mechanics.claims.tree import Call, Node, Number, Power, Product, Sum, constant
+from mechanics.claims.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Sum,
+    constant,
+    parts,
+    with_parts,
+)
 from mechanics.scene.published import Published
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
@@ -30,8 +41,10 @@ Span = tuple[int, int]
 
 
 def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Edit:
-    """An edit as a person makes it."""
+    """An edit as a person makes it, with the names that the person has for parts of it."""
     home = forest.place[change.index][0]
+    if change.node is not None:
+        change = replace(change, node=_in_own_names(claim, home, change.node))
     if isinstance(home, str):
         place = claim.written.places.get(home, "")
         if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
@@ -85,6 +98,33 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         written = f"{claim.written.text[sign[0]]} {written}"
         return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
     return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+
+
+def _in_own_names(claim: Claim, home: int | str, node: Node) -> Node:
+    """A new sum or product by the name that an earlier definition gives it: total_mass."""
+    before = takewhile(lambda pair: pair[0] != home, claim.written.definitions)
+    own = {_shape(tree): name for name, tree in before if isinstance(tree, Sum | Product)}
+
+    def named(part: Node) -> Node:
+        if isinstance(part, Sum | Product) and part.end < 0 and _shape(part) in own:
+            return Name(part.at, own[_shape(part)])
+        inside = parts(part)
+        new = tuple(map(named, inside))
+        return part if new == inside else with_parts(part, new)
+
+    return named(node) if own else node
+
+
+def _shape(node: Node) -> str:
+    """What a tree is but for the order of terms and factors, and for its place."""
+    inside = [_shape(part) for part in parts(node)]
+    if isinstance(node, Sum | Product):
+        inside.sort()
+    if isinstance(node, Number):
+        return str(node.value)
+    own = f"{node.name}{node.order}" if isinstance(node, Name) else type(node).__name__
+    function = node.function if isinstance(node, Call) else ""
+    return f"{own}{function}({','.join(inside)})"
 
 
 def _divides(node: Node) -> bool:
@@ -141,9 +181,9 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
     around = forest.nodes[above]
     level = 0
     if isinstance(around, Product):
-        level = 2 if not spelling.latex and isinstance(new, Product) else 1
+        level = 2 if spelling.written.notation == "text" and isinstance(new, Product) else 1
     if isinstance(around, Power):
-        level = 3
+        level = 2 if _divides(around) and not spelling.latex else 3
         # A denominator has its own braces, unless a slash stands before it; an exponent, too.
         fraction = around.exponent.end < 0 and _in_braces(spelling, forest.nodes[change.index])
         if spelling.latex and (fraction or change.index != forest.kids[above][0]):

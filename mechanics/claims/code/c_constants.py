@@ -3,7 +3,8 @@
     static const double g = 9.81;        double f(double x) {...g...}
     ->                                   double f(double x) { const double g = 9.81; ...g...}
 
-A static number that nothing changes is one, too. What others may change is refused elsewhere.
+A static number that nothing changes is one, too, and so is a macro whose value is in brackets:
+``#define TOTAL (M + m)``. What others may change is refused elsewhere.
 """
 
 import re
@@ -14,6 +15,10 @@ DECLARED = re.compile(
     r"(?P<words>\b(?:(?:static|const|double|float)\s++){2,5}+)"
     r"(?P<rest>\w++\s*+(?:\[[^][;]*+\])?\s*+=[^;{}]*+(?:\{[^;{}]*+\})?[^;{}]*+);"
 )
+MACRO = re.compile(
+    r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(\((?:[^()\n]|\([^()\n]*\))*\))[ \t]*\r?$", re.MULTILINE
+)
+WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?!\s*\()")
 NAME = re.compile(r"(\w++)\s*+(?:\[[^][]*+\])?\s*+=")
 MOST, LONGEST = 64, 100_000
 """Constants, and characters with them in all functions."""
@@ -21,6 +26,7 @@ MOST, LONGEST = 64, 100_000
 
 def with_constants(text: str, origin: str) -> str:
     """The text with constants in functions; it has no comments that hold code."""
+    text = _of_macros(text)
     found = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
     found = [m for m in found if "const" in m["words"].split() or "[" not in m["rest"]]
     found = [m for m in found if len({"double", "float"} & set(m["words"].split())) == 1]
@@ -45,6 +51,24 @@ def with_constants(text: str, origin: str) -> str:
             gone = re.sub(r"[^\n]", " ", match[0])
             text = text[: match.start()] + gone + text[match.end() :]
     return _inserted(text, constants, origin)
+
+
+def _of_macros(text: str) -> str:
+    """The text with macros that name a formula in constants, declared where they are defined."""
+    macros = {m[1]: m[2] for m in MACRO.finditer(text) if WORD.search(m[2])}
+    if not macros or re.search(r"#[ \t]*(?:if|undef)", text):
+        return text
+    for start, end in _bodies(text):
+        head = text[text.rfind(")", 0, start) - _length(text, start) : start]
+        passed = {*re.findall(r"\w+", head)}
+        used = _used(text[start:end], macros)
+        words = {word for name in used for word in WORD.findall(macros[name])}
+        again = [name for name in used if re.search(rf"\b(?:double|float|int)\s+{name}\b", text)]
+        if again or not words <= passed | macros.keys():
+            return text  # what a macro is made of is another thing in each function
+    return MACRO.sub(
+        lambda m: f"static const double {m[1]} = {m[2]};" if m[1] in macros else m[0], text
+    )
 
 
 def _inserted(text: str, constants: dict[str, str], origin: str) -> str:
