@@ -92,7 +92,7 @@ def rows(name: str, states: int, horizon: float) -> list[Row]:
         found = trade(equations, horizon, members=members)
     except MechanicsError as error:
         return [Row(name, f"not measured: {error}", 0.0, "")]
-    case = Case(equations, found.horizon, through=True)
+    case = Case(equations, found.horizon, found.start, through=True)
     fresh = family(case, found.yardstick.truth.scale, states, seed=SEED)
     truths = working_truths(case, fresh, found.family.first, found.family.second)
     result = []

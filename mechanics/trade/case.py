@@ -79,12 +79,15 @@ class Case:
             )
 
     def model(self, variant: Variant = Variant()) -> Model:  # noqa: B008 - frozen
-        """The model of a variant, compiled once."""
+        """The model of a variant, compiled once; its graphs do not depend on the compiler."""
         if variant not in self._models:
-            equations = self.linear(self) if variant.model == LINEARIZED else self.equations
-            self._models[variant] = compile(
-                equations, compiler=self.compiler, flags=variant.flags, form=variant.form
-            )
+            default = replace(variant, flags=Variant().flags)
+            if variant != default:
+                made = replace(self.model(default), flags=variant.flags)
+            else:
+                equations = self.linear(self) if variant.model == LINEARIZED else self.equations
+                made = compile(equations, compiler=self.compiler, form=variant.form)
+            self._models[variant] = made
         return self._models[variant]
 
     def p(self, model: Model) -> Array:
@@ -135,6 +138,10 @@ class Case:
     def until(self, horizon: float) -> "Case":
         """The same for another length of time, with the models that were compiled already."""
         return replace(self, horizon=horizon, grid=None)
+
+    def starting(self, start: Array) -> "Case":
+        """The same from another state on the constraints."""
+        return replace(self, initial=dict(zip(self.names, start.tolist(), strict=True)))
 
     @property
     def names(self) -> tuple[str, ...]:

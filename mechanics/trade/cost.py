@@ -1,6 +1,6 @@
 """What a choice costs, told apart.
 
-    seconds of a run = call + steps * step          two runs of one line tell both
+    seconds of a run = call + steps * step          two runs of one method tell both
 
 `call` is what a call from Python takes whatever it integrates, `step` what the method itself takes:
 of a method in C one step, of another one evaluation. For a target without Python neither counts:
@@ -11,14 +11,20 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from mechanics.clock import side_by_side
 from mechanics.program.routine import Routine
 from mechanics.simulate.integrators import explicit
+from mechanics.simulate.integrators.loop import spans
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
-from mechanics.trade.measure import Measurement
+from mechanics.trade.measure import Measurement, prepared
 
 IN_C = {member.name: member.name.removeprefix("C ") for member in explicit.MEMBERS}
 """Methods whose step is one function in C, and the names of their tableaus."""
+MANY = 1000
+"""Steps of a run, at least, beside which a call is little."""
+COMPARING, ROUNDS = 0.3, (7, 31)
+"""Seconds and rounds for the two runs."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +35,7 @@ class Cost:
     ----------
     call, step : float or None
         In s: of a call from Python, and of each step, or evaluation where `steps` counts these.
-        None where one run only was measured.
+        None where the runs of an adaptive method do not tell them.
     steps : int
         In the whole motion.
     counted : str
@@ -66,30 +72,51 @@ def costs(
 
 
 def _cost(case: Case, choice: Choice, measurements: Sequence[Measurement]) -> Cost:
-    line = [m for m in measurements
-            if m.choice.with_amount(1.0) == choice.with_amount(1.0) and not m.failure]  # fmt: skip
-    counts = {m.choice: _count(case, m) for m in line}
-    low, high = (end(line, key=lambda m: counts[m.choice]) for end in (min, max))
-    call = step = None
-    if counts[high.choice] > 2 * counts[low.choice]:
-        first, last = (case.horizon * m.time for m in (low, high))
-        step = max(0.0, (last - first) / (counts[high.choice] - counts[low.choice]))
-        call = max(0.0, first - step * counts[low.choice])
+    if choice.setting.tolerance is not None:
+        alike = choice.with_amount(1.0)
+        line = [m for m in measurements if m.choice.with_amount(1.0) == alike and not m.failure]
+        count = next(max(1, m.evaluations) for m in line if m.choice == choice)
+        return Cost(*_adaptive(case, line), count, "evaluation")
+    count = math.ceil(case.horizon / choice.amount * (1 - 1e-12))
+    call, step = _fixed(case, choice)
     if not embeddable(choice):
-        word = "step" if choice.setting.tolerance is None else "evaluation"
-        return Cost(call, step, counts[choice], word)
+        return Cost(call, step, count, "step")
     code = _step(case, choice)
     slots = case.model(choice.variant).right_hand_side.steps
     work = slots[IN_C[choice.setting.integrator]].compiled.function.sz_w()
     size = sum(count for _, count in code.inputs) + work
     width = 4 if choice.setting.arithmetic == "single" else 8
-    return Cost(call, step, counts[choice], "step", operations(case, choice), width * size)
+    return Cost(call, step, count, "step", operations(case, choice), width * size)
 
 
-def _count(case: Case, found: Measurement) -> int:
-    if found.choice.setting.tolerance is not None:
-        return max(1, found.evaluations)
-    return math.ceil(case.horizon / found.choice.amount * (1 - 1e-12))
+def _fixed(case: Case, choice: Choice) -> tuple[float, float]:
+    """Call and step of a method with fixed steps, by a run that is nearly nothing but the call."""
+    many = choice.with_amount(min(choice.amount, case.horizon / MANY))
+    runs = (case.until(choice.amount), choice), (case, many)
+    (few, short), (most, long) = (
+        (_steps(one, wanted), prepared(one, wanted)) for one, wanted in runs
+    )
+    # What disturbs a machine only adds.
+    first, last = map(min, side_by_side([short, long], COMPARING, ROUNDS))
+    step = max(0.0, last - first) / (most - few)
+    return max(0.0, first - few * step), step
+
+
+def _steps(case: Case, choice: Choice) -> int:
+    """Steps of a run, those beside the others included."""
+    parts = spans(case.problem(choice.variant), choice.amount)
+    return sum(part.count + (part.rest > 0) for part in parts)
+
+
+def _adaptive(case: Case, line: Sequence[Measurement]) -> tuple[float | None, float | None]:
+    """Call and evaluation by two runs with different tolerances, where these tell them."""
+    low, high = (end(line, key=lambda m: m.evaluations) for end in (min, max))
+    if high.evaluations <= 2 * low.evaluations:
+        return None, None
+    first, last = (case.horizon * m.time for m in (low, high))
+    step = max(0.0, (last - first) / (high.evaluations - low.evaluations))
+    call = first - step * low.evaluations
+    return (call if call > 0 else None), step
 
 
 def _step(case: Case, choice: Choice) -> Routine:

@@ -10,17 +10,20 @@ import numpy as np
 
 from mechanics.clock import timed
 from mechanics.errors import InputError
-from mechanics.simulate.integrators import INTEGRATORS, Setting
+from mechanics.simulate.integrators import INTEGRATORS, Outcome, Setting
 from mechanics.simulate.reference import reference
 from mechanics.simulate.reference_growth import LOST, growth
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.family import SPREAD, family
 from mechanics.trade.measure import prepared
 from mechanics.trade.truth import NORM, Truth, from_reference, from_states
 
 DIGITS = 30
 # A first look at the motion, for its scales.
 LOOK = Choice(Variant(), Setting("SciPy DOP853", tolerance=1e-9))
+STEADY = 1e-6
+"""Change of the speeds, in units of their scale, below which a motion is a steady one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +79,9 @@ def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[
     InputError
         If the motion cannot be integrated at all.
     """
+    case, beside = _moving(case)
     case, until, notes = _comparable(case)
+    notes = (*beside, *notes)
     found, seconds = timed(lambda: reference(case.problem(), digits))
     scale = zip(found.scale.tolist(), case.units, strict=True)
     known = found.growth.factor[: found.growth.known]
@@ -94,8 +99,26 @@ def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[
     return case, stick, notes
 
 
-def _comparable(case: Case) -> tuple[Case, float, tuple[str, ...]]:
-    """The case, shortened where a rounding grows to 1 % of the motion before its end."""
+def _moving(case: Case) -> tuple[Case, tuple[str, ...]]:
+    """The case, from a state beside its start where that stays as it is.
+
+    Where no speed changes any step is exact and no choice is told from another, though beside this
+    motion the same system may oscillate fast.
+    """
+    states = _look(case).states
+    scale = from_states(states).scale
+    speeds = slice(len(case.equations.scene.q), None)
+    if np.any(np.ptp(states[:, speeds], axis=0) > STEADY * scale[speeds]):
+        return case, ()
+    note = (
+        "from the start that was given no speed changes, so that any step is exact: what is"
+        f" measured is the motion from a state beside it, off by up to {SPREAD:.0%} of this motion"
+    )
+    return case.starting(family(case, scale, 1)[0]), (note,)
+
+
+def _look(case: Case) -> Outcome:
+    """A first look at the motion."""
     member = next(m for m in INTEGRATORS if m.name == LOOK.setting.integrator)
     if why := member.suits(case.problem(), LOOK.setting):
         raise InputError(f"{case.equations.scene.name}: {why}")
@@ -105,6 +128,12 @@ def _comparable(case: Case) -> tuple[Case, float, tuple[str, ...]]:
             f"{case.equations.scene.name}: the motion cannot be integrated over"
             f" {case.horizon:g} s: {outcome.failure}: take a shorter horizon or another start"
         )
+    return outcome
+
+
+def _comparable(case: Case) -> tuple[Case, float, tuple[str, ...]]:
+    """The case, shortened where a rounding grows to 1 % of the motion before its end."""
+    outcome = _look(case)
     grown = growth(case.problem(), from_states(outcome.states).scale)
     until = grown.meaningful_until
     if not np.isfinite(until):
