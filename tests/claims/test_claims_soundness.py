@@ -41,7 +41,7 @@ def test_a_declared_convention_counts_where_it_makes_equations_wrong(
     assert mechanics.check(scene, text).ok
     found = mechanics.check(scene, text, convention=convention)
     assert found.verdict is Verdict.REFUTED
-    assert any("not all right under it" in remark for remark in found.remarks)
+    assert any("not all statements are right under it" in remark for remark in found.remarks)
 
 
 def test_a_convention_that_the_scene_cannot_have_is_no_proof() -> None:
