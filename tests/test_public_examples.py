@@ -60,6 +60,6 @@ def test_public_methods_are_called_in_an_example(name: str) -> None:
         for key, member in vars(made).items()
         if inspect.isfunction(member) and not key.startswith("_")
     }
-    examples = inspect.getdoc(made).partition("Examples\n--------\n")[2]
+    examples = str(inspect.getdoc(made)).partition("Examples\n--------\n")[2]
     own = {key for key, member in methods.items() if ">>> " in str(inspect.getdoc(member))}
     assert [key for key in methods if f".{key}(" not in examples and key not in own] == []
