@@ -172,6 +172,21 @@ class Equations:
         What the route picked, in words: free bodies and moment centres.
     fixed : mapping of Symbol to Expr
         Parameters that stand as numbers in the matrices, while scene and program still name them.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> equations = derive(rod_pendulum.scene(), "kane")
+    >>> equations.mass, equations.forcing, equations.unknowns
+    (Matrix([[l**2*m/3]]), Matrix([[g*l*m*sin(theta)/2 + u]]), (theta_ddot,))
+    >>> equations.residual
+    Matrix([[-g*l*m*sin(theta)/2 + l**2*m*theta_ddot/3 - u]])
+    >>> equations.system == (equations.mass, equations.forcing)
+    True
+    >>> equations.reaction_matrix.shape, equations.constraint_matrix.shape
+    ((1, 0), (0, 1))
+    >>> equations.with_matrices(forcing=0 * equations.forcing).forcing
+    Matrix([[0]])
     """
 
     scene: Scene

@@ -36,6 +36,25 @@ class Model(Functions):
     """Compiled functions of one set of equations: those of mechanics as methods.
 
     The rest, and all of them by name, are in `Functions`.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from systems import elastic_pendulum
+    >>> scene = elastic_pendulum.scene()
+    >>> seen = replace(scene, outputs={"middle": position(scene.bodies[-1].centre)})
+    >>> model, q, u = compile(derive(seen)), [0.0, 0.0], [0.0, 1.0]
+    >>> model.output("middle", q)
+    array([ 0. , -0.5,  0. ])
+    >>> ud = model.forward_dynamics(q, u)
+    >>> bool(abs(model.mass_matrix(q, u) @ ud - model.forcing(q, u)).max() < 1e-12)
+    True
+    >>> bool(abs(model.residual(q, u, ud)).max() < 1e-12), model.multipliers(q, u).shape
+    (True, (0,))
+    >>> model.inverse_dynamics(q, u, ud).shape, model.coordinate_rates(q, u)
+    ((2,), array([0., 1.]))
+    >>> round(float(model.energy(q, u)["kinetic"]), 12)
+    0.166666666667
     """
 
     def __repr__(self) -> str:

@@ -140,7 +140,7 @@ def check(
     every = (s for reading in readings for s in reading.statements)
     statements = of_one_order(truth, [of_one_dimension(truth, s) for s in every])
     if sum(map(bool, (values, convention, where))) > 1:
-        raise InputError("check: of values, a convention and where, give one only")
+        raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
     counted = read_declared([convention] if isinstance(convention, str) else convention, known)
     said = () if counted or values or where else said_conventions(truth.scene, statements, known)

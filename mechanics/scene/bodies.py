@@ -20,6 +20,13 @@ class Particle:
     centre : sympy Point
     mass : Expr
         In kg; may be zero where the mass matrix stays regular.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point
+    >>> (m,) = parameters("m", units="kg")
+    >>> Particle("bob", Point("P"), m).mass
+    m
     """
 
     name: str
@@ -71,6 +78,13 @@ class RigidBody:
         that the scene keeps; in a scene that leaves its plane it is refused.
     outlines : tuple of Outline, optional
         How it is drawn, where its inertia and its joints do not tell; nothing else reads them.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame
+    >>> m, L = parameters("m L", units="kg m")
+    >>> RigidBody("rod", Point("C"), ReferenceFrame("A"), m, m * L**2 / 12).inertia
+    L**2*m/12
     """
 
     name: str

@@ -63,6 +63,16 @@ class Scene(Declaration):
     ------
     SceneError
         When the scene cannot be right; the message names what is wrong.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> x, (m, k), N, O = dynamicsymbols("x"), parameters("m k"), ReferenceFrame("N"), Point("O")
+    >>> P = O.locatenew("P", x * N.x)
+    >>> rail = [reaction(f"R{e}", at=P, on="mass", by=None, along=e) for e in (N.y, N.z)]
+    >>> Scene("oscillator", N, O, coordinates=(x,), bodies=(Particle("mass", P, m),),
+    ...       loads=(spring("spring", O, P, k, along=N.x),), reactions=tuple(rail))
+    <scene oscillator: 1 bodies, 1 coordinates, 0 constraints>
     """
 
     def __post_init__(self) -> None:

@@ -50,6 +50,12 @@ class System:
     model : callable or None
         Makes the model of another program that the scene is taken from, or the scene itself: whose
         own equations are compared. None where `scene` declares it.
+
+    Examples
+    --------
+    >>> from systems import rod_pendulum
+    >>> System("mine", rod_pendulum.scene)
+    <system mine: 0 published rows>
     """
 
     name: str

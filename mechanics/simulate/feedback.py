@@ -28,7 +28,12 @@ class Feedback:
 
     Examples
     --------
-    ``mechanics.simulate(model, 5, inputs={"f": Feedback(lambda t, q, u: -30 * q[0] - 4 * u[0])})``
+    >>> from systems import rod_pendulum
+    >>> model = compile(derive(rod_pendulum.scene()))
+    >>> law = Feedback(lambda t, q, u: -30 * q[0] - 4 * u[0])
+    >>> motion = simulate(model, 5.0, initial={"theta": 0.2}, inputs={"u": law})
+    >>> bool(abs(motion.coordinates["theta"][-1]) < 1e-3)
+    True
     """
 
     law: Callable[[float, Array, Array], Any]

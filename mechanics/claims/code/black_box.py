@@ -59,6 +59,15 @@ class BlackBox:
     ------
     InputError
         For a step that is no time, or another integrator.
+
+    Examples
+    --------
+    >>> from math import sin
+    >>> from systems import rod_pendulum
+    >>> box = BlackBox(lambda theta, u: [1.5 * 9.81 / 2 * sin(theta) + 3 * u / 4],
+    ...                {"m": 1, "l": 2, "g": 9.81})
+    >>> [row.finding.verdict.name for row in check(rod_pendulum.scene(), box).judged]
+    ['SUPPORTED']
     """
 
     function: Callable[..., Any]
