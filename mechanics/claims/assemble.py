@@ -107,7 +107,8 @@ def assemble(
     words = {name: meaning for name, meaning in given.items() if meaning in WORDS}
     plain = {name: meaning for name, meaning in given.items() if meaning not in WORDS}
     naming, lines = named(
-        lambda own: list(with_first_integrals(read(own), own)), Naming(Vocabulary(scene), plain)
+        lambda own: list(with_first_integrals(read(own), own, text)),
+        Naming(Vocabulary(scene), plain),
     )
     lines, told = told_once(without_unknown_rates(lines, naming))
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)

@@ -63,8 +63,8 @@ AWAY = re.compile(
     re.IGNORECASE,
 )
 """What denies that there is an equilibrium."""
-ENDS = re.compile(r"[.;!?](?=\s)|\n\s*\n")
-"""Of sentences."""
+ENDS = re.compile(r"[.;!?](?=\s)|(?<![:\s])\s*\n\s*\n")
+"""Of sentences; what a colon announces is part of its own."""
 
 
 def sentence_around(text: str, at: int) -> str:

@@ -8,6 +8,7 @@ Code in Python is only run where that is allowed.
 
 import inspect
 import json
+import re
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -16,6 +17,8 @@ from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 
+GONE = re.compile(r"<!--.*?(?:-->|\Z)|~~.*?~~", re.DOTALL)
+"""What a page in Markdown does not show, and what its author has struck out."""
 RUN = "Python is only run where that is allowed: --run-python (run_python=True)"
 
 
@@ -50,7 +53,8 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
         pairs = [(cell["cell_type"], "".join(cell["source"])) for cell in cells]
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
-    prose = "\n\n".join(text for kind, text in pairs if kind == "markdown" and text.strip())
+    shown = (GONE.sub("", text) for kind, text in pairs if kind == "markdown")
+    prose = "\n\n".join(text for text in shown if text.strip())
     code = "\n".join(text for kind, text in pairs if kind == "code" and "def " in text)
     found: list[Any] = [prose] if "=" in prose else []
     if code and (run_python or not found):

@@ -27,6 +27,7 @@ from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import judge_under, only_change
 from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.descriptions import contradictions
+from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
@@ -162,7 +163,7 @@ def check(
     judged = complete_residuals(truth, one_root_each(truth, judged, statements))
     untold = () if convention else contradictions(truth.scene, statements, known)
     judged = tuple(
-        as_told(entry, statement, untold)
+        of_a_part(truth.scene, as_told(entry, statement, untold))
         for entry, statement in zip(judged, statements, strict=True)
     )
     counts = [len(reading.statements) for reading in readings]

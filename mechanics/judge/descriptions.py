@@ -17,6 +17,7 @@ from mechanics.claims.directions import counted
 from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
+from mechanics.judge.denotations import denoted_otherwise, other_times
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.loads import Force, Torque
 from mechanics.symbolic import is_zero
@@ -32,7 +33,8 @@ DISTANCE = re.compile(
     re.IGNORECASE,
 )
 WHOLE = re.compile(
-    rf"{NAME}{IS}(?:the|its)\s+(?:full|total|whole|entire)\s+length\b", re.IGNORECASE
+    rf"{NAME}{IS}(?:the|its)\s+(?:(?:full|total|whole|entire)\s+length\b|length\s+of\s+the\b)",
+    re.IGNORECASE,
 )
 FACTOR = re.compile(
     rf"{NAME}{IS}(?P<size>half|twice|double|two times|one third|a third)\s+(?:of\s+)?(?:the|its)\s+"
@@ -116,6 +118,10 @@ def contradictions(
 
 def _contradictions(scene: Scene, text: str, known: Sequence[Match]) -> Iterator[str]:
     plain = " ".join(text.split())
+    yield from other_times(text)
+    for found in re.finditer(NAME, plain):
+        behind = plain[found.end() : found.end() + FURTHEST]
+        yield from denoted_otherwise(scene, _name(found), _own(found, known), behind)
     parameters = {symbol.name for symbol in scene.parameters}
     inputs = {symbol.name for symbol in scene.input_symbols}
     for found in FACTOR.finditer(plain):
@@ -172,6 +178,8 @@ def _ratio(scene: Scene, name: str) -> Expr | None:
 
 
 RATIOS = (Rational(1), Rational(1, 2))
+FURTHEST = 120
+"""Characters behind a name that may say what it is."""
 
 
 def _way(scene: Scene, name: str) -> int:

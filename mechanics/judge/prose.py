@@ -15,6 +15,7 @@ from sympy import Symbol
 
 from mechanics.claims.convention import combined_table
 from mechanics.claims.declared_conventions import Declared, read_declared, readings
+from mechanics.claims.directions import counted
 from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
@@ -30,6 +31,8 @@ DENIAL = re.compile(
     r"|\bnot (?:true|correct|right|the case) that\b"
     r"|\b(?:wrong|incorrect|erroneous|false|mistaken) "
     r"(?:equation|result|expression|formula|answer)s?\b"
+    r"|\b(?:incorrectly|wrongly|mistakenly|erroneously|falsely)\b"
+    r"|\b(?:do(?:es)?|did) not (?:hold|apply)\b|\b(?:fails? to hold|is invalid|cannot be right)\b"
     r"|\\text\w*\s*\{\W*(?:wrong|false|incorrect|not true)\W*\}",
     re.IGNORECASE,
 )
@@ -38,6 +41,16 @@ DIRECTION = re.compile(
     rf"{NAME}\s*(?:is|be|being|denotes|,)?\s*(?:the angle\s+(?:of (?:the )?\w+\s+)?)?"
     rf"(?:(?:measured|counted|taken|reckoned)\s+)?{SENSE}from\s+(?:the\s+)?"
     r"(?P<way>(?:downward|upward)s?\s+vertical|upright|hanging|horizontal)\b",
+    re.IGNORECASE,
+)
+MAKES = re.compile(
+    rf"{NAME}\s*(?:is|be|being|denotes|,)?\s*the angle\s+(?:(?!from\b)[\w']+\s+){{0,6}}?"
+    r"(?:with|and|to)\s+(?:the\s+)?(?P<way>(?:downward|upward)s?\s+vertical|horizontal)\b",
+    re.IGNORECASE,
+)
+END = re.compile(
+    rf"{NAME}\s*(?:is|be|being|,)?\s*(?:measured|counted|taken|reckoned)\s+from\s+(?:the\s+)?"
+    r"(?P<way>top|highest|bottom|lowest)\b",
     re.IGNORECASE,
 )
 ZERO = re.compile(
@@ -54,7 +67,10 @@ DOUBLE = re.compile(
     rf"\$\s*2\s*{BARE}\s*\$\s*(?:is|be|being|denotes|,)\s*(?:the|its)\s+(?:\w+\s+)?length\b",
     re.IGNORECASE,
 )
-PLAIN = {"downward": "hanging", "upward": "upright", "inverted": "upright"}
+PLAIN = {
+    "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
+    "highest": "upright", "bottom": "hanging", "lowest": "hanging",
+}  # fmt: skip
 DEGREES = re.compile(
     rf"{NAME}\s*(?:is|are|be|being|,)\s*(?:measured|given|taken|expressed)?\s*in\s+degrees\b",
     re.IGNORECASE,
@@ -140,7 +156,10 @@ def _said(text: str) -> Iterator[str]:
         way = re.sub(r"wards\b", "ward", match["way"].lower())
         sense = f" {match['sense'].lower()}" if match["sense"] else ""
         yield f"{way}{sense} of {_name(match)}"
-    for match in ZERO.finditer(plain):
+    for match in MAKES.finditer(plain):
+        way = re.sub(r"wards\b", "ward", match["way"].lower())
+        yield f"{way} of {_name(match)}"
+    for match in (*ZERO.finditer(plain), *END.finditer(plain)):
         way = match["way"].lower()
         yield f"{PLAIN.get(way, way)} of {_name(match)}"
     for match in SIZE.finditer(plain):
@@ -154,6 +173,19 @@ def _name(match: re.Match[str]) -> str:
     return match["name"].replace("{", "").replace("}", "")
 
 
+def _other_vertical(scene: Scene, said: str, known: Sequence[Match]) -> str:
+    """The convention of an angle without a sense, as in space, that is counted from the other end.
+
+    Empty where the scene counts so, or tells no vertical.
+    """
+    way, _, name = said.rpartition(" of ")
+    own = next((match.meaning for match in known if match.name == name), name)
+    turned = {"up": 3, "downward vertical": 1, "hanging": 1}
+    quarter = next((q for start, q in turned.items() if way.startswith(start)), None)
+    angles = [a for a in counted(scene) if a.symbol.name == own and not a.sense]
+    return f"other vertical of {name}" if any(a.quarter == quarter for a in angles) else ""
+
+
 def _another(
     scene: Scene, said: str, held: frozenset[Symbol], known: Sequence[Match]
 ) -> tuple[Declared, ...]:
@@ -163,7 +195,8 @@ def _another(
         declared = read_declared([said], known)
         changes = readings(scene, declared, held)
     except InputError:
-        return ()  # nothing of the scene can be counted so
+        other = _other_vertical(scene, said, known)
+        return _another(scene, other, held, known) if other else ()
     sizes = [meaning.get(d.of, "") for d in declared if "length" in d.name]
     if any(not words or "half" in words for words in sizes):
         return ()  # the scene counts so, or does not say how

@@ -12,6 +12,7 @@ from mechanics.cli.app import app
 from mechanics.errors import InputError
 from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
+from mechanics.grading.submission import things_in
 from mechanics.worker import Limits
 from systems import elastic_pendulum
 
@@ -132,3 +133,11 @@ def test_no_submission_and_an_unknown_requirement_are_refused(folder: Path) -> N
         grade_files(SCENE, [])
     with pytest.raises(InputError, match="require 'some': it can be all, motion, right"):
         grade_files(SCENE, [folder / "right.tex"], require="some")
+
+
+def test_what_a_notebook_does_not_show_is_not_graded(tmp_path: Path) -> None:
+    cells = [f"<!-- {SIX} -->", f"~~{SEVEN}~~", "the end = none"]
+    path = tmp_path / "struck.ipynb"
+    path.write_text(json.dumps({"cells": [{"cell_type": "markdown", "source": cells}]}))
+    (shown,) = things_in(path)
+    assert shown.strip() == "the end = none"
