@@ -69,14 +69,25 @@ def page() -> str:
     )
 
 
+def browser() -> str:
+    """Path of Chromium; empty where it is not installed."""
+    return next((path for name in BROWSERS if (path := shutil.which(name))), "")
+
+
+def photograph(
+    browser: str, source: Path, target: Path, width: int, height: int, dark: bool = False
+) -> None:
+    """A page as a browser shows it."""
+    size, scheme = f"--window-size={width},{height}", f"preferredColorScheme={0 if dark else 1}"
+    _run(browser, f"--screenshot={target}", size, f"--blink-settings={scheme}", source.as_uri())
+
+
 def shoot(source: Path, browser: str) -> list[Path]:
     """What a browser makes of the page."""
     made = []
     for width, dark in SHOTS:
         target = source.with_name(f"drawings-{width}{'-dark' if dark else ''}.png")
-        size = f"--window-size={width},{TALL[width]}"
-        scheme = f"--blink-settings=preferredColorScheme={0 if dark else 1}"
-        _run(browser, f"--screenshot={target}", size, scheme, source.as_uri())
+        photograph(browser, source, target, width, TALL[width], dark)
         made.append(target)
     target = source.with_suffix(".pdf")
     _run(browser, f"--print-to-pdf={target}", "--no-pdf-header-footer", source.as_uri())
@@ -95,11 +106,11 @@ def main(folder: Path) -> None:
     source = (folder / "drawings.html").resolve()
     source.write_text(page(), encoding="utf-8")
     print(source)
-    browser = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    if browser is None:
+    path = browser()
+    if not path:
         print("no pictures: Chromium is not installed")
         return
-    for target in shoot(source, browser):
+    for target in shoot(source, path):
         print(target)
 
 

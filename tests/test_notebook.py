@@ -7,8 +7,16 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 import mechanics
+from mechanics.kernel import undecided
 from mechanics.notebook import SHOWN, register
 from systems import EVERY, arm_seven_joints, rod_pendulum, rolling_disc
+
+
+def test_a_finding_is_short() -> None:
+    """What it says at length is in its fields."""
+    finding = undecided("kane = lagrange", "because " * 100)
+    assert repr(finding).startswith("Finding(subject='kane = lagrange', verdict=<Verdict.UNDECIDED")
+    assert len(repr(finding)) < 120
 
 
 def test_every_name_is_that_of_a_type() -> None:
@@ -51,6 +59,8 @@ def test_a_scene_shows_its_coordinates() -> None:
     text = shown(rod_pendulum.scene())
     assert "angle of the rod from the upright, counterclockwise" in text
     assert '<svg class="drawing"' in text
+    # No line ends between a number and its unit.
+    assert "10\u00a0m/s²" in text
 
 
 @pytest.mark.campaign

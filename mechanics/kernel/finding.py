@@ -11,7 +11,7 @@ get one from `decide`, or from a function of this module, which takes both sides
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
 from math import isfinite
@@ -84,10 +84,10 @@ class Finding:
 
     subject: str
     verdict: Verdict
-    evidence: str
-    error_bound: float | None = None
-    witness: Witness | None = None
-    domain: str = ""
+    evidence: str = field(repr=False)
+    error_bound: float | None = field(default=None, repr=False)
+    witness: Witness | None = field(default=None, repr=False)
+    domain: str = field(default="", repr=False)
 
     def __bool__(self) -> bool:
         raise TypeError("a Finding has no truth value: compare its verdict")

@@ -230,9 +230,7 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
         SymbolRow(
             q.name,
             coordinate_words(view, q),
-            f"{state.get(q.name, 0.0):.4g} {_unit(scene, turning, q)}".strip().replace(
-                "-", "\u2212"
-            ),
+            _quantity(f"{state.get(q.name, 0.0):.4g}", _unit(scene, turning, q)),
         )
         for q in scene.q
     ]
@@ -245,8 +243,13 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
         known = parameter in scene.definitions or getattr(parameter, "typical", None) is not None
         value = f"{values[parameter]:.4g}" if known else ""
         meaning = getattr(parameter, "meaning", "") or "parameter"
-        rows.append(SymbolRow(parameter.name, meaning, f"{value} {unit}".strip()))
+        rows.append(SymbolRow(parameter.name, meaning, _quantity(value, unit)))
     return rows
+
+
+def _quantity(value: str, unit: str) -> str:
+    """A number that no line parts from its unit."""
+    return f"{value}\u00a0{unit}".strip().replace("-", "\u2212")
 
 
 def readable_unit(unit: str) -> str:

@@ -22,6 +22,8 @@ from mechanics.scene.published import Published
 # Nodes of an expression beyond which it is folded away, and beyond which it is not printed.
 FOLDED = 260
 TOO_LONG = 2500
+LONG = 50
+"""Letters in one piece that a phone may not have room for."""
 WIDE = 60
 """Nodes in the columns of a matrix beyond which it is written entry by entry."""
 # A letter, Latin or Greek, with a short subscript or dots.
@@ -228,9 +230,17 @@ def _joined(sign: str, expr: Any) -> list[str]:
 def _row(parts: Sequence[Piece], label: str, number: Markup | str = "", section: int = 0) -> Markup:
     body = Markup("<wbr>").join(map(_piece, parts))
     note = Markup('<span class="label">{}</span>').format(prose(label, section)) if label else ""
-    return Markup('<div class="eq"><div class="terms">{}</div>{}{}</div>').format(
-        body, note, number
+    # What may be wider than a page scrolls, which the keyboard has to reach.
+    reach = Markup(' tabindex="0"') if _may_scroll(body) else ""
+    return Markup('<div class="eq"><div class="terms"{}>{}</div>{}{}</div>').format(
+        reach, body, note, number
     )
+
+
+def _may_scroll(body: str) -> bool:
+    """Whether something between two places to break is wider than a phone."""
+    parts = (re.sub(r"<[^>]*>|&\w+;", "", part) for part in body.split("<wbr>"))
+    return max(map(len, parts)) > LONG
 
 
 def _piece(part: Piece) -> Markup:

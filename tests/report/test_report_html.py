@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from markupsafe import escape
-from sympy import Add, ImmutableMatrix, Symbol
+from sympy import Add, ImmutableMatrix, Symbol, sqrt
 
 from mechanics.equations import Line
 from mechanics.kernel import Finding, Verdict
@@ -233,3 +233,11 @@ def test_a_wide_matrix_is_written_entry_by_entry() -> None:
     assert "all others are 0" in wide
     assert "mtable" not in wide
     assert "mtable" in typeset.chain((ImmutableMatrix([[x, 0], [0, x]]),))
+
+
+def test_what_may_scroll_is_reached_by_the_keyboard() -> None:
+    x = Symbol("x")
+    short = typeset.chain((x + 1,))
+    root = sqrt(Add(*(Symbol(f"a_{k}") for k in range(30))))
+    assert "tabindex" not in short
+    assert '<div class="terms" tabindex="0">' in typeset.chain((1 / root,))

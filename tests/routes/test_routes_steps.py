@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from linkages import slider_crank
 from serial_arms import serial_arm
-from sympy import Add, Expr, Symbol, cos, expand, simplify
+from sympy import Add, Expr, Matrix, Symbol, cos, expand, simplify
 from sympy import symbols as symbols_
 
 from mechanics.equations import Term
@@ -26,6 +26,7 @@ from systems import (
     four_bar,
     rocker,
     rod_pendulum,
+    rolling_disc,
     two_mass_chain,
 )
 
@@ -55,6 +56,38 @@ def test_every_equation_of_a_derivation_holds_along_every_motion(route, make) ->
     for line in stated:
         left, right = (value(side).xreplace(motion) for side in (line.left, line.right))
         assert prove_zero(line.number, left - right).shown, (line.number, line.label)
+
+
+@pytest.mark.campaign
+def test_lagrange_with_declared_speeds_has_no_gap() -> None:
+    """The rolling disc: each line holds along the motion, and the last row is (E1) itself."""
+    scene = rolling_disc.scene()
+    equations = by_route("lagrange", scene)
+    rates = dict(scene.coordinate_rates)
+    matrix = Matrix(list(rates.values()))
+    turned = matrix.jacobian(scene.q) * matrix + matrix.jacobian(scene.u) * Matrix(scene.ud)
+    table = rates | {
+        Symbol(rate.name.replace("_dot", "_ddot"), real=True): value
+        for rate, value in zip(rates, turned, strict=True)
+    }
+    steps = steps_of(equations)
+    lines = [line for step in steps for line in step.lines]
+    for line in lines:
+        if not isinstance(line.left, str | tuple) and line.left in table:
+            assert simplify(table[line.left] - line.right.xreplace(rates)) == 0
+    (row,) = next(step for step in steps if step.title == "Lagrange's equations").lines
+    first = steps[-1].lines[0]
+    assert simplify(value(row.left) - value(first.left) + value(first.right)) == 0
+    assert "(E1) is (L18)" in steps[-1].text
+    by_lean, growth, slope = lines[4:7]
+    moving = by_lean.right.diff
+    total = sum(
+        moving(q) * rate + moving(rate) * Symbol(rate.name.replace("_dot", "_ddot"), real=True)
+        for q, rate in zip(scene.q, rates, strict=True)
+    )
+    assert simplify(total - growth.right) == 0
+    energy = value(lines[1].right) - lines[2].right
+    assert simplify(energy.diff(scene.q[3]) - slope.right) == 0
 
 
 CONSTRAINED = (four_bar.scene, cartpole_friction.scene)

@@ -5,7 +5,7 @@ d/dt (dL/dq') - dL/dq = Q + A^T lambda,      L = T - V
 
 from collections.abc import Sequence
 
-from sympy import Add, Expr, Rational, S
+from sympy import Add, Expr, Rational, S, Symbol
 
 from mechanics.equations import Line, Step, Term
 from mechanics.kinematics import differentiate
@@ -20,7 +20,7 @@ from mechanics.routes.lagrange import (
     virtual_power,
 )
 from mechanics.routes.loads import Wrench, other, potential
-from mechanics.routes.rows import acceleration_forms
+from mechanics.routes.rows import acceleration_forms, coefficients, substitute
 from mechanics.routes.steps.writer import (
     FULL,
     Numbers,
@@ -37,9 +37,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
     mechanism, numbers = writer.mechanism, Numbers("L")
     energies = _energies(writer, numbers)
     if mechanism.u != mechanism.qd:
-        text = "Differentiated, and projected on the speeds."
-        text += " Each constraint has a multiplier." if mechanism.constraints else ""
-        return (energies, Step("Equations of motion", text, writer.goal))
+        return (energies, *_in_speeds(writer, numbers))
     lagrangian = writer.letter("lagrangian")
     energy = kinetic_energy(mechanism) - potential(mechanism, poses(mechanism))
     pairs = list(zip(mechanism.q, mechanism.qd, mechanism.u, strict=True))
@@ -100,6 +98,93 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         ),
         *_held(held),
         Step("Lagrange's equations", "", tuple(rows)),
+        *pressed,
+        arrival(writer, ends),
+    )
+
+
+def _in_speeds(writer: Writer, numbers: Numbers) -> tuple[Step, ...]:
+    """Declared speeds: (2) of `mechanics.routes.lagrange`, for the first, or all of few."""
+    mechanism, printer, lagrangian = writer.mechanism, writer.printer, writer.letter("lagrangian")
+    energy = kinetic_energy(mechanism) - potential(mechanism, poses(mechanism))
+    speeds = mechanism.u if len(mechanism.u) <= FULL else mechanism.u[:1]
+    shares = coefficients(mechanism.q_rates, speeds)
+    derivatives: list[Line] = []
+    seen: set[Symbol] = set()
+    laws: dict[int, tuple[Node, str, tuple[str, str]]] = {}
+    for j, (q, rate) in enumerate(zip(mechanism.q, mechanism.qd, strict=True)):
+        if all(share.is_zero for share in shares[j]):
+            continue
+        names = [rf"<<{printer.symbol(node).name}>>" for node in (q, rate)]
+        momentum, slope = gradient([energy], [1], (rate, q))
+        (growth,) = tangent([momentum], mechanism.coordinate_rates)
+        law = _laws(lagrangian, *names)
+        values = printer.short((momentum, growth, slope))
+        lines = [numbers(left, value) for left, value in zip(law, values, strict=True)]
+        derivatives += lines
+        seen = seen.union(*(value.free_symbols for value in values))
+        laws[j] = growth - slope, f"{law[1]} - {law[2]}", (lines[1].number, lines[2].number)
+    second = tangent(mechanism.q_rates, mechanism.rates)
+    table = dict(zip(mechanism.qd, mechanism.q_rates, strict=True))
+    table |= zip(mechanism.qdd, second, strict=True)
+    rates = [
+        numbers(printer.symbol(node), printer.short((value,))[0])
+        for node, value in table.items()
+        if printer.symbol(node) in seen and node not in mechanism.u
+    ]
+    letter = writer.letter("forces")
+    loads, pulls = [_forces(writer, speed) for speed in speeds], _pulls(writer, speeds)
+    titles = [f"<<{printer.symbol(speed).name}>>" for speed in speeds]
+    forces = [
+        numbers(rf"{letter}_{{{title}}}", tuple(own) or S.Zero)
+        for title, own in zip(titles, loads, strict=True)
+    ]
+    held = [
+        numbers(rf"{letter}^{{c}}_{{{title}}}", pull or S.Zero)
+        for title, pull in zip(titles, pulls, strict=True)
+        if mechanism.constraints
+    ]
+    rows: list[Line] = []
+    ends: list[tuple[str, Expr]] = []
+    for k, title in enumerate(titles):
+        parts = {j: shares[j][k] for j in laws if not shares[j][k].is_zero}
+        nodes = [share * laws[j][0] for j, share in parts.items()]
+        put_in = printer.short(substitute(mechanism.builder, nodes, table))
+        own = [Term(value) for value in put_in]
+        own += [Term(-term.value, term.source) for term in (*loads[k], *pulls[k])]
+        own = [term for term in own if term.value != 0]
+        names = [number for j in parts for number in laws[j][2]]
+        names += [line.number for line in (forces[k], *held[k : k + 1])]
+        used = ", ".join(f"({name})" for name in names)
+        used += f" with ({rates[0].number}) to ({rates[-1].number})" if rates else ""
+        weights = printer.short(tuple(parts.values()))
+        (first, *more) = parts
+        into = f" into ${laws[first][1]} - {letter}_{{{title}}}"
+        into += f" - {letter}^{{c}}_{{{title}}} = 0$" if held else " = 0$"
+        made = worked_out(numbers, own, used + (into if not more and weights[0] == 1 else ""))
+        rows += made
+        ends.append((made[-1].number, Add(*(term.value for term in own))))
+    pressed, ends = pressed_step(writer, numbers, ends)
+    few = "" if len(speeds) == len(mechanism.u) else " Shown for the first speed; the others alike."
+    return (
+        Step(
+            "Derivatives", rf"Of ${lagrangian}$, the rate along the motion." + few, (*derivatives,)
+        ),
+        Step("Rates", "What the declared speeds say of the coordinates.", tuple(rates)),
+        Step(
+            "Generalized forces",
+            "Power of the loads that have no potential, by each speed."
+            if any(not _is_zero(line) for line in forces)
+            else "Every load has a potential.",
+            tuple(forces),
+        ),
+        *_held(held),
+        Step(
+            "Lagrange's equations",
+            "Each coordinate's equation, times how its rate depends on the speed; their sum is the"
+            " equation of the speed.",
+            tuple(rows),
+        ),
         *pressed,
         arrival(writer, ends),
     )
