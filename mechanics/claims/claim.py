@@ -3,7 +3,7 @@
 row.sides  =  build(trees)        so that an edited tree makes an edited row
 """
 
-from collections.abc import Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -70,10 +70,13 @@ class Written:
         """How the person writes symbols: as they stand in the trees, or as names were given."""
         own = dict(self.definitions)
         found: dict[Symbol, Name] = {}
-        for tree in (*self.sides, *own.values()):
-            for name in names(tree):
-                if name.name not in own:
-                    self._keep(found, name)
+        self._keep_all(found, self.sides, own)
+        # A definition that only renames is the name that is used: omega in der(theta) = omega.
+        for alias, tree in self.definitions:
+            symbol = self._symbol(tree) if isinstance(tree, Name) and tree.name not in own else None
+            if symbol is not None:
+                found.setdefault(symbol, Name(0, alias))
+        self._keep_all(found, own.values(), own)
         given = (*self.naming.given, *(match.name for match in self.naming.guessed))
         # A name itself first; theta'' is that of theta, not the rate of a name of theta'.
         for order in (0, *range(2, len(DOTS)), 1):
@@ -81,13 +84,24 @@ class Written:
                 self._keep(found, Name(0, own_name, order))
         return found
 
+    def _keep_all(
+        self, found: dict[Symbol, Name], trees: Iterable[Node], own: Container[str]
+    ) -> None:
+        for tree in trees:
+            for name in names(tree):
+                if name.name not in own:
+                    self._keep(found, name)
+
     def _keep(self, found: dict[Symbol, Name], name: Name) -> None:
-        try:
-            symbol = self.naming.symbol(name.name, name.order)
-        except KeyError:
-            return  # a parameter has no rates
+        symbol = self._symbol(name)
         if symbol is not None:
             found.setdefault(symbol, name)
+
+    def _symbol(self, name: Name) -> Symbol | None:
+        try:
+            return self.naming.symbol(name.name, name.order)
+        except KeyError:
+            return None  # a parameter has no rates
 
     def name_of(self, symbol: Symbol) -> Name:
         """The person's name of a symbol; the scene's own where there is none."""

@@ -377,7 +377,7 @@ def reached(
             name = names_of.get(id(line))
             if name is None:
                 left = line.sides[0]
-                again = isinstance(left, Name) and _of_constants(left.name)
+                again = isinstance(left, Name) and not left.order and _of_constants(left.name)
                 todo += held(line.sides[again:])
             elif len(line.sides) > 2:
                 todo += held(line.sides[1:])

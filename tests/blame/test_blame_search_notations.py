@@ -14,6 +14,7 @@ from mechanics.blame.result import Mistake, Repair
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
 from systems import acrobot, cartpole, double_pendulum, elastic_pendulum, rocker
+from tests.notation_scenes import judged
 
 SCENES = {
     "pendulum": derived(elastic_pendulum.scene()),
@@ -200,3 +201,25 @@ def test_momenta_of_the_double_pendulum(part: str, wrong: str) -> None:
     names = {"pi_1": "p_phi1"}
     (edit,) = first_repair("double", text.replace(part, wrong), names=names).edits
     assert edit.mistake in (Mistake.POWER, Mistake.FACTOR)
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "written", "right"),
+    [
+        # The second angle is counted from the first rod.
+        ("arm", "V = m1*g*l1*sin(theta1) + m2*g*(l1*sin(theta1) + l2*sin(theta2))",
+         "theta2", "theta2 + theta1"),
+        ("oscillator", "m*x'' = F0*cos(omega*t) - c*x'", "", "- k*x"),
+        ("oscillator", "m*x'' = -k*x", "", "+ (F0*cos(t*omega) - x'*c)"),
+    ],
+)  # fmt: skip
+def test_what_is_lacking_stands_where_its_like_stands(
+    scene: str, text: str, written: str, right: str
+) -> None:
+    (entry,) = judged(scene, text, blame=True).judged
+    assert entry.blame is not None
+    edits = entry.blame.repairs[0].edits
+    assert edits[0].written == written
+    assert "".join(e.right for e in edits).replace(" ", "") == right.replace(" ", "")
+    if not written:
+        assert all(e.span is not None and e.span[0] > text.index("=") for e in edits)

@@ -108,3 +108,17 @@ def test_rows_over_many_times_and_a_result_that_is_filled_entry_by_entry() -> No
         assert "REFUTED" in verdicts("pendulum", OVER_TIMES.replace(right, wrong))
     columns = OVER_TIMES.replace("1,:", ":,1").replace("2,:", ":,2")
     assert set(verdicts("pendulum", columns)) == {"PROVED"}
+
+
+def test_the_name_of_a_rate_is_used_where_only_its_own_rate_is_written() -> None:
+    text = "der(theta) = omega;\nl*der(omega) = -g*sin(theta);"
+    assert verdicts("pendulum", text) == ["PROVED"]
+    assert verdicts("pendulum", text.replace("sin", "cos")) == ["REFUTED"]
+
+
+def test_what_lacks_is_told_with_the_authors_name_of_a_rate() -> None:
+    text = "der(x) = v;\nm*der(v) = F0*cos(omega*time) - k*x;"
+    (entry,) = judged("oscillator", text, blame=True).judged
+    assert entry.blame is not None
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.right in ("- v*c", "- c*v")

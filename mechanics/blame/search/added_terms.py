@@ -19,6 +19,7 @@ from mechanics.blame.search.edit_effects import steps
 from mechanics.blame.search.function_arguments import worth
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.residues import rational
+from mechanics.blame.search.words import Words
 from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.tree import Name, Number, Sum
 
@@ -35,11 +36,13 @@ class Added:
     claim : Claim
     problem : Problem
     wrongs : Wrongs
+    words : Words
     """
 
     claim: Claim
     problem: Problem
     wrongs: Wrongs
+    words: Words
 
     def pieces(self) -> list[Piece]:
         """A term added for each wrong."""
@@ -89,7 +92,8 @@ class Added:
             elif self._alone is not None and self.wrongs.cleared:
                 more = steps(self.problem, self._one_more(index), True)
                 found += [(index, [step], self._alone) for step in islice(more, 1, None)]
-        return found
+        # What m x'' = F lacks is a force.
+        return sorted(found, key=lambda place: self.words.accelerates(forest.nodes[place[0]]))
 
     def _one_more(self, index: int) -> Change:
         """A node with one added to it."""

@@ -120,7 +120,7 @@ class Several:
     def _option(self, known: Wrongs) -> Option:
         problem, size = self._problem, len(known.each)
         pieces = Pieces(problem, self._steps, known).all()
-        added = Added(self.growth.claim, problem, known).pieces()
+        added = Added(self.growth.claim, problem, known, self.growth.words).pieces()
         found = covers(problem.forest, [*pieces, *added], size, 0)
         return Option(size, pieces, [cover.changes for cover in islice(found, SHOWN)])
 

@@ -70,7 +70,7 @@ def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[
     yield _sorted(problem, many.pairs())
     yield _sorted(problem, Both(growth).pairs())
     yield _sorted(problem, Two(growth).pairs())
-    groups = whole(claim, problem, statement)
+    groups = whole(claim, problem, statement, words)
     yield _sorted(problem, [*many.all(), *groups])
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
 

@@ -19,6 +19,7 @@ from mechanics.blame.search.change import (
     Change,
     minus,
     one_of_squares,
+    plus,
     size_of,
     times,
 )
@@ -124,9 +125,18 @@ class Inside:
                 if other is not None:
                     yield index, other, Mistake.FACTOR, TOKEN + SECOND
         if isinstance(around, Call) and not isinstance(part, Number):
-            for word in self.words.symbols:
-                if word.kind == "time":  # cos(omega) for cos(omega t)
-                    yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND
+            yield from self._lacking(index, part)
+
+    def _lacking(self, index: int, part: Node) -> Iterator[Inner]:
+        """What an argument may lack: the time in cos(omega), an angle in cos(theta_2)."""
+        held = {word for name in names(part) if (word := self.words.word(name)) is not None}
+        turned = "coordinate" in {word.kind for word in held}
+        for word in self.words.symbols:
+            if word.kind == "time":
+                yield index, times(part, word.name), Mistake.FACTOR, TOKEN + SECOND
+            if turned and word.kind == "coordinate" and word not in held:
+                yield index, plus(word.name, part), Mistake.MISSING, TOKEN + SECOND
+                yield index, plus(minus(word.name), part), Mistake.MISSING, TOKEN + SECOND + HINT
 
     def _lowered(self, node: Node) -> Node | None:
         """theta_2 - theta_1 for the difference of their rates."""

@@ -14,16 +14,20 @@ from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change, plus
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.function_arguments import worth
 from mechanics.blame.search.probabilistic_check import Problem
+from mechanics.blame.search.words import Words
 from mechanics.blame.terms import difference, written
 from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.statement import Statement
+from mechanics.claims.tree import Name, constant
 from mechanics.scene.quantities import MassMatrix, ReactionValue
 
 MOST = 3
 """Groups; more of them are another equation."""
 
 
-def whole(claim: Claim, problem: Problem, statement: Statement) -> list[tuple[Change, ...]]:
+def whole(
+    claim: Claim, problem: Problem, statement: Statement, words: Words
+) -> list[tuple[Change, ...]]:
     """A term for each group that differs, all of them together; empty where they are many."""
     if len(claim.entries) > 2 or isinstance(claim.row.quantity, MassMatrix):
         return []
@@ -32,17 +36,25 @@ def whole(claim: Claim, problem: Problem, statement: Statement) -> list[tuple[Ch
     found = groups(claim.reference, statement)
     if not 0 < len(found) <= MOST or any(group.multiplied for group in found):
         return []
-    changes = list(_changes(claim, problem, found))
+    first, *others = (problem.forest.copies[k, ()][0] for k in problem.numbers)
+    left = problem.forest.nodes[first]
+    if isinstance(left, Name) and any(group.about is not None for group in found):
+        return []  # of x'' = a the whole side would be another one
+    # What m x'' = F lacks is a force.
+    forces = [k for k in others if constant(problem.forest.nodes[k]) != 0]
+    place = forces[0] if forces and words.accelerates(left) else first
+    changes = list(_changes(claim, problem, found, place, -1 if place != first else 1))
     return [tuple(changes)] if len(changes) == len(found) else []
 
 
-def _changes(claim: Claim, problem: Problem, found: tuple[Group, ...]) -> Iterator[Change]:
-    index = problem.forest.copies[problem.numbers[0], ()][0]
+def _changes(
+    claim: Claim, problem: Problem, found: tuple[Group, ...], index: int, sign: int
+) -> Iterator[Change]:
     node = problem.forest.nodes[index]
     has = [sheet.has[index] for sheet in problem.sheets]
     for group in found:
         try:
-            term = claim.written.tree(_step(claim, group))
+            term = claim.written.tree(sign * _step(claim, group))
         except Untreeable:
             return
         values = worth(problem.sheets, term)

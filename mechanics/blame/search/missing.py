@@ -94,6 +94,8 @@ class Missing:
         side = forest.term(index) and not forest.place[index][1]
         # Beside a side is plainer than in a bracket around a factor: + c x', not k (x + c x'/k).
         far = 0.0 if isinstance(forest.nodes[index], Sum) else (5 if side else 10) * HINT
+        if side and self.growth.words.accelerates(forest.nodes[index]):
+            far += HINT / 2  # m x'' = F lacks a force on the right
         for term, cost in likeliest.values():
             yield from self._added(index, term, ADDED + far + cost)
 

@@ -11,7 +11,7 @@ from sympy import Symbol
 
 from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.claims.claim import Written
-from mechanics.claims.tree import Call, Name, Node
+from mechanics.claims.tree import Call, Name, Node, Sum, names
 from mechanics.equations import Equations
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.rates import TIME
@@ -107,6 +107,12 @@ class Words:
         except KeyError:
             return None
         return None if symbol is None else self.by_symbol.get(symbol)
+
+    def accelerates(self, node: Node) -> bool:
+        """Whether a node is one term with an acceleration: m x'' in m x'' = F."""
+        words = [self.word(name) for name in names(node)]
+        kinds = {word.kind for word in words if word is not None}
+        return not isinstance(node, Sum) and "acceleration" in kinds
 
     def functions(self, call: Call) -> list[Node]:
         """The same argument under another function."""
