@@ -23,7 +23,7 @@ from mechanics.simulate.integrators import INTEGRATORS, Setting
 from mechanics.trade import Choice, Variant, trade
 from mechanics.trade.case import Case
 from mechanics.trade.cost import IN_C, operations
-from mechanics.trade.family import Family, family, working_truths
+from mechanics.trade.family import Family, family, solutions, truth_of
 from mechanics.trade.train import error_of, train
 from systems import ALL, EVERY
 
@@ -94,7 +94,8 @@ def rows(name: str, states: int, horizon: float) -> list[Row]:
         return [Row(name, f"not measured: {error}", 0.0, "")]
     case = Case(equations, found.horizon, found.start, through=True)
     fresh = family(case, found.yardstick.truth.scale, states, seed=SEED)
-    truths = working_truths(case, fresh, found.family.first, found.family.second)
+    around = found.family
+    truths = [truth_of(one) for one in solutions(case, fresh, around.first, around.second)]
     result = []
     for ranking, picks in (("Python", found.recommendations), ("C", found.embedded)):
         for pick in picks:
@@ -105,7 +106,7 @@ def rows(name: str, states: int, horizon: float) -> list[Row]:
                                for start, truth in zip(fresh, truths, strict=True)])  # fmt: skip
             cost = None
             if ranking == "C":
-                cost = operations(case, pick.choice) / exhaustive(case, found.family, pick.target)
+                cost = operations(case, pick.choice) / exhaustive(case, around, pick.target)
             middle = float(np.median(errors))
             result.append(Row(
                 name, ranking, pick.target, pick.choice.words, int(np.sum(errors > pick.target)),

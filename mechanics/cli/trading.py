@@ -13,9 +13,11 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from mechanics.cli.ensembles import ClusterOption, ProcessesOption
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import RouteOption, SettingsOption, points, sorted_out
+from mechanics.cluster import team_of
 from mechanics.crosscheck import derive, derive_textbook
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
@@ -46,6 +48,8 @@ def trade(
         Path | None, typer.Option(metavar="FILE.svg", help="Write the work-precision plot.")
     ] = None,
     route: RouteOption = "kane",
+    cluster: ClusterOption = None,
+    processes: ProcessesOption = None,
 ) -> None:
     """Measure what integrators, precisions, forms and simpler models cost and how far they err.
 
@@ -57,12 +61,15 @@ def trade(
 
     Errors are measured against a reference with thirty digits, times side by side in one process.
     For each target the cheapest choice is picked that also meets it on states that are like the
-    example. The last table says how little of a model is enough.
+    example; workers take these states. The last table says how little of a model is enough.
     """
     _checked(report, json_file, plot)
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
-    with Console(stderr=True).status("deriving") as status:
+    with (
+        team_of(cluster, processes) as team,
+        Console(stderr=True).status("deriving") as status,
+    ):
         equations = derive(scene, route)
         # Leaving out parts of a scene that stays a program takes a derivation for each of them.
         again = partial(derive_textbook, route=route)
@@ -75,6 +82,7 @@ def trade(
             target=target,
             derive=None if equations.textbook is None else again,
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
+            team=team,
         )
     if report is not None:
         write_file(trade_html(found), report)

@@ -8,7 +8,10 @@ energies vary with them. In a scene with constraints the varied values are made 
 initial values are; a draw that no configuration satisfies is drawn again.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +32,20 @@ TRAINING = 20260101
 DRAWS = 20
 
 
+class Solution(NamedTuple):
+    """From one state.
+
+    Attributes
+    ----------
+    states : array, shape (k, n + m)
+    doubt : float
+        What it may be wrong by, in the stated norm.
+    """
+
+    states: Array
+    doubt: float
+
+
 @dataclass(frozen=True, eq=False)
 class Family:
     """States around the example on which picks are tuned.
@@ -38,18 +55,29 @@ class Family:
     starts : array, shape (count, n + m)
     first, second : Choice
         What errors are measured against, and what shows how far it can be trusted.
-    truths : tuple of Truth
-        The solutions by these.
+    solutions : tuple of Solution
+        By these, for each state.
     spread : float
     seed : int
+    elsewhere : callable, optional
+        Errors of choices on the first so many states, by workers; without it they are computed
+        here.
     """
 
     starts: Array = field(repr=False)
     first: Choice
     second: Choice
-    truths: tuple[Truth, ...] = field(repr=False)
+    solutions: tuple[Solution, ...] = field(repr=False)
     spread: float
     seed: int
+    elsewhere: Callable[[Sequence[Choice], int], list[Array]] | None = field(
+        default=None, repr=False
+    )
+
+    @cached_property
+    def truths(self) -> tuple[Truth, ...]:
+        """What errors are measured against, for each state."""
+        return tuple(map(truth_of, self.solutions))
 
     @property
     def words(self) -> str:
@@ -62,7 +90,7 @@ class Family:
     @property
     def doubt(self) -> float:
         """Largest difference of the two solutions."""
-        return max(truth.doubt for truth in self.truths)
+        return max(solution.doubt for solution in self.solutions)
 
 
 def family(
@@ -114,12 +142,17 @@ def _suggest(group: Suggestion, values: Array) -> Suggestion:
     return replace(group, values=values, given=(False,) * len(values))
 
 
-def working_truths(case: Case, starts: Array, first: Choice, second: Choice) -> tuple[Truth, ...]:
-    """The most accurate choice for each state; its difference from the second is its doubt."""
+def solutions(case: Case, starts: Array, first: Choice, second: Choice) -> list[Solution]:
+    """By the most accurate choice for each state; its difference from the second is its doubt."""
     found = []
     for start in starts:
         one, other = (prepared(case, choice, start)().states for choice in (first, second))
         truth = from_states(one)
         doubt = float(np.max(truth.errors(other))) if len(one) == len(other) else np.inf
-        found.append(replace(truth, doubt=doubt))
-    return tuple(found)
+        found.append(Solution(one, doubt))
+    return found
+
+
+def truth_of(solution: Solution) -> Truth:
+    """What errors are measured against."""
+    return replace(from_states(solution.states), doubt=solution.doubt)

@@ -41,7 +41,11 @@ class Recommendation:
 
 
 def recommend(
-    target: float, horizon: float, pick: Solved | None, trained: Sequence[Trained]
+    target: float,
+    horizon: float,
+    pick: Solved | None,
+    trained: Sequence[Trained],
+    doubt: float = 0.0,
 ) -> Recommendation:
     """The pick for a target, in words.
 
@@ -52,6 +56,8 @@ def recommend(
         What is the cheapest.
     trained : sequence of Trained
         What else was tried.
+    doubt : float
+        By which the two most accurate choices differ on these states: no error is told below.
     """
     if pick is None:
         best = min((t for t in trained if t.choice.variant.careful), key=lambda t: t.bound)
@@ -59,6 +65,11 @@ def recommend(
             f"for {target:.0e} over {horizon:g} s: no choice is shown to stay below it; the"
             f" nearest is {best.choice.words}, which is expected to stay below {best.bound:.1e}"
         )
+        if SAFETY * doubt > target:
+            reason += (
+                f"; the two most accurate choices differ by {doubt:.1e} on the states around the"
+                " start, so no error below that can be shown in doubles"
+            )
         return Recommendation(target, None, best.bound, None, reason)
     one, found = pick.trained, pick.measurement
     low, high = found.spread

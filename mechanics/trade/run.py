@@ -4,10 +4,12 @@ choices --> errors on the example --> near the front --> errors on other states 
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from mechanics.cluster import Team
 from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
@@ -16,7 +18,7 @@ from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.cost import costs, embeddable, operations
 from mechanics.trade.dropping import Derive
-from mechanics.trade.family import SPREAD, TRAINING, Family, family, working_truths
+from mechanics.trade.family import SPREAD, TRAINING, Family, family, solutions
 from mechanics.trade.least import least_model
 from mechanics.trade.recommend import Recommendation, recommend
 from mechanics.trade.result import Trade
@@ -32,7 +34,8 @@ from mechanics.trade.survey import (
     vary,
 )
 from mechanics.trade.train import train
-from mechanics.trade.yardstick import Yardstick, yardstick
+from mechanics.trade.workers import Workers, to_text
+from mechanics.trade.yardstick import Yardstick, with_informative_start, yardstick
 
 TARGETS = (1e-3, 1e-6, 1e-9)
 """Targets that every trade answers, beside the one that is asked for."""
@@ -55,6 +58,7 @@ def trade(
     compiler: str | None = "auto",
     derive: Derive | None = None,
     progress: Progress | None = None,
+    team: Team | None = None,
 ) -> Trade:
     """Measure what each choice of method, arithmetic, form, compiler setting and model costs.
 
@@ -79,6 +83,9 @@ def trade(
         Equations of a scene, to see what parts of it may be left out; without it this is not seen.
     progress : callable, optional
         Of (what is being done, share that is done).
+    team : Team, optional
+        Workers for errors on other states, as of `mechanics.cluster.workers`; times are measured
+        here, while they wait.
 
     Returns
     -------
@@ -110,8 +117,9 @@ def trade(
     numbers = initial or {}, parameters or {}, inputs or {}
     asked = Case(equations, horizon, *numbers, compiler, through=True)
     tell("reference", 0.0)
-    case, stick, notes = yardstick(asked)
-    notes += _left(case)
+    moving, beside = with_informative_start(asked)
+    case, stick, notes = yardstick(moving)
+    notes = (*beside, *notes, *_left(case))
     found = survey(case, stick.truth, tuple(members), lambda w, s: tell(w, 0.05 + 0.3 * s))
     tell("one axis at a time", 0.35)
     better = vary(case, stick.truth, found, best_for(found.measurements, target or TARGETS[1]))
@@ -125,7 +133,7 @@ def trade(
 
     near += near_front(found.measurements, lambda m: counted(m.choice))
     tell("states around the start", 0.45)
-    around = _family(case, found, stick, spread)
+    around = _family(case, found, stick, spread, team)
     trained = train(case, list(dict.fromkeys(near)), around, STATES)
     tell("times", 0.7)
     timed(case, found, near)
@@ -136,7 +144,7 @@ def trade(
         pick = cheapest_that_meets(case, stick.truth, found, trained, around, target, STATES, price)
         if pick is not None:
             tried[pick.trained.choice] = pick.trained
-        return recommend(target, case.horizon, pick, trained)
+        return recommend(target, case.horizon, pick, trained, around.doubt)
 
     picks = tuple(map(picked, targets))
     embedded = tuple(picked(each, counted) for each in targets)
@@ -198,9 +206,16 @@ def _left(case: Case) -> tuple[str, ...]:
     )
 
 
-def _family(case: Case, found: Survey, stick: Yardstick, spread: float) -> Family:
+def _family(
+    case: Case, found: Survey, stick: Yardstick, spread: float, team: Team | None
+) -> Family:
     """States around the start, and what they are compared with: the two most accurate choices."""
     starts = family(case, stick.truth.scale, CONFIRMING, spread=spread)
     first, second = (m.choice for m in finest(found.measurements))
-    truths = working_truths(case, starts, first, second)
-    return Family(starts, first, second, truths, spread, TRAINING)
+    if team is None:
+        known = tuple(solutions(case, starts, first, second))
+        return Family(starts, first, second, known, spread, TRAINING)
+    workers = Workers(team, to_text(case))
+    known = tuple(workers.solutions(starts, first, second))
+    errors = partial(workers.errors, starts, known)
+    return Family(starts, first, second, known, spread, TRAINING, errors)

@@ -25,7 +25,7 @@ from mechanics.trade.truth import Truth
 Price = Callable[[Choice], float]
 CLOSE = 1.3
 """A bound is solved for when the target is at most so many times as large."""
-ROUNDS, CORRECTIONS = 4, 5
+ROUNDS, CORRECTIONS = 8, 5
 STEEPEST, FLATTEST, SLOPE = 12.0, 0.25, 1.0
 """Slopes that are believed, and the one that is taken where none is known."""
 COMPARING = 1.5

@@ -77,12 +77,13 @@ def tail_limit(errors: Array) -> float:
 
 
 def train(case: Case, choices: Sequence[Choice], around: Family, count: int) -> tuple[Trained, ...]:
-    """Errors of choices on the first `count` states of a family.
-
-    A choice that fails on one of them is not tried on the others.
-    """
-    starts, truths = around.starts[:count], around.truths[:count]
-    return tuple(Trained(choice, _errors(case, choice, starts, truths)) for choice in choices)
+    """Errors of choices on the first `count` states of a family."""
+    if around.elsewhere is not None:
+        found = around.elsewhere(choices, count)
+    else:
+        states = around.starts[:count], around.truths[:count]
+        found = [errors_of(case, choice, *states) for choice in choices]
+    return tuple(map(Trained, choices, found))
 
 
 def error_of(case: Case, choice: Choice, start: Array, truth: Truth) -> float:
@@ -99,7 +100,8 @@ def error_of(case: Case, choice: Choice, start: Array, truth: Truth) -> float:
     return max(float(np.max(truth.errors(outcome.states))), truth.doubt)
 
 
-def _errors(case: Case, choice: Choice, starts: Array, truths: Sequence[Truth]) -> Array:
+def errors_of(case: Case, choice: Choice, starts: Array, truths: Sequence[Truth]) -> Array:
+    """Errors of a choice from states; after one where it fails it is not tried on the others."""
     found = np.full(len(starts), np.inf)
     for i, (start, truth) in enumerate(zip(starts, truths, strict=True)):
         found[i] = error_of(case, choice, start, truth)

@@ -10,6 +10,7 @@ import pytest
 from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
+from mechanics.simulate.integrators import Setting
 from mechanics.trade import Trade, trade
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice, Variant
@@ -17,7 +18,10 @@ from mechanics.trade.measure import prepared
 from mechanics.trade.pareto import pareto
 from mechanics.trade.record import to_record
 from mechanics.trade.survey import LONGEST
-from mechanics.trade.yardstick import yardstick
+from mechanics.trade.truth import from_states
+from mechanics.trade.yardstick import with_informative_start, yardstick
+
+TIGHT = Choice(Variant(), Setting("SciPy DOP853", tolerance=1e-12))
 
 
 @pytest.mark.campaign
@@ -172,3 +176,20 @@ def test_values_out_of_range_are_refused(horizon: float, target: float | None) -
     equations = derive(load("two_mass_chain").scene(), "kane")
     with pytest.raises(InputError, match=r"horizon|target"):
         trade(equations, horizon, target=target)
+
+
+def test_choices_are_measured_beside_a_motion_on_which_any_step_is_exact() -> None:
+    """A gyroscope with a fixed axis turns steadily; beside that its axis nutates."""
+    asked = Case(derive(load("gyroscope").scene(), "kane"), 1.0)
+    moved, (note,) = with_informative_start(asked)
+    assert "one step of order 4 is exact" in note
+    away = np.abs(moved.start - asked.start)
+    assert 0 < away.max() <= 0.1 * 400
+    step = Choice(Variant(), Setting("C RK4", step=1.0))
+    truth = from_states(prepared(moved, TIGHT)().states)
+    assert np.max(truth.errors(prepared(moved, step)().states)) > 1e-3
+
+
+def test_start_of_other_motions_is_kept() -> None:
+    asked = Case(derive(load("rod_pendulum").scene(), "kane"), 1.0)
+    assert with_informative_start(asked) == (asked, ())

@@ -6,14 +6,20 @@ import numpy as np
 import pytest
 
 from benchmarks.trade_picks import exhaustive
+from mechanics.cli.load import load
+from mechanics.cluster import workers
+from mechanics.crosscheck import derive
+from mechanics.simulate.integrators import Setting
 from mechanics.simulate.reference import reference
 from mechanics.trade import Trade
 from mechanics.trade.case import Case
-from mechanics.trade.family import family
+from mechanics.trade.choice import Choice, Variant
+from mechanics.trade.family import family, solutions, truth_of
 from mechanics.trade.measure import prepared
 from mechanics.trade.recommend import recommend
-from mechanics.trade.train import SAFETY, Trained, error_of, tail_limit
+from mechanics.trade.train import SAFETY, Trained, error_of, errors_of, tail_limit
 from mechanics.trade.truth import Truth, from_reference, from_states
+from mechanics.trade.workers import Workers, to_text
 
 pytestmark = pytest.mark.campaign
 
@@ -148,3 +154,22 @@ def test_what_is_known_for_a_part_of_the_time_tells_nothing_about_the_rest() -> 
     truth = from_states(states[:3])
     assert np.array_equal(truth.errors(states[:2]), np.zeros(2))
     assert np.array_equal(truth.errors(states), [0, 0, 0, np.inf])
+
+
+def test_workers_find_the_same_errors() -> None:
+    """To the last bit, whoever takes which state."""
+    case = Case(derive(load("rod_pendulum").scene(), "kane"), 1.0, {"theta": 2.0}, through=True)
+    first, second = (Choice(Variant(), Setting(f"C RK{k}", step=0.01)) for k in (8, 5))
+    coarse = [Choice(Variant(), Setting("C RK4", step=h)) for h in (0.1, 0.2)]
+    starts = family(case, np.ones(2), 12)
+    known = solutions(case, starts, first, second)
+    here = [errors_of(case, choice, starts, list(map(truth_of, known))) for choice in coarse]
+    assert np.all(here[0] > 0) and np.all(here[0] < here[1])
+    with workers(processes=2) as team:
+        by_two = Workers(team, to_text(case))
+        for (states, doubt), one in zip(
+            by_two.solutions(starts, first, second), known, strict=True
+        ):
+            assert np.array_equal(states, one.states) and doubt == one.doubt
+        assert np.array_equal(by_two.errors(starts, known, coarse, 12), here)
+        assert np.array_equal(by_two.errors(starts, known, coarse, 1), [e[:1] for e in here])
