@@ -23,73 +23,47 @@ from mechanics.errors import MechanicsError, RefutedError
 USAGE_ERROR: Any = typer.BadParameter.__base__
 
 COMMANDS = {
-    "systems": ("crosschecking", "List the systems that come with the program."),
-    "crosscheck": (
-        "crosschecking",
-        "Derive systems by four routes and prove that they agree with each other and their source.",
-    ),
-    "check": (
-        "checking",
-        "Check your own equations of motion, energies, reactions or mass matrix.",
-    ),
-    "grade": (
-        "grading",
-        "Grade many submissions against one key, each in a process of its own within limits.",
-    ),
-    "compare": (
-        "comparing",
-        "Compare a model with other engines, and name the cause where they differ.",
-    ),
-    "derive": (
-        "deriving",
-        "Print the equations of motion M u' = f + B lambda, A u' = b of one route.",
-    ),
-    "simulate": (
-        "using",
-        "Integrate the equations of motion; write the samples, or draw the motion.",
-    ),
-    "ensemble": (
-        "ensembles",
-        "Integrate many motions, on one machine or on many; write them to a folder of Parquet.",
-    ),
-    "codegen": (
-        "using",
-        "Write the equations as C99: a folder that builds, tests and installs alone.",
-    ),
-    "serve-mcp": (
-        "serving",
-        "Serve derive, check, crosscheck, compare, codegen and verify to agents, over stdio.",
-    ),
-    "verify": (
-        "verifying",
-        "Prove the C in a folder again, from the physics to the machine code.",
-    ),
-    "fmu": (
-        "fmu",
-        "Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.",
-    ),
-    "extremes": (
-        "extremes",
-        "Find where compiled equations lose accuracy: along every parameter, coordinate and speed.",
-    ),
-    "trade": (
-        "trading",
-        "Measure what integrators, precisions, forms and simpler models cost and how far they err.",
-    ),
-    "reduce": (
-        "reducing",
-        "Find what may be left out of an output over a box, with a proved bound of the change.",
-    ),
-    "linearize": (
-        "small_motions",
-        "Print the linear equations about rest or a steady motion, which is proved first.",
-    ),
-    "modes": (
-        "small_motions",
-        "Print frequencies and shapes about rest or a steady motion, or poles over a parameter.",
-    ),
+    "Find out whether equations are right": {
+        "crosscheck": "Derive systems by four routes and prove that they agree with each other and"
+        " their source.",
+        "check": "Check your own equations of motion, energies, reactions or mass matrix.",
+        "grade": "Grade many submissions against one key, each in a process of its own within"
+        " limits.",
+        "compare": "Compare a model with other engines, and name the cause where they differ.",
+    },
+    "Derive and look": {
+        "systems": "List the systems that come with the program.",
+        "derive": "Print the equations of motion M u' = f + B lambda, A u' = b of one route.",
+        "linearize": "Print the linear equations about rest or a steady motion, which is proved"
+        " first.",
+        "modes": "Print frequencies and shapes about rest or a steady motion, or poles over a"
+        " parameter.",
+    },
+    "Simulate and measure": {
+        "simulate": "Integrate the equations of motion; write the samples, or draw the motion.",
+        "ensemble": "Integrate many motions, on one machine or on many; write them to a folder of"
+        " Parquet.",
+        "trade": "Measure what integrators, precisions, forms and simpler models cost and how"
+        " far they err.",
+        "extremes": "Find where compiled equations lose accuracy: along every parameter,"
+        " coordinate and speed.",
+    },
+    "Export and serve": {
+        "codegen": "Write the equations as C99: a folder that builds, tests and installs alone.",
+        "reduce": "Find what may be left out of an output over a box, with a proved bound of the"
+        " change.",
+        "verify": "Prove the C in a folder again, from the physics to the machine code.",
+        "fmu": "Write the equations as an FMU: FMI 3.0, for model exchange and co-simulation.",
+        "serve-mcp": "Serve derive, check, crosscheck, compare, codegen and verify to agents, over"
+        " stdio.",
+    },
 }
-"""Module of each command, and the first line of its help: what is not called is not imported."""
+"""Commands by what somebody wants to do, and the first line of the help of each."""
+MODULES = {
+    "systems": "crosscheck", "linearize": "small_motions", "modes": "small_motions",
+    "serve-mcp": "mcp_server",
+}  # fmt: skip
+"""Modules of commands that are not called like them. What is not called is not imported."""
 
 
 class _OnDemand(TyperGroup):
@@ -103,7 +77,7 @@ class _OnDemand(TyperGroup):
 def command(name: str) -> Any:
     """A command with its options, imported now."""
     single = typer.Typer(**_LOOKS)
-    module = import_module(f"mechanics.cli.{COMMANDS[name][0]}")
+    module = import_module(f"mechanics.cli.{MODULES.get(name, name)}")
     single.command(name)(getattr(module, name.replace("-", "_")))
     return typer.main.get_command(single)
 
@@ -146,17 +120,9 @@ def options(
     """What stands before a command."""
 
 
-GROUPS = {
-    "Find out whether equations are right": ("crosscheck", "check", "grade", "compare"),
-    "Derive and look": ("systems", "derive", "linearize", "modes"),
-    "Simulate and measure": ("simulate", "ensemble", "trade", "extremes"),
-    "Export and serve": ("codegen", "reduce", "verify", "fmu", "serve-mcp"),
-}
-"""Commands by what somebody wants to do, in the order of the list of all."""
-
-for _group, _names in GROUPS.items():
-    for _name in _names:
-        app.command(_name, help=COMMANDS[_name][1], rich_help_panel=_group)(_nothing)
+for _group, _commands in COMMANDS.items():
+    for _name, _help in _commands.items():
+        app.command(_name, help=_help, rich_help_panel=_group)(_nothing)
 
 COLLECTED = 1_000_000
 """New objects after which Python looks for cycles among them; its own default is 700."""

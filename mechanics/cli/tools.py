@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
 from mechanics.blame.reference import Reference
-from mechanics.cli.deriving import Format, written
+from mechanics.cli.derive import Format, written
 from mechanics.cli.load import built_in
 from mechanics.compare import compare as compare_with
 from mechanics.compare.record import to_record

@@ -18,7 +18,7 @@ from mechanics.checks.virtual_power import (
     drawn_states,
     tried,
 )
-from mechanics.cli.crosschecking import exit_code
+from mechanics.cli.crosscheck import exit_code
 from mechanics.crosscheck import crosscheck
 from mechanics.kernel import Finding, Verdict
 from mechanics.routes.derivation import ROUTES, by_route

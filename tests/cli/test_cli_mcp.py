@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from mechanics.cli.load import built_in
-from mechanics.cli.serving import server
+from mechanics.cli.mcp_server import server
 from mechanics.cli.tools import Tools
 from mechanics.cli.worker import Worker, answer
 from mechanics.errors import InputError

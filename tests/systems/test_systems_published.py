@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mechanics import CrossCheck, check, compile, crosscheck, derive
-from mechanics.cli.crosschecking import exit_code
+from mechanics.cli.crosscheck import exit_code
 from mechanics.errors import SceneError
 from mechanics.kernel import Verdict
 from systems import (
