@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from mechanics.cli.ensembles import ClusterOption, ProcessesOption
+from mechanics.cli.ensemble import ClusterOption, ProcessesOption
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.values import RouteOption, SettingsOption, points, sorted_out
