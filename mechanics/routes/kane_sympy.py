@@ -13,9 +13,8 @@ from sympy.physics.mechanics import KanesMethod
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.equations import Equations, Matrices
-from mechanics.routes.common import tidied
 from mechanics.routes.friction_reactions import Reactions, opened, pressed, pressing
-from mechanics.routes.sympy_model import SympyModel, cramer, plain
+from mechanics.routes.sympy_model import SympyModel, cramer, plain, tidied
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.symbolic import independent_rows

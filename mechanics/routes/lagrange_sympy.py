@@ -21,9 +21,8 @@ from sympy.physics.mechanics import LagrangesMethod
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.equations import Equations, Matrices
-from mechanics.routes.common import tidied
 from mechanics.routes.friction_reactions import opened, pressed, pressing
-from mechanics.routes.sympy_model import SympyModel, cramer, plain
+from mechanics.routes.sympy_model import SympyModel, cramer, plain, tidied
 from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 from mechanics.scene.loads import CONSERVATIVE

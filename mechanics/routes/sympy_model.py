@@ -34,6 +34,7 @@ from mechanics.scene.loads import (
 from mechanics.scene.reactions import Reaction
 from mechanics.scene.rotations import rotation_between
 from mechanics.scene.symbols import plain_table
+from mechanics.symbolic import canonical
 
 
 @dataclass(frozen=True)
@@ -262,3 +263,11 @@ def plain(scene: Scene, matrix: Matrix, more: Mapping[Expr, Expr]) -> Matrix:
 def cramer(matrix: Matrix, sides: Matrix) -> Matrix:
     """Solve by Cramer's rule; LU would divide by what is zero at ordinary states."""
     return matrix.cramer_solve(sides, det_method="berkowitz")
+
+
+def tidied(scene: Scene, matrix: Matrix) -> Matrix:
+    """Entries of SymPy's methods in the normal form where time is explicit.
+
+    A frame that turns as Omega t leaves sin(Omega t)^2 + cos(Omega t)^2 all over them.
+    """
+    return matrix.applyfunc(canonical) if scene.explicit_time else matrix

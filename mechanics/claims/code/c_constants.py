@@ -10,6 +10,7 @@ A static number that nothing changes is one, too, and so is a macro whose value 
 import re
 
 from mechanics.errors import ExpressionError
+from mechanics.program.c.tokens import blanked
 
 DECLARED = re.compile(
     r"(?P<words>\b(?:(?:static|const|double|float)\s++){2,5}+)"
@@ -48,7 +49,7 @@ def with_constants(text: str, origin: str) -> str:
             words = " ".join(match["rest"].split())
             kind = "float" if "float" in match["words"].split() else "double"
             constants |= dict.fromkeys(names, f" const {kind} {words};")
-            gone = re.sub(r"[^\n]", " ", match[0])
+            gone = blanked(match[0])
             text = text[: match.start()] + gone + text[match.end() :]
     return _inserted(text, constants, origin)
 

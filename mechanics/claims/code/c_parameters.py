@@ -11,6 +11,7 @@ import re
 
 from mechanics.claims.code.c_plus_plus import with_variables_passed
 from mechanics.claims.names import Vocabulary
+from mechanics.program.c.tokens import blanked
 
 NOT_USED = "values in the code are not used"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
@@ -42,7 +43,7 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, 
             return match[0]
         for (name, number), meaning in zip(pairs, meanings, strict=True):
             notes[name] = f"{name} = {number} is read as {meaning}: {NOT_USED}"
-        return re.sub(r"[^\n]", " ", match[0])
+        return blanked(match[0])
 
     found = DEFINED.sub(lambda m: passed(m, [(m[1], m[2])]), text)
     found = DECLARED.sub(lambda m: passed(m, re.findall(ONE, m[1])), found)

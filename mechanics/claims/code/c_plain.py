@@ -14,7 +14,7 @@ from mechanics.claims.code.c_library import NAMES
 from mechanics.claims.code.unpacking import Apart
 from mechanics.errors import ExpressionError
 from mechanics.program.c.library import FUNCTIONS, FUSED, SINCOS
-from mechanics.program.c.tokens import TOKEN
+from mechanics.program.c.tokens import TOKEN, blanked
 
 SINGLE = (
     {name: known.kind for name, known in FUNCTIONS.items()} | SINCOS | FUSED
@@ -97,7 +97,7 @@ def _blank(text: str) -> str:
     """The text with blanks for comments and strings; all keeps its place."""
     return re.sub(
         TOKEN,
-        lambda m: re.sub(r"[^\n]", " ", m[0]) if m.lastgroup in ("comment", "string") else m[0],
+        lambda m: blanked(m[0]) if m.lastgroup in ("comment", "string") else m[0],
         text,
     )
 
@@ -107,7 +107,7 @@ def _as_arrays(text: str, struct: re.Match[str], origin: str, apart: dict[str, A
     kind = struct["name"] if struct["typedef"] else f"struct {struct['tag']}"
     fields = _fields(struct, kind, _place(text, struct.start(), origin))
     head, tail = text[: struct.start()], text[struct.end() :]
-    gone = re.sub(r"[^\n]", " ", struct[0])
+    gone = blanked(struct[0])
     words = r"\s+".join(re.escape(word) for word in kind.split())
     names = [words, rf"struct\s+{struct['tag']}"] if struct["tag"] else [words]
     uses = re.compile(rf"(?P<const>\bconst\s+)?\b(?:{'|'.join(names)})\b\s*(?P<star>\*?)\s*"

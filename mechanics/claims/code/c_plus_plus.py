@@ -15,6 +15,7 @@ import re
 from collections.abc import Sequence
 
 from mechanics.errors import ExpressionError
+from mechanics.program.c.tokens import blanked
 
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 
@@ -81,7 +82,10 @@ def in_c(text: str, origin: str) -> str:
             raise ExpressionError(f"{origin}:{line}: class {found[1]} is not supported: write its"
                                   " function by itself, with its numbers as arguments")  # fmt: skip
         text = (
-            text[: found.start()] + _gone(found[0]) + _plain(inside, found[1]) + text[after.end() :]
+            text[: found.start()]
+            + blanked(found[0])
+            + _plain(inside, found[1])
+            + text[after.end() :]
         )
     return text
 
@@ -107,14 +111,14 @@ def _filled(text: str) -> str:
         last = re.search(rf"\breturn\s+{name}\s*;\s*$", inside)
         if last is None or len(re.findall(r"\breturn\b", inside)) > 1:
             continue
-        body = inside[: local.start()] + _gone(local[0]) + inside[local.end() : last.start()]
+        body = inside[: local.start()] + blanked(local[0]) + inside[local.end() : last.start()]
         body = _entries(name, body)
         arrays = "|".join([name, *re.findall(r"(?:\*\s*|\bdouble )(\w+)(?=\[|\s*[,)]|$)", given)])
         body = re.sub(rf"\b({arrays})\s*\(\s*(\d+)\s*\)", r"\1[\2]", body)
         arguments = ", ".join(filter(None, (given, f"double {name}[{size}]")))
         head = f"void {found['name']}({arguments}) {{"
         rest = text[found.end() + len(inside) :]
-        text = text[: found.start()] + head + body + _gone(last[0]) + rest
+        text = text[: found.start()] + head + body + blanked(last[0]) + rest
     return text
 
 
@@ -193,7 +197,7 @@ def _with_aliases(text: str) -> str:
     """The text with types in place of the names that it gives to them."""
     for found in ALIAS.finditer(text):
         name, kind = found["new"] or found["name"], found["kind"] or found["old"]
-        text = text.replace(found[0], _gone(found[0]))
+        text = text.replace(found[0], blanked(found[0]))
         text = re.sub(rf"\b{name}\b", kind, text)
     return text
 
@@ -249,10 +253,10 @@ def _plain(
     inside: str, name: str, declared: re.Pattern[str] = FIELD, known: Sequence[str] = ()
 ) -> str:
     """Functions of a class, with its fields as arguments; of a file, with its variables."""
-    inside = ACCESS.sub(lambda m: _gone(m[0]), inside)
+    inside = ACCESS.sub(lambda m: blanked(m[0]), inside)
     if name:
         made = re.compile(rf"\b(?:explicit\s+)?{name}\s*\([^{{}};]*\)\s*(?::[^;]*?)?\{{[^{{}}]*\}}")
-        inside = made.sub(lambda m: _gone(m[0]), inside)
+        inside = made.sub(lambda m: blanked(m[0]), inside)
     fields = list(known)
 
     def field(match: re.Match[str]) -> str:
@@ -260,7 +264,7 @@ def _plain(
             return match[0]
         names = match[match.lastindex or 0].split(",")
         fields.extend(part.split("=")[0].strip() for part in names)
-        return _gone(match[0])
+        return blanked(match[0])
 
     inside = inside if known else declared.sub(field, inside)
     functions = [m[2] for m in FUNCTION.finditer(inside)]
@@ -290,7 +294,3 @@ def _called(text: str, functions: list[re.Pattern[str]], passed: str) -> str:
 
 def _depth(text: str, at: int) -> int:
     return text.count("{", 0, at) - text.count("}", 0, at)
-
-
-def _gone(text: str) -> str:
-    return re.sub(r"[^\n]", " ", text)

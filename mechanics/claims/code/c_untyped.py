@@ -11,6 +11,7 @@ All keeps its line. ``(void) t;`` says that an argument is not used, and goes.
 import re
 
 from mechanics.errors import ExpressionError
+from mechanics.program.c.tokens import blanked
 
 PARAMETER = re.compile(r"\b(?:const\s+)?void\s*\*\s*(?:const\s+)?(\w+)(?=\s*[,)])")
 UNUSED = re.compile(r"\(\s*void\s*\)\s*\(?\s*\w+\s*\)?\s*;")
@@ -25,7 +26,7 @@ def with_types(text: str, origin: str) -> str:
     ExpressionError
         For one that is cast to nothing or to several types, by line and column.
     """
-    text = UNUSED.sub(lambda m: _gone(m[0]), text)
+    text = UNUSED.sub(lambda m: blanked(m[0]), text)
     while (found := PARAMETER.search(text)) is not None:
         text = _typed(text, found, origin)
     return text
@@ -53,11 +54,11 @@ def _typed(text: str, parameter: re.Match[str], origin: str) -> str:
     )
     if (declared := pointer.search(body)) is not None:
         own = declared[1]
-        body = body[: declared.start()] + _gone(declared[0]) + body[declared.end() :]
+        body = body[: declared.start()] + blanked(declared[0]) + body[declared.end() :]
     value = re.compile(rf"(?:const\s+)?(?:struct\s+)?\w+\s+(\w+)\s*=\s*\*\s*{cast}\s*;")
     if kind != "double" and (declared := value.search(body)) is not None:
         own = declared[1]
-        body = body[: declared.start()] + _gone(declared[0]) + body[declared.end() :]
+        body = body[: declared.start()] + blanked(declared[0]) + body[declared.end() :]
     body = re.sub(rf"\*\s*{cast}", f"{own}[0]", body)
     body = re.sub(rf"\(\s*{cast}\s*\)|{cast}", own, body)
     head = text[parameter.end() : start]
@@ -83,7 +84,3 @@ def _body(text: str, at: int) -> tuple[int, int]:
         if depth == 0:
             return opens, place + 1
     return opens, len(text)
-
-
-def _gone(text: str) -> str:
-    return re.sub(r"[^\n]", " ", text)

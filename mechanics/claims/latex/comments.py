@@ -8,6 +8,7 @@ It is blanked: no character moves, so that messages name the right place.
 import re
 
 from mechanics.claims.place import Refused
+from mechanics.program.c.tokens import blanked
 
 COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 HIDDEN = re.compile(
@@ -30,7 +31,7 @@ def without_hidden(text: str) -> str:
         For a condition other than ``\iffalse`` and ``\iftrue``: what is printed is not known.
     """
     text = COMMENT.sub(lambda m: m[1] + " " * (len(m[0]) - len(m[1])), text)
-    text = HIDDEN.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+    text = HIDDEN.sub(lambda m: blanked(m[0]), text)
     return _decided(text) if CONDITION.search(text) else text
 
 

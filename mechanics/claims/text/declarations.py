@@ -6,6 +6,8 @@ function dz = f(t, z, p)        parameter Real J = m*l^2 "inertia";    ->    J =
 
 import re
 
+from mechanics.program.c.tokens import blanked
+
 HEADER = re.compile(
     r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*"
     r"(?:function|model|class|block|within)\b[^\n]*(?=\n)",
@@ -98,29 +100,33 @@ def without_declarations(text: str) -> str:
     """The text of a function or model with blanks for its head, its end and what it declares."""
     if HEADER.search(text):
         text = LIST.sub(lambda m: f"[{m[1]}]".rjust(len(m[0])), text)
-        text = JULIA.sub(lambda m: " " * len(m[0]), text)
-    text = RECORD.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
-    text = FIELDS.sub(lambda m: " " * len(m[0]), text)
-    text = RETURNED.sub(lambda m: " " * len(m[0]), SIZED.sub(lambda m: " " * len(m[0]), text))
+        text = JULIA.sub(_blank, text)
+    text = RECORD.sub(_blank, text)
+    text = FIELDS.sub(_blank, text)
+    text = RETURNED.sub(_blank, SIZED.sub(_blank, text))
     if "~" in text:
         for lines in (MACRO, OPERATOR):
-            text = lines.sub(lambda m: " " * len(m[0]), text)
+            text = lines.sub(_blank, text)
         text = LISTED.sub(lambda m: f"{' ' * len(m[1])}{m[2]} ", text)
     if not HEADER.search(text):
         return text
-    text = HEADER.sub(lambda m: " " * len(m[0]), text)
+    text = HEADER.sub(_blank, text)
     if MODEL.search(text):
         text = _model(text)
     text = VIEW.sub(lambda m: f"{m[1]}[{m[2]}]".ljust(len(m[0])), text)
     text = WHOLE_ROW.sub(lambda m: f"({m[1]})".ljust(len(m[0])), text)
-    text = DECLARED.sub(lambda m: " " * len(m[0]), text)
+    text = DECLARED.sub(_blank, text)
     return FIELD.sub(lambda m: FILLER * len(m[0]), text)
+
+
+def _blank(match: re.Match[str]) -> str:
+    return blanked(match[0])
 
 
 def _model(text: str) -> str:
     """A Modelica model with its equations, and what it declares as a formula."""
     for words in (STRING, BLOCK, INITIAL, ANNOTATION):
-        text = words.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+        text = words.sub(_blank, text)
     start = MODEL.search(text)
     head = text[: start.start()] if start else ""
     return re.sub(r"[^;]*(?:;|\Z)", _declared, head) + text[len(head) :]
@@ -128,7 +134,7 @@ def _model(text: str) -> str:
 
 def _declared(statement: re.Match[str]) -> str:
     """A declaration as the formula that it binds a name to; blanks where it binds none."""
-    blank = re.sub(r"[^\n]", " ", statement[0])
+    blank = blanked(statement[0])
     bound = BOUND.search(statement[0])
     if bound is None or not FORMULA.search(bound[3]):
         return blank

@@ -107,3 +107,8 @@ def lines(found: Line) -> list[Line]:
         else:
             result[-1].append(token)
     return result
+
+
+def blanked(text: str) -> str:
+    """Blanks in place of a text, on as many lines: what stands behind it keeps its place."""
+    return re.sub(r"[^\n]", " ", text)
