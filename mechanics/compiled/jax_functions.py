@@ -19,11 +19,6 @@ class JaxFunctions(Mapping[str, JaxFunction]):
     Each takes the arrays of one state by position or name, in the order of the CasADi function, and
     gives a dict of its outputs; ``jax.vmap`` makes it one of many states. Doubles need
     ``jax.config.update("jax_enable_x64", True)``.
-
-    Parameters
-    ----------
-    graphs : Graphs
-    programs : Programs
     """
 
     def __init__(self, graphs: Graphs, programs: Programs) -> None:

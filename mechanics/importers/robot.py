@@ -185,15 +185,7 @@ Coupling = Actuation | Cable | Polynomial | Closure
 
 @dataclass(frozen=True)
 class Robot:
-    """A tree of links, and what couples them beside its joints.
-
-    Attributes
-    ----------
-    name : str
-    links : tuple of Link
-    joints : tuple of Connection
-    couplings : tuple of Coupling
-    """
+    """A tree of links, and what couples them beside its joints."""
 
     name: str
     links: tuple[Link, ...]

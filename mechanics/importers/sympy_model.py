@@ -109,16 +109,7 @@ def read_model(model: Any, bodies: Sequence[Any] = ()) -> Parts:
 
 
 def form_equations(model: Any) -> Any:
-    """SymPy's method with its equations formed; formed now if nobody did.
-
-    Parameters
-    ----------
-    model : System, KanesMethod or LagrangesMethod
-
-    Returns
-    -------
-    KanesMethod or LagrangesMethod
-    """
+    """SymPy's method with its equations formed; formed now if nobody did."""
     if not is_formed(model):
         if isinstance(model, me.System):
             model.form_eoms(constraint_solver="CRAMER")

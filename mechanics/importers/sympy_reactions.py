@@ -440,10 +440,6 @@ class _Basis:
 def declared(finder: Finder) -> tuple[tuple[Reaction, ...], tuple[str, ...]]:
     """The reactions of a scene, and the name of the one that maintains each constraint.
 
-    Parameters
-    ----------
-    finder : Finder
-
     Raises
     ------
     SceneError

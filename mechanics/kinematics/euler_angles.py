@@ -26,10 +26,6 @@ def singular_angles(scene: Scene, coordinates: Mapping[str, float | Expr]) -> st
     scene : Scene
     coordinates : mapping of str to float or Expr
         By plain name; an angle that is missing, or no number, is not blamed.
-
-    Returns
-    -------
-    str
     """
     carried = [body.frame for body in scene.bodies if isinstance(body, RigidBody)]
     values = {q: sympify(coordinates[q.name]) for q in scene.q if q.name in coordinates}

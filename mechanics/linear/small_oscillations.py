@@ -27,10 +27,6 @@ MOST_PLACES = 4
 def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr]]:
     """What vanishes at the squares of frequencies, in `SQUARE`, and about which equilibrium.
 
-    Parameters
-    ----------
-    equations : Equations
-
     Yields
     ------
     str
@@ -53,12 +49,7 @@ def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr
 
 
 def equilibria(equations: Equations) -> Iterator[Mapping[str, Expr]]:
-    """Places that may be equilibria, by the names of the coordinates.
-
-    Parameters
-    ----------
-    equations : Equations
-    """
+    """Places that may be equilibria, by the names of the coordinates."""
     scene = equations.scene
     if not 0 < len(scene.q) <= MOST or scene.speeds:
         return

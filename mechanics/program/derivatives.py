@@ -60,10 +60,6 @@ def gradient(
     outputs, weights : sequences of equal length
     inputs : sequence of Node
         Any nodes; what they are computed from is not looked into.
-
-    Returns
-    -------
-    list of Node
     """
     if not outputs:
         return [x.builder.zero for x in inputs]

@@ -86,10 +86,6 @@ def _written(program: Program, number: int) -> list[Any]:
 def read(text: str) -> Program:
     """The program that was written.
 
-    Parameters
-    ----------
-    text : str
-
     Raises
     ------
     InputError

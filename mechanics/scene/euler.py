@@ -30,17 +30,7 @@ class Euler:
     angles: tuple[Expr, ...]
 
     def orient(self, name: str, parent: ReferenceFrame) -> ReferenceFrame:
-        """A new frame, turned in its parent three times.
-
-        Parameters
-        ----------
-        name : str
-        parent : ReferenceFrame
-
-        Returns
-        -------
-        ReferenceFrame
-        """
+        """A new frame, turned in its parent three times."""
         frame = parent
         for k, (axis, angle) in enumerate(zip(self.order, self.angles, strict=True), start=1):
             own = name if k == 3 else f"{name}_{k}"

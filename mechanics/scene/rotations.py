@@ -74,11 +74,6 @@ class Rotation:
     def orient(self, name: str, parent: ReferenceFrame) -> ReferenceFrame:
         """A new frame, turned in its parent by equation (1).
 
-        Parameters
-        ----------
-        name : str
-        parent : ReferenceFrame
-
         Returns
         -------
         ReferenceFrame

@@ -10,10 +10,6 @@ from mechanics.program.routine import Node, Routine, Shapes, Sizes, routine
 class Rewriting:
     """New nodes as they are made, and what became of the old ones.
 
-    Parameters
-    ----------
-    old : sequence of Node
-
     Attributes
     ----------
     nodes : list of Node
