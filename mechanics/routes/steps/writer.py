@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any
 
-import numpy as np
+from flint import nmod_mat
 from sympy import (
     Add,
     Expr,
@@ -20,7 +20,6 @@ from sympy import (
     cos,
     expand,
     expand_trig,
-    nsimplify,
     sin,
 )
 
@@ -28,7 +27,9 @@ from mechanics.equations import Line, Side, Step, Term
 from mechanics.kinematics.motion import Motions
 from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism
-from mechanics.program.builder import Node
+from mechanics.program.builder import Builder, Node
+from mechanics.program.residues import Residues
+from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector
 from mechanics.symbolic import tidy
 
@@ -36,6 +37,8 @@ FULL = 3
 """Coordinates up to which every equation is shown in full; beyond, the first one is."""
 MOST = 40
 """Products of an equation that is multiplied out in front of the reader."""
+LARGEST = 1_000_000
+"""Above and below in a factor of a row: what is no number at all has more digits."""
 SHORT_NAME = re.compile(r"[A-Za-z]\w{0,2}'?")
 """A point whose name can stand as a subscript."""
 LETTERS = {
@@ -287,30 +290,37 @@ def _values(side: Side) -> list[Any]:
 def combination(
     goals: Sequence[Expr], rows: Sequence[Expr], writer: Writer
 ) -> list[list[Rational]] | None:
-    """Numbers c with goal_i = sum_j c_ij row_j, or None; found at two states, then proved."""
-    unknown = [writer.printer.symbol(node) for node in writer.mechanism.ud]
+    """Numbers c with goal_i = sum_j c_ij row_j, or None; proposed modulo a prime, then proved."""
     if not rows or (len(goals) > 1 and len(goals) != len(rows)):
         return None
-    if len(goals) == 1:
-        unknown = unknown[:1]
-        rows = rows[:1]
-    free = sorted(set().union(*(e.free_symbols for e in (*goals, *rows))), key=str)
-    random = np.random.default_rng(7)
-    found = []
-    for _ in range(2):
-        state = {symbol: float(random.uniform(0.5, 1.5)) for symbol in free}
-        tables = [
-            np.array(Matrix(list(e)).jacobian(unknown).evalf(subs=state).tolist(), dtype=float)
-            for e in (goals, rows)
-        ]
-        if np.linalg.matrix_rank(tables[1]) < len(rows):
-            return None
-        found.append(tables[0] @ np.linalg.inv(tables[1]))
-    if not np.allclose(found[0], found[1], atol=1e-9):
+    rows = rows[: len(goals)]
+    unknown = [writer.printer.symbol(node) for node in writer.mechanism.ud[: len(goals)]]
+    builder = Builder()
+    slopes = [read(builder, [*Matrix(list(e)).jacobian(unknown)]) for e in (goals, rows)]
+    filter_ = Residues(builder)
+    goal, row = (
+        nmod_mat(len(goals), len(unknown), filter_.values(e), filter_.prime) for e in slopes
+    )
+    if len(unknown) != len(rows) or row.rank() < len(rows):
         return None
-    weights = [[nsimplify(round(c, 9), rational=True) for c in row] for row in found[0]]
-    for goal, factors in zip(goals, weights, strict=True):
-        rest = goal - Add(*(c * row for c, row in zip(factors, rows, strict=True)))
+    found = goal * row.inv()
+    weights = [[_ratio(int(c), filter_.prime) for c in line] for line in found.tolist()]
+    if any(max(abs(c.p), c.q) > LARGEST for line in weights for c in line):
+        return None
+    for end, factors in zip(goals, weights, strict=True):
+        rest = end - Add(*(c * e for c, e in zip(factors, rows, strict=True)))
         if tidy(expand_trig(rest)) != 0:
             return None
     return weights
+
+
+def _ratio(residue: int, prime: int) -> Rational:
+    """The ratio of two numbers below sqrt(prime) that a residue is: Wang's reconstruction."""
+    (above, below), (numerator, denominator) = (prime, 0), (residue, 1)
+    while 2 * numerator**2 > prime:
+        times = above // numerator
+        (above, below), (numerator, denominator) = (
+            (numerator, denominator),
+            (above - times * numerator, below - times * denominator),
+        )
+    return Rational(numerator, denominator)
