@@ -8,8 +8,6 @@ Dependent inputs are replaced as the kernel does it (`mechanics.kernel.constrain
 component that the closed state is on. At its points routes choose pivots and scenes are checked.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Programs that a reduction may start from: an output of the equations, parameters as inputs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 

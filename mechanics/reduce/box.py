@@ -1,7 +1,5 @@
 """The box that a reduction holds over: a range or a value for every input of a program."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What may be left out: parameters, entries, couplings, summands, products of speeds."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 
 from mechanics.program import Program

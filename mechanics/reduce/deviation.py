@@ -14,8 +14,6 @@ signs. Two more rules keep rotations from growing, and small angles small:
     |c x + s y| <= sqrt(x x + y y)  where c c + s s = 1,       x - sin x grows with x          (4)
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

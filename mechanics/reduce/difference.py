@@ -1,7 +1,5 @@
 """How much a reduced output deviates at states that are searched for: what no bound is below."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from mechanics.program import Builder, Program

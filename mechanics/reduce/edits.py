@@ -10,8 +10,6 @@ A program with edits is the program interpreted with others in the place of some
 what remains of an operation is decided by the builder that it is built in.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum

@@ -9,8 +9,6 @@ larger than the root of its squared coefficients. Terms that cancel are gone bef
 bounded, which no interval sees.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

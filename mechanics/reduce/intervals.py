@@ -9,8 +9,6 @@ an interval that holds 0, is the whole line.
 Moore, Kearfott, Cloud, Introduction to Interval Analysis, SIAM 2009.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple

@@ -6,8 +6,6 @@ The box is a condition of its scene, so that a motion which leaves it is told, a
 own, for C.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from math import inf

@@ -8,8 +8,6 @@ for a small error is made for a larger one, too. States are drawn, and propose t
 whether edits keep within a level is measured by what bounds them at all states.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -6,8 +6,6 @@ In each round every part on which it does not hold yet is halved along the input
 the deviations most. The budget counts parts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

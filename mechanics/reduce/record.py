@@ -3,8 +3,6 @@
 Whoever reads it does the same again: `repeat` makes the edits, and proves the bound once more.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from fractions import Fraction

@@ -6,8 +6,6 @@ S_i is the size of output i in the box: the value of |whole_i| at a state where 
 its maximum over the box is not smaller than. An absolute error is in the unit of the output.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -5,8 +5,6 @@
 Coordinate ascent from drawn states; the value is enclosed, so that the true maximum is not smaller.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 

@@ -5,8 +5,6 @@ as it acts at the state that is drawn. What is equal and opposite inside of the 
 out.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape

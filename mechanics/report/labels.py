@@ -4,8 +4,6 @@ Points: mass centres, and where reactions and forces act. Lengths: from a point 
 is located from, where that is a number times one parameter along an axis.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from itertools import pairwise
