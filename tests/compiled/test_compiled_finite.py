@@ -5,46 +5,22 @@ A double pendulum of point masses: rows times masses and lengths leave single pr
 
 import numpy as np
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics import derive
 from mechanics.compiled import Model, residuals
 from mechanics.compiled import compile as compile_model
 from mechanics.compiled.finite import not_finite
 from mechanics.kernel import Verdict
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+from systems.double_pendulum import l1, l2, m1, m2, scene
 
 pytestmark = pytest.mark.campaign
 
-a, b = dynamicsymbols("a b")
-m1, m2, l1, l2, g = parameters("m1 m2 l1 l2 g", units="kg kg m m m/s^2", typical="1 1 1 1 9.81")
 STATES = 20_000
-
-
-def double_pendulum() -> Scene:
-    """Two point masses on massless rods, absolute angles."""
-    ground, origin = ReferenceFrame("N"), Point("O")
-    upper = ground.orientnew("A", "Axis", (a, ground.z))
-    lower = ground.orientnew("B", "Axis", (b, ground.z))
-    first = origin.locatenew("P", -l1 * upper.y)
-    second = first.locatenew("Q", -l2 * lower.y)
-    return Scene(
-        "double pendulum",
-        ground,
-        origin,
-        coordinates=(a, b),
-        bodies=(Particle("first", first, m1), Particle("second", second, m2)),
-        loads=(gravity(-g * ground.y),),
-        reactions=(
-            reaction("S", at=first, on="first", by=None, along=upper.y),
-            reaction("T", at=second, on="second", by="first", along=lower.y),
-        ),
-    )
 
 
 @pytest.fixture(scope="module")
 def overflowing() -> Model:
-    equations, factor = derive(double_pendulum(), "kane"), m1 * m2 * l1 * l2
+    equations, factor = derive(scene(), "kane"), m1 * m2 * l1 * l2
     mass, forcing = equations.mass * factor, equations.forcing * factor
     scaled = equations.with_matrices(mass=mass, forcing=forcing)
     return compile_model(scaled, form="elimination")
@@ -59,7 +35,7 @@ def test_an_overflow_on_the_way_is_a_finding_that_says_where_and_why(overflowing
     assert "overflow" in finding.evidence and "3.4e+38" in finding.evidence
     # The state that is named is one, and another precision has numbers there.
     state = dict(lost.state)
-    q, u = [state["a"], state["b"]], [state["a_dot"], state["b_dot"]]
+    q, u = [state["phi1"], state["phi2"]], [state["phi1_dot"], state["phi2_dot"]]
     p = [state[entry.name] for entry in overflowing.quantities.p]
     single, double = (
         overflowing.evaluate("forward_dynamics", kind, q=[q], u=[u], inputs=[[]], p=[p])["ud"]
@@ -70,7 +46,7 @@ def test_an_overflow_on_the_way_is_a_finding_that_says_where_and_why(overflowing
 
 
 def test_the_form_that_is_chosen_survives() -> None:
-    models = [compile_model(derive(double_pendulum(), r)) for r in ("free_body", "kane")]
+    models = [compile_model(derive(scene(), r)) for r in ("free_body", "kane")]
     assert not_finite(models, states=STATES) == ()
 
 
