@@ -111,7 +111,7 @@ def read_mjcf(
         every = tuple(sorted({*leave_out, *rough}))
         raise InputError(
             f"file {path}: it has parts that are not smooth or not supported ({told}): leave them"
-            f" out with leave_out={every!r}"
+            f" out with leave_out={every!r}, or as {path.name}:{','.join(every)}"
         )
     for kind, names in sorted(reader.rough.items()):
         reader.notes.add(f"{kind} left out", _some(names))
