@@ -19,6 +19,7 @@ from sympy import Expr, Matrix, Symbol
 from mechanics.errors import InputError
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.mechanism import Mechanism
+from mechanics.nearest import plural
 from mechanics.program.builder import Node
 from mechanics.program.vectors import Vector
 from mechanics.scene import Scene
@@ -201,7 +202,8 @@ class Equations:
     fixed: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        return f"<equations of {self.scene.name} by {self.route}: {len(self.scene.u)} speeds>"
+        count = plural(len(self.scene.u), "speed")
+        return f"<equations of {self.scene.name} by {self.route}: {count}>"
 
     @cached_property
     def kinematics(self) -> Kinematics:

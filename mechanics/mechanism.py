@@ -25,6 +25,7 @@ from sympy.physics.vector import Vector as SympyVector
 from mechanics.closure import Closure, close
 from mechanics.errors import SceneError
 from mechanics.kernel import Range
+from mechanics.nearest import plural
 from mechanics.program.builder import Builder, Node
 from mechanics.program.forward import tangent
 from mechanics.program.operations import INPUT
@@ -348,8 +349,8 @@ class Mechanism:
 
     def __repr__(self) -> str:
         return (
-            f"<mechanism {self.name}: {len(self.bodies)} bodies, {len(self.q)} coordinates,"
-            f" {len(self.constraints)} constraints>"
+            f"<mechanism {self.name}: {plural(len(self.bodies), 'body')},"
+            f" {plural(len(self.q), 'coordinate')}, {plural(len(self.constraints), 'constraint')}>"
         )
 
     @property

@@ -1,4 +1,4 @@
-"""What an error says to write instead of a name that there is not."""
+"""Words of messages: what to write instead of a name that there is not; numbers of things."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -31,3 +31,9 @@ def instead(name: str, names: Iterable[str], kind: str) -> str:
     if near and len(listed) > FEW:
         return f"did you mean {near[0]!r}?"
     return f"did you mean {near[0]!r}? {there}" if near else there
+
+
+def plural(count: int, noun: str) -> str:
+    """A number and what is counted: "1 body", "2 bodies"."""
+    many = f"{noun[:-1]}ies" if noun.endswith("y") else f"{noun}s"
+    return f"{count} {noun if count == 1 else many}"

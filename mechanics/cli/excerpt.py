@@ -208,7 +208,11 @@ def _xml(text: str, error: BaseException, words: str, file: Path) -> Span:
     if told := LINE.search(words):
         start = _offset(text, int(told[1]), 0)
         line_text = text[start:].partition("\n")[0]
-        return start + len(line_text) - len(line_text.lstrip()), start + len(line_text)
+        begins, ends = start + len(line_text) - len(line_text.lstrip()), start + len(line_text)
+        # MuJoCo quotes what is wrong, then the tag of the element.
+        quoted = (re.escape(name) for name in _quoted(words.partition(" Element ")[0]))
+        places = (re.compile(rf"\b{name}\b").search(text, begins, ends) for name in quoted)
+        return next((place.span() for place in places if place), (begins, ends))
     names = list(_names(words))
     attributes = [f'"{name}"' for name in names]
     element = _first(text, [f'name="{name}"' for name in names])

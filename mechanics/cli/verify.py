@@ -149,10 +149,13 @@ def _print(console: Console, found: Verification, remark: str) -> None:
         for finding in findings
         if finding.verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
     ]
+    before = ""
     for finding in bad[:SHOWN_FINDINGS]:
         explain(console, finding)
-        if place := excerpt_of_c(f"{finding.subject}: {finding.evidence}", folder.texts):
+        place = excerpt_of_c(f"{finding.subject}: {finding.evidence}", folder.texts)
+        if place and place != before:
             console.print(f"[dim]{escape(place)}[/]")
+        before = place
     if len(bad) > SHOWN_FINDINGS:
         counts = Counter(finding.verdict for finding in bad[SHOWN_FINDINGS:])
         words = ", ".join(f"[{STYLES[v]}]{n} more {v.name}[/]" for v, n in counts.items())
@@ -164,7 +167,7 @@ def _tell_files(console: Console, found: Verification) -> None:
     for name in folder.missing:
         console.print(f"[bold red]missing[/] {escape(name)}")
     for name in folder.changed:
-        nobody = ": no step checks it" if name in found.unvouched else ", see the findings above"
+        nobody = ": no step checks it" if name in found.unvouched else ", see the findings below"
         console.print(
             f"[yellow]changed[/] {escape(name)}: its hash differs from the manifest's{nobody}"
         )

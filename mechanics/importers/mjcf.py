@@ -111,7 +111,7 @@ def read_mjcf(
         every = tuple(sorted({*leave_out, *rough}))
         raise InputError(
             f"file {path}: it has parts that are not smooth or not supported ({told}): leave them"
-            f" out with leave_out={every!r}"
+            f" out with leave_out={every!r}, or as {path.name}:{','.join(every)}"
         )
     for kind, names in sorted(reader.rough.items()):
         reader.notes.add(f"{kind} left out", _some(names))
@@ -119,13 +119,6 @@ def read_mjcf(
 
 
 def _compiled(path: Path) -> Any:
-    try:
-        import mujoco
-    except ImportError:
-        raise InputError(
-            f"file {path}: MuJoCo reads such models and is not installed: pip install"
-            " 'mechanics[mujoco]'"
-        ) from None
     if not path.is_file():
         raise InputError(f"file {path}: there is no such file")
     if path.stat().st_size > LARGEST:
@@ -135,6 +128,13 @@ def _compiled(path: Path) -> Any:
             f"file {path}: it has a DOCTYPE, which a model does not need: leave it out"
         )
     _refuse_hostile(path)
+    try:
+        import mujoco
+    except ImportError:
+        raise InputError(
+            f"file {path}: MuJoCo reads such models and is not installed: pip install"
+            " 'mechanics[mujoco]'"
+        ) from None
     try:
         model = mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:

@@ -78,7 +78,7 @@ def from_sympy(model: Any, *, name: str = "", bodies: Sequence[Any] = ()) -> Sce
     >>> system = System.from_newtonian(ground)
     >>> system.add_joints(PinJoint("pin", ground, bob, child_point=symbols("l") * bob.y))
     >>> from_sympy(system)
-    <scene system: 1 bodies, 1 coordinates, 0 constraints>
+    <scene system: 1 body, 1 coordinate, 0 constraints>
     """
     parts = read_model(model, bodies)
     return _Made(parts, name or re.sub(r"\W", "", parts.kind.split(" ")[0]).lower()).scene()

@@ -165,14 +165,14 @@ class _Reader:
         name = _name(element, "joint")
         what, kind = f"joint {name}", element.get("type", "")
         if kind not in KINDS:
-            raise InputError(f"{what}: its type is {kind[:40]!r}: {', '.join(KINDS)} are known")
+            raise InputError(f"{what}: its type is {kind[:40]!r}: choose one of {', '.join(KINDS)}")
         place, turn = self._origin(element, what)
         dynamics = _found(element, "dynamics")
         damping, friction = (
             exact(dynamics.get(key, "0"), f"{what}: its {key}") for key in ("damping", "friction")
         )
         if damping < 0 or friction < 0:
-            raise InputError(f"{what}: its damping or friction is negative")
+            raise InputError(f"{what}: its damping or friction is negative: give zero or more")
         moving = KINDS[kind] in ("turn", "slide")
         return Connection(
             name, KINDS[kind], _attribute(element, "parent", "link", what),
@@ -238,7 +238,7 @@ class _Reader:
         """No principal moment is negative; where one exceeds the sum of the others it is told."""
         matrix = inertia_matrix(moments)
         if not all(minor >= 0 for minor in _minors(matrix)):
-            raise InputError(f"{what}: its inertia has a negative principal moment")
+            raise InputError(f"{what}: its inertia has a negative principal moment: correct it")
         if mass == 0 and any(moments):
             self.notes.add("moments of inertia without a mass", what)
         half = matrix.trace() / 2 * STRAIGHT - matrix

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from mechanics.nearest import plural
 from mechanics.scene.assembly import with_joints, with_rotations
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.validate import validate
@@ -72,7 +73,7 @@ class Scene(Declaration):
     >>> rail = [reaction(f"R{e}", at=P, on="mass", by=None, along=e) for e in (N.y, N.z)]
     >>> Scene("oscillator", N, O, coordinates=(x,), bodies=(Particle("mass", P, m),),
     ...       loads=(spring("spring", O, P, k, along=N.x),), reactions=tuple(rail))
-    <scene oscillator: 1 bodies, 1 coordinates, 0 constraints>
+    <scene oscillator: 1 body, 1 coordinate, 0 constraints>
     """
 
     def __post_init__(self) -> None:
@@ -84,6 +85,7 @@ class Scene(Declaration):
 
     def __repr__(self) -> str:
         return (
-            f"<scene {self.name}: {len(self.bodies)} bodies, {len(self.coordinates)} coordinates,"
-            f" {len(self.constraints)} constraints>"
+            f"<scene {self.name}: {plural(len(self.bodies), 'body')},"
+            f" {plural(len(self.coordinates), 'coordinate')},"
+            f" {plural(len(self.constraints), 'constraint')}>"
         )

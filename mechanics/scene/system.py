@@ -7,6 +7,7 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
+from mechanics.nearest import plural
 from mechanics.scene.published import Published
 from mechanics.scene.scene import Scene
 
@@ -65,4 +66,4 @@ class System:
     model: Callable[[], Any] | None = None
 
     def __repr__(self) -> str:
-        return f"<system {self.name}: {len(self.published)} published rows>"
+        return f"<system {self.name}: {plural(len(self.published), 'published row')}>"

@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from mechanics.cli.excerpt import excerpt_of_c
+from mechanics.cli.excerpt import excerpt, excerpt_of_c
+from mechanics.errors import InputError
 from mechanics.scene.json.write import to_json
 from systems import four_bar
 
@@ -108,6 +109,24 @@ def test_a_line_of_a_robot_is_underlined(
     ran = run("derive", path)
     assert ran.code == 2
     assert underlined(ran.place) == (f"{path}:{line}", meant)
+
+
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        ("XML Error: invalid keyword: 'hing' Element 'joint', line 3", "hing"),
+        ("Schema violation: unrecognized attribute: 'axes' Element 'joint', line 3", "axes"),
+        ("Error: axis too small in joint Element name 'q', id 0, line 3", "<joint "),
+    ],
+)
+def test_what_mujoco_quotes_is_underlined(tmp_path: Path, words: str, meant: str) -> None:
+    """In the words of MuJoCo 3.3."""
+    path = tmp_path / "arm.xml"
+    line = '<joint name="q" type="hing" axes="0 0 0"/>'
+    path.write_text(f"<mujoco><worldbody>\n<body>\n  {line}\n", encoding="utf-8")
+    refused = f"file {path}: MuJoCo refuses it: {words}"
+    where, found = underlined(excerpt(InputError(refused), refused, ["derive", str(path)]))
+    assert where == f"{path}:3" and found.startswith(meant)
 
 
 def test_a_line_of_json_is_underlined(run: Any, tmp_path: Path) -> None:

@@ -181,7 +181,7 @@ def test_wrong_arrays_are_named(pendulum: Model, modelled) -> None:
         pendulum.evaluate("energy", q=[0, 0], u=[0, 0], ud=[0, 0])
     with pytest.raises(InputError, match="function 'speed': the model of"):
         pendulum.evaluate("speed", q=[0, 0], u=[0, 0])
-    with pytest.raises(InputError, match="inputs is missing: pass 1 values: f"):
+    with pytest.raises(InputError, match="inputs is missing: pass 1 value: f"):
         modelled("rocker", "kane").forward_dynamics([0.1], [0])
 
 

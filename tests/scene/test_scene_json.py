@@ -113,7 +113,7 @@ def test_the_schema_that_is_published_is_the_one_that_is_read() -> None:
 
 def test_the_scene_of_the_documentation_swings() -> None:
     scene = from_json(PENDULUM[1])
-    assert str(scene) == "<scene pendulum: 1 bodies, 1 coordinates, 0 constraints>"
+    assert str(scene) == "<scene pendulum: 1 body, 1 coordinate, 0 constraints>"
     assert {p.name: p.unit for p in scene.parameters} == {"L": "m", "g": "m/s^2", "m": "kg"}
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from mechanics.compiled.fixed import Fixed, words
 from mechanics.compiled.quantities import Quantities
 from mechanics.errors import InputError
+from mechanics.nearest import plural
 
 Array = NDArray[np.floating]
 
@@ -24,7 +25,9 @@ def given_array(group: str, names: Sequence[str], kind: type[np.floating], value
     size = len(names)
     if value is None:
         if size:
-            raise InputError(f"{group} is missing: pass {size} values: {', '.join(names)}")
+            raise InputError(
+                f"{group} is missing: pass {plural(size, 'value')}: {', '.join(names)}"
+            )
         value = np.zeros(0)
     if isinstance(value, np.ndarray) and value.dtype.kind == "c":
         # NumPy would drop the imaginary parts.

@@ -36,7 +36,7 @@ NUMBERS = "numbers in headers and self-tests"
 SINES = "inline sine and cosine = sine and cosine"
 BINARY = "C text = binary"
 NO_SINES = "the text of the inline sine and cosine is proved by `mechanics verify`"
-NOT_ASKED = "the code was not compiled: that was not asked for"
+NOT_ASKED = "the code was not compiled, as asked"
 NO_COMPILER = "the code was not compiled: no C compiler was found"
 NOT_SHOWN = "the code was neither compiled nor run: a text is not shown to be its graph"
 
