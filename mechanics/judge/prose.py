@@ -72,9 +72,11 @@ PLAIN = {
     "highest": "upright", "bottom": "hanging", "lowest": "hanging",
 }  # fmt: skip
 DEGREES = re.compile(
-    rf"{NAME}\s*(?:is|are|be|being|,)\s*(?:measured|given|taken|expressed)?\s*in\s+degrees\b",
+    rf"{NAME}\s*(?:is|are|be|being|,)\s*(?:measured|given|taken|expressed)?\s*in\s+degrees\b"
+    r"|\b(?P<declared>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg",
     re.IGNORECASE,
 )
+"""In prose, and in a declaration of Modelica's."""
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -114,7 +116,8 @@ def in_radians(entry: Judged, statement: Statement) -> Judged:
     """The entry; what holds for radians is not shown where the text says degrees."""
     if entry.finding.shown and statement.written is not None:
         for degrees in DEGREES.finditer(statement.written.text):
-            words = f"it is right in radians, but the text says {degrees['name']} in degrees"
+            name = degrees["name"] or degrees["declared"]
+            words = f"it is right in radians, but the text says {name} in degrees"
             return replace(entry, finding=undecided(entry.finding.subject, words))
     return entry
 

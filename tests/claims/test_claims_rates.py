@@ -4,13 +4,13 @@ import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
-from mechanics import Particle, Scene, force, gravity, parameters
+from mechanics import Particle, Scene, check, force, gravity, parameters
 from mechanics.claims.latex.items import Items
 from mechanics.claims.latex.read import read_latex
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from systems import cartpole
+from systems import cartpole, rod_pendulum
 
 ROW = r"(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)"
 CART = derived(cartpole.scene())
@@ -140,3 +140,10 @@ def test_what_stands_within_fractions_is_read_once(form: str, monkeypatch) -> No
         read_latex(rf"\ddot x = {text}", Naming(Vocabulary(CART.scene)))
         counts.append(len(read))
     assert 0 < counts[1] - counts[0] == counts[2] - counts[1]
+
+
+@pytest.mark.parametrize("name", ["omega", "w", "v"])
+def test_a_rate_on_the_left_uses_the_name_that_a_line_defines(name: str) -> None:
+    text = f"theta' = {name}\n{name}' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
+    answer = check(rod_pendulum.scene(), text, blame=False)
+    assert [entry.verdict.name for entry in answer.judged] == ["PROVED"]

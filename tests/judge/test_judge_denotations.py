@@ -74,6 +74,16 @@ def test_more_ways_to_call_an_equation_wrong(before: str, behind: str) -> None:
     assert answer.verdict is Verdict.UNDECIDED
 
 
+@pytest.mark.parametrize(("unit", "verdict"), [("deg", "UNDECIDED"), ("rad", "PROVED")])
+def test_a_declaration_of_modelica_says_the_unit_of_an_angle(unit: str, verdict: str) -> None:
+    text = (
+        f'model P\n Real theta(unit="{unit}"); Real w; input Real u;\nequation\n'
+        " der(theta) = w;\n der(w) = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);\nend P;"
+    )
+    answer = check(rod_pendulum.scene(), text, blame=False)
+    assert answer.judged[-1].verdict.name == verdict
+
+
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
