@@ -72,6 +72,10 @@ PUBLISHED = (
         m1 * dx.diff() + m2 * (dx.diff() - dy.diff()) + m3 * (dx.diff() + dy.diff()),
         (m1 - m2 - m3) * g,
         label="equation of motion of the upper rope",
+        latex=(
+            r"m_{1} \ddot{x}+m_{2}(\ddot{x}-\ddot{y})+m_{3}(\ddot{x}+\ddot{y})="
+            r"\left(m_{1}-m_{2}-m_{3}\right) g"
+        ),
     ),
     published(
         "y",
@@ -79,5 +83,6 @@ PUBLISHED = (
         -m2 * (dx.diff() - dy.diff()) + m3 * (dx.diff() + dy.diff()),
         (m2 - m3) * g,
         label="equation of motion of the lower rope",
+        latex=(r"-m_{2}(\ddot{x}-\ddot{y})+m_{3}(\ddot{x}+\ddot{y})=\left(m_{2}-m_{3}\right) g"),
     ),
 )

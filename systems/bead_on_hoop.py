@@ -55,6 +55,10 @@ PUBLISHED = (
         m * R**2 * (theta.diff() ** 2 + omega**2 * sin(theta) ** 2) / 2
         - m * g * R * (1 - cos(theta)),
         label="Lagrangian",
+        latex=(
+            r"\mathcal{L}=\frac{1}{2} m R^{2}\left(\dot{\theta}^{2}+\omega^{2} \sin ^{2} "
+            r"\theta\right)-m g R(1-\cos \theta)"
+        ),
     ),
     published(
         "theta",
@@ -62,6 +66,7 @@ PUBLISHED = (
         theta.diff().diff(),
         (omega**2 * cos(theta) - g / R) * sin(theta),
         label="equation of motion",
+        latex=r"\ddot{\theta}=\left(\omega^{2} \cos \theta-g / R\right) \sin \theta",
     ),
     published(
         "bottom",

@@ -88,6 +88,12 @@ PUBLISHED = (
         + (m1 + m2) * g * l1 * cos(phi1)
         + m2 * g * l2 * cos(phi2),
         label="Lagrangian",
+        latex=(
+            r"L=\frac{1}{2}\left(m_{1}+m_{2}\right) l_{1}^{2} \dot{\phi}_{1}^{2}+\frac{1}{2} "
+            r"m_{2} l_{2}^{2} \dot{\phi}_{2}^{2}+m_{2} l_{1} l_{2} \dot{\phi}_{1} "
+            r"\dot{\phi}_{2} \cos \left(\phi_{1}-\phi_{2}\right)+\left(m_{1}+m_{2}\right) g "
+            r"l_{1} \cos \phi_{1}+m_{2} g l_{2} \cos \phi_{2}"
+        ),
     ),
     published(
         "phi1",

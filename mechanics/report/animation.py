@@ -22,6 +22,10 @@ SMOOTH, COARSE = 24, 10
 """Samples a second of a file, and of a page with much else on it."""
 FEWEST, MOST = 24, 240
 """Samples of a motion that are drawn."""
+LARGEST_TURN = 1.0
+"""From one picture to the next, in rad."""
+SLOW = 12.0
+"""Seconds that a motion takes on the page which is too fast to be watched."""
 POSES = 5
 """Poses in the strip of a motion that does not move."""
 Element = ElementTree.Element
@@ -82,6 +86,24 @@ def moving_picture(
         f' aria-label="{title}"><title>{title}</title>{before}'
         f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(frames)}</g></svg>'
     )
+
+
+def watchable(
+    times: NDArray[np.float64], angles: Sequence[NDArray[np.float64]]
+) -> tuple[int, float]:
+    """How many samples of a motion are shown, and how many times slower.
+
+    Turns of more than `LARGEST_TURN` from one picture to the next look like others, or backwards.
+    """
+    if not angles:
+        return len(times), 1.0
+    turned = np.cumsum(np.abs(np.diff(angles, axis=1)), axis=1)
+    pictures = np.concatenate([[0.0], turned.max(axis=0)]) / LARGEST_TURN
+    if pictures[-1] <= max(COARSE * times[-1], FEWEST):
+        return len(times), 1.0
+    shown = max(int(np.searchsorted(pictures, SLOW * COARSE, side="right")), 2)
+    slower = pictures[shown - 1] / COARSE / times[shown - 1]
+    return shown, float(max(slower, 1.0))
 
 
 def _strip(frames: Sequence[Sequence[str]]) -> str:

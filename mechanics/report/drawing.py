@@ -334,7 +334,7 @@ def _joints(view: View, paper: Paper) -> str:
 
 def _axes(view: View, paper: Paper) -> str:
     """The directions of the inertial frame, in a corner."""
-    frame, corner = view.scene.frame, np.array([34.0 if view.planar else 54.0, 68.0])
+    frame, corner = view.scene.frame, np.array([34.0, 68.0] if view.planar else [54.0, 60.0])
     parts = []
     for name, axis in zip("xyz", (frame.x, frame.y, frame.z), strict=True):
         along = paper.turn(view.direction(axis))

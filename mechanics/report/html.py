@@ -11,13 +11,14 @@ import numpy as np
 from markupsafe import Markup
 
 from mechanics.report import words
-from mechanics.report.animation import moving_picture
+from mechanics.report.animation import moving_picture, watchable
 from mechanics.report.coordinate_drawings import coordinate_drawings
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
     Section,
+    angles,
     derivations,
     matrix,
     motion_charts,
@@ -104,12 +105,19 @@ def _section(number: int, result: SystemResult) -> Section:
     )
 
 
-def _moving(result: SystemResult) -> Markup:
-    """The scene as it moves, where there is a motion."""
+def _moving(result: SystemResult) -> tuple[str, Markup] | None:
+    """The scene as it moves, where there is a motion, and how fast."""
     coordinates = _way(result)
     if result.motion is None or coordinates is None:
-        return Markup("")
-    return Markup(moving_picture(result.scene, result.motion.columns["t"], coordinates))
+        return None
+    turning = [coordinates[q.name] for q in angles(result.scene)]
+    times = np.asarray(result.motion.columns["t"])
+    shown, slower = watchable(times, turning)
+    words = "The scene in real time"
+    if slower > 1:
+        words = f"The first {times[shown - 1]:.2g} s, {slower:.2g} times slower"
+        coordinates = {name: values[:shown] for name, values in coordinates.items()}
+    return words, Markup(moving_picture(result.scene, slower * times[:shown], coordinates))
 
 
 def _way(result: SystemResult) -> dict[str, Any] | None:

@@ -80,7 +80,7 @@ def latex_name(name: str) -> str:
 
 def _subscript(part: str) -> str:
     letter = tex_greek_dictionary.get(part, translate(part) if len(part) > 1 else part)
-    word = letter == part and len(part) >= WORD and part.isalpha()
+    word = letter == part and len(part) >= WORD and part.isalpha() and part.islower()
     return rf"\mathrm{{{part}}}" if word else letter
 
 

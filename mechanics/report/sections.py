@@ -128,7 +128,7 @@ class Section:
     others: list[Finding]
     witnesses: list[Finding]
     residuals: list[ResidualRow]
-    moving: Markup
+    moving: tuple[str, Markup] | None
     swings: list[list[tuple[str, Markup]]]
     charts: list[Chart]
 

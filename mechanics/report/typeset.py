@@ -213,8 +213,18 @@ def _references(text: str, section: int) -> Markup:
 def _names(text: str) -> Markup:
     parts = NAME.split(text)
     return Markup("").join(
-        maths(latex_name(part)) if i % 2 else escape(part) for i, part in enumerate(parts)
+        maths(latex_name(part)) if i % 2 else _raised(part) for i, part in enumerate(parts)
     )
+
+
+def _raised(text: str) -> Markup:
+    """2^-98 with its exponent raised."""
+    return Markup(re.sub(r"\b(\d+)\^(-?)(\d+)", _power, str(escape(text))))
+
+
+def _power(found: re.Match[str]) -> str:
+    sign = "\N{MINUS SIGN}" if found[2] else ""
+    return f"{found[1]}<sup>{sign}{found[3]}</sup>"
 
 
 def inline(expr: Any) -> Markup:

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
-from mechanics.report.animation import animation
+from mechanics.report.animation import COARSE, LARGEST_TURN, SLOW, animation, watchable
 from systems import cartpole, double_pendulum, rolling_disc
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -59,3 +59,14 @@ def test_the_floor_rests() -> None:
     floor = [e for e in moving if e.get("class") in ("line", "thin")]
     assert floor
     assert not any(len(e) for e in floor)
+
+
+def test_what_turns_too_fast_is_shown_slower() -> None:
+    """A wheel at 400 rad/s would seem to stand, or to turn back, at ten pictures a second."""
+    times = np.linspace(0, 10, 2001)
+    assert watchable(times, [np.sin(times)]) == (2001, 1.0)
+    assert watchable(times, []) == (2001, 1.0)
+    shown, slower = watchable(times, [np.sin(times), -400 * times])
+    assert 400 * times[shown - 1] == pytest.approx(LARGEST_TURN * SLOW * COARSE, rel=0.02)
+    assert slower * times[shown - 1] == pytest.approx(SLOW, rel=0.02)
+    assert np.ptp(400 * times[:shown]) / (COARSE * slower * times[shown - 1]) < 1.1 * LARGEST_TURN

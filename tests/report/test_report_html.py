@@ -153,6 +153,12 @@ def test_names_in_prose_are_typeset() -> None:
     assert "&lt;b&gt;, free_body" in text
 
 
+def test_a_power_in_prose_is_raised() -> None:
+    assert typeset.prose("chance of error below 2^-98") == (
+        "chance of error below 2<sup>\N{MINUS SIGN}98</sup>"
+    )
+
+
 def test_ratios_and_durations() -> None:
     assert [words.ratio(value) for value in (None, 1.256, 4e15)] == ["", "1.26", "4.0e+15"]
     assert [words.duration(value) for value in (0.0042, 0.25, 0.9999, 12.34)] == [

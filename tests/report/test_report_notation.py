@@ -109,8 +109,8 @@ def test_operations_stop_at_the_limit() -> None:
 
 def test_names_are_set_as_the_field_sets_them() -> None:
     """A letter and what it is of, words upright; words side by side do not run together."""
-    assert [latex_name(n) for n in ("mB", "IBx", "Ixx", "EI")] == [
-        "m_{B}", "I_{Bx}", "I_{xx}", r"\mathrm{EI}",
+    assert [latex_name(n) for n in ("mB", "IHxz", "Ixx", "EI")] == [
+        "m_{B}", "I_{Hxz}", "I_{xx}", r"\mathrm{EI}",
     ]  # fmt: skip
     assert latex_name("q_left_hip") == r"q_{\mathrm{left},\mathrm{hip}}"
     kt, yaw = symbols("kt yaw")

@@ -148,6 +148,15 @@ def test_no_letter_stands_for_two_things(route, make) -> None:
                 assert re.sub(r"[_^].*", "", line.left) not in taken - {"f"}
 
 
+@pytest.mark.campaign
+def test_a_point_whose_name_is_words_has_a_letter_in_formulas() -> None:
+    """The pins of a four-bar linkage, by the reactions in them."""
+    lines = [x for step in steps_of(by_route("free_body", four_bar.scene())) for x in step.lines]
+    arms = {line.left: line.label for line in lines if str(line.left).startswith(r"\vec{r}_{1")}
+    assert arms[r"\vec{r}_{1B}"] == "from $1$ to $B$, the end of the crank"
+    assert not any(" of " in str(line.left) for line in lines)
+
+
 def test_accelerations_lead_with_plus_and_inputs_stand_on_the_right() -> None:
     scene = rocker.scene()
     (line,) = goal_of([by_route("free_body", scene)])

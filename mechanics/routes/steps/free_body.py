@@ -5,11 +5,13 @@ from sympy import Add, Expr, Mul, Symbol
 from mechanics.equations import Diagram, Line, Step, Term
 from mechanics.kinematics import differentiate
 from mechanics.kinematics.motion import Motions
+from mechanics.mechanism import Mechanism
 from mechanics.program.vectors import subtract
 from mechanics.routes.free_body import FreeBodyRow, eliminated
 from mechanics.routes.multipliers import solution
 from mechanics.routes.steps.writer import (
     FULL,
+    SHORT_NAME,
     Numbers,
     Writer,
     arrival,
@@ -136,12 +138,24 @@ def _arms(writer: Writer, numbers: Numbers, motions: Motions) -> tuple[Line, ...
     for index, body in enumerate(mechanism.bodies):
         points = dict.fromkeys(at for at, on in acting if at is not None and index in on)
         for point in points if body.frame is not None else ():
-            centre, name = motions.points[body.centre].position, mechanism.points[point].name
+            centre, whole = motions.points[body.centre].position, mechanism.points[point].name
+            name = _letter(mechanism, point)
             arm = writer.vector(subtract(motions.points[point].position, centre))
             if any(arm):
                 label = rf"\vec{{r}}_{{{writer.centre(index)}{name}}}"
-                found.append(numbers(label, arm, f"from ${writer.centre(index)}$ to ${name}$"))
+                words = f"from ${writer.centre(index)}$ to ${name}$"
+                words += "" if name == whole else f", the {whole}"
+                found.append(numbers(label, arm, words))
     return tuple(found)
+
+
+def _letter(mechanism: Mechanism, point: int) -> str:
+    """The name of a point, or, where that is words, the letter of the reactions there or a P."""
+    names = [place.name for place in mechanism.points]
+    if SHORT_NAME.fullmatch(names[point]):
+        return names[point]
+    letters = {r.name[0] for r in mechanism.reactions if r.at == point}
+    return letters.pop() if len(letters) == 1 and not letters & {*names} else f"P_{{{point}}}"
 
 
 def _momentum(writer: Writer, row: FreeBodyRow, rate: bool = False) -> str:

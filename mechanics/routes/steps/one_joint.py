@@ -153,7 +153,7 @@ def _inertia(scene: Scene, body: RigidBody) -> Matrix:
 
 def _joint_step(scene: Scene, joint: Joint) -> Step:
     lines = equation(scene, joint)
-    body, carrier = joint.body.name, joint.carrier.name
+    body, carrier = (part.name.replace("_", " ") for part in (joint.body, joint.carrier))
     text = (
         f"{body} is cut free of {carrier} at their joint. Its motion follows from that of"
         f" {carrier}, whose angular velocity is $\\Omega$ and the acceleration of the joint, less"
@@ -168,10 +168,11 @@ def _structure(scene: Scene) -> Step:
     """Who is held by whom, and what is unknown."""
     holds: dict[str, list[str]] = {}
     for reaction in scene.reactions:
-        pair = " and ".join(name or "the ground" for name in (reaction.on, reaction.by))
+        names = (name or "the ground" for name in (reaction.on, reaction.by))
+        pair = " and ".join(names).replace("_", " ")
         holds.setdefault(pair, []).append(reaction.name)
     freedoms, bodies = scene.degrees_of_freedom, len(scene.bodies)
-    pairs = "; ".join(f"{pair}: {len(names)}" for pair, names in holds.items())
+    pairs = "; ".join(f"{pair}: {len(own)}" for pair, own in holds.items())
     held = f" Reactions between {pairs}." if pairs else ""
     text = (
         f"{bodies} {'body' if bodies == 1 else 'bodies'}, {freedoms} degrees of freedom,"
