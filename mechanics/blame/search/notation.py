@@ -60,6 +60,12 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         # The sine of sin^2(x) has no place of its own.
         power = Power(around.at, new, around.exponent)
         return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
+    if span is None and isinstance(around, Call) and new is not None and spelling.span(around):
+        # Nor has the angle of c_2.
+        kids = forest.kids[above]
+        arguments = [new if k == change.index else forest.nodes[k] for k in kids]
+        call = with_parts(around, tuple(arguments))
+        return told(claim, spelling, forest, replace(change, index=above, node=call, wrap=None))
     if _divides(node) and new is not None and isinstance(new, Power) and _divides(new):
         # r^2 for r below a line, not 1/r^2.
         below = raised(new.base, -int(constant(new.exponent) or -1))
@@ -200,6 +206,8 @@ def _without_place(forest: Forest, change: Change, spelling: Spelling) -> tuple[
     node, new = forest.nodes[change.index], change.node
     if new is not None and is_minus(node) and is_minus(new):
         change, node = replace(change, node=minus(new)), minus(node)
+    if isinstance(node, Sum) and isinstance(change.node, Sum):
+        return spelling(node), spelling(change.node)  # in the brackets that stand there
     return spelling(node), _fitting(forest, change, spelling)
 
 
