@@ -196,8 +196,8 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
             level = 0
     if isinstance(around, Sum) and is_minus(new):
         level = 0 if change.index == forest.kids[above][0] else 1
-    if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
-        level = 1
+    if isinstance(around, Call) and spelling.latex:
+        level = 0 if _in_brackets(spelling, forest.nodes[change.index]) else 1
     return spelling.tight(new, level)
 
 
@@ -209,6 +209,12 @@ def _without_place(forest: Forest, change: Change, spelling: Spelling) -> tuple[
     if isinstance(node, Sum) and isinstance(change.node, Sum):
         return spelling(node), spelling(change.node)  # in the brackets that stand there
     return spelling(node), _fitting(forest, change, spelling)
+
+
+def _in_brackets(spelling: Spelling, node: Node) -> bool:
+    """Whether brackets stand around a node: cos(q_2), not cos q_2."""
+    span, text = spelling.span(node), spelling.written.text
+    return span is not None and _with_brackets(text, span) != span
 
 
 def _in_braces(spelling: Spelling, node: Node) -> bool:
