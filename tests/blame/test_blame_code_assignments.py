@@ -199,3 +199,17 @@ def test_a_macro_of_c_is_a_definition_with_its_name() -> None:
     (entry,) = [e for e in found.judged if not e.finding.shown]
     (edit,) = entry.blame.repairs[0].edits
     assert edit.definition == "INERTIA"
+
+
+def test_states_are_told_by_the_names_that_the_code_takes_them_apart_into() -> None:
+    def rates(state, u, m, l, g):
+        angle, dangle = state
+        return dangle, 3 * u / (m * l**2) + 3 * g / l * np.sin(angle)
+
+    found = mechanics.check(ROD, rates)
+    (entry,) = [e for e in found.judged if not e.finding.shown]
+    assert entry.blame is not None
+    assert entry.verdict.name == "REFUTED"
+    repaired = entry.blame.repairs[0].repaired
+    assert "sin(angle)" in repaired
+    assert "theta" not in repaired

@@ -14,7 +14,7 @@ from mechanics.blame.result import Mistake, Repair
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
 from systems import acrobot, cartpole, double_pendulum, elastic_pendulum, rocker
-from tests.notation_scenes import judged
+from tests.notation_scenes import judged, truth
 
 SCENES = {
     "pendulum": derived(elastic_pendulum.scene()),
@@ -223,3 +223,30 @@ def test_what_is_lacking_stands_where_its_like_stands(
     assert "".join(e.right for e in edits).replace(" ", "") == right.replace(" ", "")
     if not written:
         assert all(e.span is not None and e.span[0] > text.index("=") for e in edits)
+
+
+def test_an_abbreviated_sine_is_told_as_it_stands() -> None:
+    text = (
+        r"\[ \tau_1 = m_2 l_2^2(\ddot\theta_1+\ddot\theta_2) + (m_1+m_2) l_1^2\ddot\theta_1"
+        r" + m_2 l_1 l_2 c_2(2\ddot\theta_1+\ddot\theta_2) - m_2 l_1 l_2 s_2\dot\theta_2^2"
+        r" - 2 m_2 l_1 l_2 s_2\dot\theta_1\dot\theta_2 + m_2 l_2 g c_2 + (m_1+m_2) l_1 g c_1 \]"
+    )
+    (entry,) = judged("arm", text, blame=True).judged
+    assert entry.blame is not None
+    (edit,) = entry.blame.repairs[0].edits
+    assert edit.written == "c_2"
+    assert edit.span is not None
+    assert edit.span[0] > text.index("dot\\theta_2 +") - 3
+
+
+def test_a_sum_that_lacks_a_term_keeps_the_brackets_that_stand_around_it() -> None:
+    def rate(x, v, t, m, k, F0, omega):
+        pull = (F0 * math.cos(omega * t) - k * x) / m
+        return v, pull
+
+    found = mechanics.check(truth("oscillator"), rate)
+    told = [entry.blame for entry in found.judged if entry.blame is not None]
+    edits = [edit for blame in told for repair in blame.repairs for edit in repair.edits]
+    assert "pull" in {edit.definition for edit in edits}
+    sums = [edit for edit in edits if " - " in edit.written]
+    assert not any(edit.right.startswith("(") and edit.right.endswith(")") for edit in sums)

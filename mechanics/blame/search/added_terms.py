@@ -51,7 +51,10 @@ class Added:
 
     def _added(self, wrong: Wrong) -> Iterator[Change]:
         p, sheets = self.problem.prime, self.problem.sheets
-        for index, slopes, divisor in self._sums_and_sides:
+        nodes, places = self.problem.forest.nodes, self._sums_and_sides
+        if not self.words.quadratic(wrong.term):  # what m x'' = F lacks is a force
+            places = sorted(places, key=lambda place: self.words.accelerates(nodes[place[0]]))
+        for index, slopes, divisor in places:
             term = wrong.term / divisor
             values = tuple(sheet.point.value(term) for sheet in sheets)
             grows = [s * v for s, v in zip(slopes, values, strict=True)]
@@ -92,8 +95,7 @@ class Added:
             elif self._alone is not None and self.wrongs.cleared:
                 more = steps(self.problem, self._one_more(index), True)
                 found += [(index, [step], self._alone) for step in islice(more, 1, None)]
-        # What m x'' = F lacks is a force.
-        return sorted(found, key=lambda place: self.words.accelerates(forest.nodes[place[0]]))
+        return found
 
     def _one_more(self, index: int) -> Change:
         """A node with one added to it."""

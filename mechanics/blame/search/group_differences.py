@@ -6,7 +6,7 @@ right = written + sum over groups of (right terms - written terms)
 from collections.abc import Iterator
 from functools import partial
 
-from sympy import Expr, S, factor_terms
+from sympy import Add, Expr, S, factor_terms
 
 from mechanics.blame.difference import Group, groups
 from mechanics.blame.result import Mistake
@@ -42,7 +42,8 @@ def whole(
         return []  # of x'' = a the whole side would be another one
     # What m x'' = F lacks is a force.
     forces = [k for k in others if constant(problem.forest.nodes[k]) != 0]
-    place = forces[0] if forces and words.accelerates(left) else first
+    force = not any(words.quadratic(t) for g in found for t in Add.make_args(_step(claim, g)))
+    place = forces[0] if forces and force and words.accelerates(left) else first
     changes = list(_changes(claim, problem, found, place, -1 if place != first else 1))
     return [tuple(changes)] if len(changes) == len(found) else []
 

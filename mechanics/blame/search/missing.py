@@ -94,10 +94,12 @@ class Missing:
         side = forest.term(index) and not forest.place[index][1]
         # Beside a side is plainer than in a bracket around a factor: + c x', not k (x + c x'/k).
         far = 0.0 if isinstance(forest.nodes[index], Sum) else (5 if side else 10) * HINT
-        if side and self.growth.words.accelerates(forest.nodes[index]):
-            far += HINT / 2  # m x'' = F lacks a force on the right
+        words = self.growth.words
+        inertial = side and words.accelerates(forest.nodes[index])
         for term, cost in likeliest.values():
-            yield from self._added(index, term, ADDED + far + cost)
+            # What m x'' = F lacks is a force, on the right.
+            force = inertial and not words.quadratic(self.problem.sheets[0].builder(term))
+            yield from self._added(index, term, ADDED + far + cost + (HINT / 2 if force else 0.0))
 
     def _around(self, index: int) -> Node | None:
         above = self.problem.forest.parent[index]

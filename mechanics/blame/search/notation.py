@@ -60,6 +60,12 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         # The sine of sin^2(x) has no place of its own.
         power = Power(around.at, new, around.exponent)
         return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
+    if span is None and isinstance(around, Call) and new is not None and spelling.span(around):
+        # Nor has the angle of c_2.
+        kids = forest.kids[above]
+        arguments = [new if k == change.index else forest.nodes[k] for k in kids]
+        call = with_parts(around, tuple(arguments))
+        return told(claim, spelling, forest, replace(change, index=above, node=call, wrap=None))
     if _divides(node) and new is not None and isinstance(new, Power) and _divides(new):
         # r^2 for r below a line, not 1/r^2.
         below = raised(new.base, -int(constant(new.exponent) or -1))
@@ -190,8 +196,8 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
             level = 0
     if isinstance(around, Sum) and is_minus(new):
         level = 0 if change.index == forest.kids[above][0] else 1
-    if isinstance(around, Call) and spelling.latex and not isinstance(new, type(None)):
-        level = 1
+    if isinstance(around, Call) and spelling.latex:
+        level = 0 if _in_brackets(spelling, forest.nodes[change.index]) else 1
     return spelling.tight(new, level)
 
 
@@ -200,7 +206,15 @@ def _without_place(forest: Forest, change: Change, spelling: Spelling) -> tuple[
     node, new = forest.nodes[change.index], change.node
     if new is not None and is_minus(node) and is_minus(new):
         change, node = replace(change, node=minus(new)), minus(node)
+    if isinstance(node, Sum) and isinstance(change.node, Sum):
+        return spelling(node), spelling(change.node)  # in the brackets that stand there
     return spelling(node), _fitting(forest, change, spelling)
+
+
+def _in_brackets(spelling: Spelling, node: Node) -> bool:
+    """Whether brackets stand around a node: cos(q_2), not cos q_2."""
+    span, text = spelling.span(node), spelling.written.text
+    return span is not None and _with_brackets(text, span) != span
 
 
 def _in_braces(spelling: Spelling, node: Node) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.claims.claim import Written
@@ -113,6 +113,13 @@ class Words:
         words = [self.word(name) for name in names(node)]
         kinds = {word.kind for word in words if word is not None}
         return not isinstance(node, Sum) and "acceleration" in kinds
+
+    def quadratic(self, term: Expr) -> bool:
+        """Whether a term is a product of two speeds, as those that belong to accelerations."""
+        scene = self.truth.scene
+        speeds = {*scene.u, *scene.qd}
+        degrees = (e for base, e in term.as_powers_dict().items() if base in speeds)
+        return bool(sum(degrees) > 1)
 
     def functions(self, call: Call) -> list[Node]:
         """The same argument under another function."""

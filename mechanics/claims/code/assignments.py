@@ -9,6 +9,7 @@ import inspect
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any
@@ -26,7 +27,7 @@ from mechanics.claims.code.formulas import (
     renamed,
 )
 from mechanics.claims.code.tracer import Traced
-from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -126,7 +127,11 @@ def written_of(formulas: Sequence[Authored], naming: Naming) -> Written:
     """
     vocabulary, empty = naming.vocabulary, Written((), (), naming, "code", "")
 
+    aliases = _aliases(formulas[0].assigned, naming)
+
     def name_of(symbol: Symbol) -> Name:
+        if symbol.name in aliases:
+            return Name(0, aliases[symbol.name])
         return empty.name_of(vocabulary.constants.get(symbol.name, symbol))
 
     taken = {name_of(symbol).name for symbol in _symbols(vocabulary)}
@@ -146,7 +151,21 @@ def written_of(formulas: Sequence[Authored], naming: Naming) -> Written:
             definitions.append((name, tree))
             places[name] = assignment.place
     sides = tuple(written_out(renamed(tree, name_of), table) for tree in trees)
+    own = (Match(alias, meaning, "a name in the code") for meaning, alias in aliases.items())
+    naming = replace(naming, guessed=(*naming.guessed, *own))
     return Written(sides, tuple(definitions), naming, "code", "", places=places)
+
+
+def _aliases(assigned: Assignments, naming: Naming) -> dict[str, str]:
+    """What code calls symbols of the scene, by their names there: dtheta1 = s[2]."""
+    found: dict[str, str] = {}
+    for key, assignment in assigned.items():
+        alias, tree = key.removeprefix(LOCAL), assignment.tree
+        if isinstance(tree, Name):
+            symbol = naming.symbol(alias, 0)
+            if symbol is None or symbol.name == tree.name:
+                found.setdefault(tree.name, alias)
+    return found
 
 
 def _symbols(vocabulary: Vocabulary) -> list[Symbol]:

@@ -230,8 +230,15 @@ def of_graph(
 def given_a_name(formula: Known, name: str, place: str, assigned: dict[str, Assignment]) -> Known:
     """A formula as the name that it is assigned to, where that is free for it."""
     key = f"{LOCAL}{name}"
-    if isinstance(formula.node, Name | Number) or not name.isascii():
+    if isinstance(formula.node, Number) or not name.isascii():
         return formula
+    if isinstance(formula.node, Name):
+        alias = name.isidentifier() and not formula.node.name.startswith(LOCAL)
+        if alias and assigned.setdefault(key, Assignment(formula.node, place)).tree != formula.node:
+            assigned[key] = Assignment(ZERO, place)  # it is two things
+        return formula
+    if key in assigned and isinstance(assigned[key].tree, Name):
+        del assigned[key]
     if assigned.setdefault(key, Assignment(formula.node, place)).tree != formula.node:
         return formula
     return Known(Name(0, key), 1)
