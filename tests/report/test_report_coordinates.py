@@ -111,7 +111,7 @@ def test_a_coordinate_is_explained_from_the_frames(scene, name: str, words: str)
 
 def test_an_angle_of_a_point_mass_is_in_rad() -> None:
     (row,) = (row for row in symbol_rows(pendulum(), {"theta": 2.0}) if row.name == "theta")
-    assert row.value == "2 rad"
+    assert row.value == "2\u00a0rad"
 
 
 def pendulum() -> Scene:
