@@ -165,7 +165,8 @@ def test_commands_and_options_that_pages_name_are_known() -> None:
     options = {
         name: {o for p in command(name).params for o in (*p.opts, *p.secondary_opts)}
         | {"", "--help"}
-        for name in COMMANDS
+        for group in COMMANDS.values()
+        for name in group
     }
     unknown = {(name, option) for name, option in named if option not in options.get(name, ())}
     assert not unknown
