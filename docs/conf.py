@@ -177,7 +177,7 @@ def _card(system: System) -> str:
 def commands() -> str:
     """Every command with its options and examples, as ``--help`` has them."""
     parts = []
-    for name in COMMANDS:
+    for name in (name for group in COMMANDS.values() for name in group):
         made = command(name)
         text, _, examples = inspect.cleandoc(made.help).partition("Examples\n--------\n")
         parts.append(f"\n## mechanics {name}\n\n{text.strip()}\n")
