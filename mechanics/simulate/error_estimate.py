@@ -26,6 +26,8 @@ COARSER = {"DOP853": 1e5}
 """Its second tolerance is so much coarser: steps of eighth order are four times as long."""
 USUALLY = 1e3
 """By how much it is for methods of lower order, or of an order that changes."""
+LONGER = 2.0
+"""Mean steps that such a second run begins with: its start counts where it is short."""
 COARSEST = 1e-5
 """Beyond it errors are no longer proportional to the tolerance."""
 LEAST = 30
@@ -88,7 +90,10 @@ def error_estimate(
     coarse = factor >= LEAST
     factor = factor if coarse else FINER
     other = replace(by, rtol=factor * by.rtol, atol=factor * by.atol)
-    states = sample(flow, start, times[rows], other).states
+    first = None
+    if coarse and by.method in COARSER:
+        first = LONGER * float(times[rows[-1]] - times[0]) / found.steps
+    states = sample(flow, start, times[rows], other, first=first).states
     if len(states) < len(rows):
         return None
     gaps = _gaps(found.states[rows], states, NOISE * by.atol)

@@ -73,14 +73,16 @@ class Stretch:
     crossings: tuple[Crossing, ...] = ()
 
 
-def march(flow: Flow, start: Array, span: tuple[float, float], by: Tolerance) -> Iterator[Stretch]:
+def march(
+    flow: Flow, start: Array, span: tuple[float, float], by: Tolerance, first: float | None = None
+) -> Iterator[Stretch]:
     """Steps from ``span[0]`` to ``span[1]``, or to where the motion ends for another reason."""
     measure = measure_from(flow.linear, span[0], start)
     refused = _refused(flow, measure, span[0], start)
     if refused is not None:
         yield Stretch(_still(start), span[0], refused)
         return
-    solver = _solver(flow, start, span, by)
+    solver = _solver(flow, start, span, by, first)
     watch = [Watch(span[0], measure(span[0], start), None)]
     for _ in range(MAX_STEPS):
         before = solver.t

@@ -29,6 +29,8 @@ class Samples:
         When it ended, in s.
     crossings : tuple of Crossing
         Of the edge of the domain.
+    steps : int
+        That the integrator took.
     """
 
     states: Array
@@ -36,6 +38,7 @@ class Samples:
     ending: Ending
     time: float
     crossings: tuple[Crossing, ...] = ()
+    steps: int = 0
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,7 @@ def sample(
     by: Tolerance,
     progress: Callable[[float], None] | None = None,
     watch: Watching = Watching(),
+    first: float | None = None,
 ) -> Samples:
     """Integrate from ``times[0]`` to ``times[-1]`` and sample the motion.
 
@@ -68,13 +72,17 @@ def sample(
         Told the share that is done, after every step.
     watch : Watching
         The domain of the model, and whether to go on outside of it.
+    first : float, optional
+        The first step, in s, where it is not the integrator's to find.
     """
     states = [start]
     drift = flow.manifold.residual(times[0], start)
     ending, end = Ending.COMPLETE, float(times[0])
     crossed: list[Crossing] = []
-    steps = march(flow, start, (float(times[0]), float(times[-1])), by)
+    steps = march(flow, start, (float(times[0]), float(times[-1])), by, first)
+    taken = 0
     for stretch in watched(watch.domain, end, steps, watch.beyond):
+        taken += 1
         crossed += stretch.crossings
         due = times[len(states) :]
         for time in due[due <= stretch.end]:
@@ -84,4 +92,4 @@ def sample(
             progress(end / float(times[-1]))
         drift = np.maximum(drift, flow.manifold.residual(end, stretch.state(end)))
         ending = stretch.ending or ending
-    return Samples(np.array(states), drift, ending, end, tuple(crossed))
+    return Samples(np.array(states), drift, ending, end, tuple(crossed), taken)

@@ -15,8 +15,8 @@ ModelOf = Callable[[str], Model]
 FINEST = {"rtol": 3e-14, "atol": 1e-16, "estimate": False}
 ROUNDING = 1e-12
 SECONDS = {"pendulum_chain": 4.0, "four_bar": 2.0, "andrews": 0.03}
-SHARE = 0.35
-"""Evaluations that an estimate may add; most systems stay below three tenths."""
+SHARE = 0.31
+"""Evaluations that an estimate may add: 0.23 to 0.29, and 0.302 for a chaotic motion of 10 s."""
 
 
 def states(motion: Trajectory) -> np.ndarray:
@@ -82,8 +82,10 @@ def test_a_regular_motion_has_no_horizon(model_of: ModelOf) -> None:
     assert motion.error_estimate < 1e-6
 
 
-@pytest.mark.parametrize("name", ["elastic_pendulum", "two_mass_chain", "double_pendulum"])
-def test_it_costs_less_than_a_third(name: str, model_of: ModelOf, monkeypatch: Any) -> None:
+@pytest.mark.parametrize(
+    "name", ["elastic_pendulum", "rocker", "two_mass_chain", "double_pendulum"]
+)
+def test_it_costs_three_tenths_at_most(name: str, model_of: ModelOf, monkeypatch: Any) -> None:
     begin, calls = runs.begin, [0]
 
     def counted(*args: Any) -> Any:
