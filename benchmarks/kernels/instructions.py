@@ -3,10 +3,13 @@
     python -m benchmarks.kernels.instructions
 
 The loop is the one with most instructions on the widest registers that holds no other. A load is an
-instruction that reads memory, a store one that writes it; those of the stack are spills.
+instruction that reads memory, a store one that writes it; those of the stack are spills. Where
+llvm-mca is installed, its cycles for a pass too: as results wait for each other, and by the busiest
+part of a Skylake with AVX-512 alone.
 """
 
 import re
+import shutil
 import subprocess
 import tempfile
 from collections import Counter
@@ -24,6 +27,7 @@ from mechanics.errors import CompilerError
 LABEL = re.compile(r"^(\.L\w+|\w+):")
 JUMP = re.compile(r"^\s+j\w+\s+(\.L\w+)")
 NAMES = ("instructions", "divisions", "multiply, add", "loads", "stores", "spilled")
+CYCLES, PASSES = ("cycles, chained", "cycles, throughput"), 100
 ARITHMETIC = re.compile(r"v(fn?m|mul|add|sub)\w*pd")
 
 
@@ -63,6 +67,17 @@ def counted(loop: list[str]) -> Counter[str]:
     return found
 
 
+def cycles(loop: list[str]) -> tuple[str, str]:
+    """A pass by llvm-mca, with and without waiting for results; empty where it is not installed."""
+    if shutil.which("llvm-mca") is None:
+        return "", ""
+    text = "\n".join(line for line in loop if not line.startswith("j")) + "\n"
+    command = ["llvm-mca", "-mcpu=skylake-avx512", f"-iterations={PASSES}"]
+    told = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    found = dict(re.findall(r"^(Total Cycles|Block RThroughput): +(\S+)", told, re.MULTILINE))
+    return f"{int(found['Total Cycles']) / PASSES:.0f}", f"{float(found['Block RThroughput']):.0f}"
+
+
 def main() -> None:
     """Print a row for each kernel."""
     compiler = find_compiler()
@@ -70,7 +85,8 @@ def main() -> None:
         raise CompilerError("no C compiler: set CC to one")
     flags = f"{settings(compiler)} -fopenmp-simd"
     print(f"{compiler} {flags}\n")
-    print(f"| kernel | {' | '.join(NAMES)} |\n{'|---' * (len(NAMES) + 1)}|")
+    heads = ("kernel", *NAMES, *CYCLES)
+    print(f"| {' | '.join(heads)} |\n{'|---' * len(heads)}|")
     for links in (1, 5):
         chain = model(links)
         code = chain.program("forward_dynamics")
@@ -82,8 +98,9 @@ def main() -> None:
             "by hand": by_hand.replace(f"void {other}", f"static inline void {other}"),
         }
         for name, text in kernels.items():
-            found = counted(vector_loop(text, compiler, flags))
-            cells = " | ".join(str(found[key]) for key in NAMES)
+            loop = vector_loop(text, compiler, flags)
+            found = counted(loop)
+            cells = " | ".join([*(str(found[key]) for key in NAMES), *cycles(loop)])
             print(f"| {links} links, {name} | {cells} |", flush=True)
 
 
