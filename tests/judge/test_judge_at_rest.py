@@ -69,7 +69,8 @@ JACOBI = r"\frac12 mR^2\dot\theta^2 %s \frac12 mR^2\omega^2\sin^2\theta - mgR\co
 @pytest.mark.parametrize("rate", [r"\dot E = 0", r"\frac{dE}{dt} = 0"])
 def test_what_prose_says_of_the_rate_of_an_energy_is_judged(rate: str) -> None:
     text = f"The energy $E = {JACOBI % '+'}$ is conserved, ${rate}$."
-    assert on_hoop(text) == ["PROVED", "REFUTED"]  # it is T + V, whose rate is not zero
+    # It is T + V, which is not conserved: the sentence says so twice, in a word and in a formula.
+    assert on_hoop(text) == ["PROVED", "REFUTED", "REFUTED"]
     assert on_hoop(
         r"At rest $\dot\theta = 0$; $\ddot\theta = (\omega^2\cos\theta-g/R)\sin\theta$."
     ) == ["PROVED"]
