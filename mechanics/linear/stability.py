@@ -8,8 +8,12 @@
            are all negative if and only if all coefficients of P have one sign;              (2)
            else they are real, negative and distinct if and only if P(s^2) + s P'(s^2) has all its
            roots on the left (Hermite and Biehler), by (1)                                   (3)
+    M = M^T > 0, K = K^T > 0, C = D + G with D = D^T >= 0, G = -G^T: the energy x'^T M x' / 2 +
+           x^T K x / 2 never grows, so motions stay bounded; they die out if D > 0, or if G = 0
+           and no mode of M, K escapes the damping: D, D M^-1 K, D (M^-1 K)^2, ... have together
+           the rank n (Kelvin, Tait and Chetaev; damping is pervasive)                       (4)
     steady motions: p(s) = s^k r(s), and r decides if 0 is semisimple in y' = A y: such deviations
-           lead to neighbouring steady motions                                               (4)
+           lead to neighbouring steady motions                                               (5)
 
 A negative coefficient a_i / a_n means a pole with a positive real part: unstable. The borderline in
 a gain is where a condition, linear in the gain, vanishes.
@@ -17,14 +21,18 @@ a gain is where a condition, linear in the gain, vanishes.
 
 from dataclasses import dataclass
 from enum import Enum
+from itertools import combinations
 
-from sympy import And, Expr, Gt, Lt, Matrix, S, Symbol, factor_list, fraction
+from sympy import Add, And, Expr, Gt, Lt, Matrix, S, Symbol, factor_list, fraction
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear.algebra import coefficients, independent_rows, is_zero, reduced, sign
+from mechanics.linear.algebra import coefficients, independent_rows, inverse, is_zero, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.transfer import characteristic_polynomial
+
+# Products that a Hurwitz determinant may have before it is not written out.
+TERMS = 10**9
 
 
 class Stability(Enum):
@@ -73,7 +81,8 @@ def _conditions(linear: Linear, ratios: list[Expr]) -> tuple[Expr, ...]:
     if not _even(ratios):
         return _lienard_chipart(ratios)
     squares = ratios[::2]
-    if linear.undamped and (linear.conjugate or len(squares) == 1 or _symmetric(linear)):
+    symmetric = _definite(linear.mass) and _symmetric(linear.stiffness)
+    if linear.undamped and (linear.conjugate or len(squares) == 1 or symmetric):
         return tuple(squares)
     slopes = [(k + 1) * entry for k, entry in enumerate([*squares[1:], S.One])]
     mixed = [entry for pair in zip(squares, slopes, strict=True) for entry in pair]
@@ -83,6 +92,8 @@ def _conditions(linear: Linear, ratios: list[Expr]) -> tuple[Expr, ...]:
 
 def stability(linear: Linear) -> Stability:
     """Stability of the operating point for all admissible parameters, if they settle it."""
+    if (by_energy := _by_energy(linear)) is not None:
+        return by_energy
     ratios = _monic(linear)
     if any(sign(ratio) == -1 for ratio in ratios):
         return Stability.UNSTABLE
@@ -131,7 +142,7 @@ def coefficient_ratios(linear: Linear) -> list[Expr]:
 
 
 def _monic(linear: Linear) -> list[Expr]:
-    """The same without zeros that do not matter, equation (4)."""
+    """The same without zeros that do not matter, equation (5)."""
     ratios = coefficient_ratios(linear)[len(linear.cyclic) :]
     zeros = next((k for k, entry in enumerate(ratios) if not is_zero(entry)), len(ratios))
     if not linear.moves or not zeros:
@@ -145,12 +156,55 @@ def _even(ratios: list[Expr]) -> bool:
     return len(ratios) % 2 == 0 and all(is_zero(entry) for entry in ratios[1::2])
 
 
-def _symmetric(linear: Linear) -> bool:
-    matrices = (linear.mass, linear.stiffness)
-    return all(is_zero(entry) for matrix in matrices for entry in matrix - matrix.T) and all(
-        sign(linear.mass[:k, :k].det(method="berkowitz")) == 1
-        for k in range(1, linear.mass.rows + 1)
+def _symmetric(matrix: Matrix) -> bool:
+    return all(is_zero(entry) for entry in matrix - matrix.T)
+
+
+def _by_energy(linear: Linear) -> Stability | None:
+    """Stability by the energy, equation (4); None where that does not settle it."""
+    mass, damping, stiffness = linear.mass, linear.damping, linear.stiffness
+    if linear.cyclic or not _definite(mass) or not _definite(stiffness):
+        return None
+    dissipation, gyroscopic = (damping + damping.T) / 2, (damping - damping.T) / 2
+    if all(is_zero(entry) for entry in dissipation):
+        return Stability.BOUNDED
+    if not _semidefinite(dissipation):
+        return None
+    if _definite(dissipation):
+        return Stability.ASYMPTOTIC
+    if not all(is_zero(entry) for entry in gyroscopic):
+        return None
+    return Stability.ASYMPTOTIC if _pervasive(mass, dissipation, stiffness) else None
+
+
+def _definite(matrix: Matrix) -> bool:
+    """Whether a matrix is symmetric and its leading minors are positive."""
+    return _symmetric(matrix) and all(
+        sign(matrix[:k, :k].det(method="berkowitz")) == 1 for k in range(1, matrix.rows + 1)
     )
+
+
+def _semidefinite(matrix: Matrix) -> bool:
+    """Whether no principal minor of a symmetric matrix is negative."""
+    return all(
+        sign(matrix.extract(rows, rows).det(method="berkowitz")) in (0, 1)
+        for size in range(1, matrix.rows + 1)
+        for rows in map(list, combinations(range(matrix.rows), size))
+    )
+
+
+def _pervasive(mass: Matrix, dissipation: Matrix, stiffness: Matrix) -> bool:
+    """Whether n rows of D, D M^-1 K, ... have a determinant of one sign, whatever the numbers."""
+    step = inverse(mass) * stiffness
+    rows = dissipation
+    power = dissipation
+    for _ in range(1, mass.rows):
+        power = (power * step).applyfunc(reduced)
+        rows = rows.col_join(power)
+        chosen = independent_rows(rows)
+        if len(chosen) == mass.rows:
+            return sign(rows[list(chosen), :].det(method="berkowitz")) in (-1, 1)
+    return False
 
 
 def _lienard_chipart(ratios: list[Expr]) -> tuple[Expr, ...]:
@@ -159,9 +213,21 @@ def _lienard_chipart(ratios: list[Expr]) -> tuple[Expr, ...]:
     Entry (i, j) of the Hurwitz matrix is a_(n - 2j + i), counted from 1. The determinant of order
     n is a_0 times the one of order n - 1, so that n - 1, n - 3, ... are the ones to take; that of
     order 1 is a coefficient again.
+
+    Raises
+    ------
+    ExpressionError
+        If they are too long to be written out.
     """
     from_top = [S.One, *reversed(ratios)]
     degree = len(ratios)
+    length = max(len(Add.make_args(fraction(ratio)[0].expand())) for ratio in ratios)
+    if length ** (degree - 1) > TERMS:
+        symbols = set().union(*(ratio.free_symbols for ratio in ratios))
+        raise ExpressionError(
+            f"the conditions of stability for {degree} poles in {len(symbols)}"
+            " parameters are too long to be written out: give values to parameters"
+        )
 
     def entry(i: int, j: int) -> Expr:
         k = 2 * (j + 1) - (i + 1)

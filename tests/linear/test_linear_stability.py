@@ -5,7 +5,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from sympy import And, Gt, Lt, Symbol, symbols
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from mechanics import Particle, Scene, force, parameters, reaction
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import (
     Stability,
@@ -18,7 +20,7 @@ from mechanics.linear import (
 )
 from mechanics.linear.algebra import sign
 from mechanics.routes.derivation import by_route
-from systems import rocker, two_mass_chain
+from systems import half_car, rocker, two_mass_chain
 
 
 @pytest.fixture(scope="module")
@@ -134,3 +136,36 @@ def test_sign_is_known_only_where_the_parameters_settle_it() -> None:
     assert sign((a + b) ** 2 - a**2 - 2 * a * b - b**2) == 0
     assert sign(a - b) is None
     assert sign(K) is None
+
+
+def test_conditions_that_are_too_long_say_so() -> None:
+    rest = dict.fromkeys(("x", "theta", "x1", "x2"), 0)
+    linear = linearize(by_route("kane", half_car.scene()), rest, {"y1": 0, "y2": 0})
+    assert stability(linear) is Stability.ASYMPTOTIC
+    with pytest.raises(ExpressionError, match="8 poles in 12 parameters are too long"):
+        conditions(linear)
+
+
+@pytest.mark.parametrize("damper", ["ground", "between", "ends alike"])
+def test_damping_that_a_mode_escapes_does_not_end_it(damper: str) -> None:
+    """Two equal masses, three equal springs: the masses swing together past a damper between."""
+    x, y = dynamicsymbols("x y")
+    m, k, c = parameters("m k c", units="kg N/m N*s/m", typical="1 1 1")
+    N, O = ReferenceFrame("N"), Point("O")
+    one, two = O.locatenew("A", x * N.x), O.locatenew("B", y * N.x)
+    apart = c * (x.diff() - y.diff())
+    pulls = {"ground": (-c * x.diff(), 0), "ends alike": (-c * x.diff(), -c * y.diff()),
+             "between": (-apart, apart)}[damper]  # fmt: skip
+    masses = (Particle("one", one, m), Particle("two", two, m))
+    springs = (-k * x - k * (x - y), -k * y - k * (y - x))
+    places = {"one": one, "two": two}
+    loads = tuple(
+        force(f"F_{name}", place, (spring + pull) * N.x, on=name)
+        for (name, place), spring, pull in zip(places.items(), springs, pulls, strict=True)
+    )
+    guides = tuple(reaction(f"R_{name}", at=place, on=name, by=None, along=N.y)
+                   for name, place in places.items())  # fmt: skip
+    scene = Scene("between walls", N, O, plane=N.z, coordinates=(x, y), bodies=masses, loads=loads,
+                  reactions=guides)  # fmt: skip
+    expected = Stability.OPEN if damper == "between" else Stability.ASYMPTOTIC
+    assert stability(linearize(by_route("kane", scene), {"x": 0, "y": 0})) is expected
