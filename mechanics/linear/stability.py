@@ -23,11 +23,11 @@ from dataclasses import dataclass
 from enum import Enum
 from itertools import combinations
 
-from sympy import Add, And, Expr, Gt, Lt, Matrix, S, Symbol, factor_list, fraction
+from sympy import Add, And, Expr, Gt, Lt, Matrix, S, Symbol, expand, factor_list, fraction, prime
 from sympy.logic.boolalg import Boolean
 
 from mechanics.errors import ExpressionError, InputError
-from mechanics.linear.algebra import coefficients, independent_rows, inverse, is_zero, reduced, sign
+from mechanics.linear.algebra import coefficients, independent_rows, is_zero, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.transfer import characteristic_polynomial
 
@@ -195,13 +195,15 @@ def _semidefinite(matrix: Matrix) -> bool:
 
 def _pervasive(mass: Matrix, dissipation: Matrix, stiffness: Matrix) -> bool:
     """Whether n rows of D, D M^-1 K, ... have a determinant of one sign, whatever the numbers."""
-    step = inverse(mass) * stiffness
+    step = mass.adjugate(method="berkowitz") * stiffness  # M^-1 K but for a positive factor
+    names = sorted((mass.row_join(dissipation).row_join(stiffness)).free_symbols, key=str)
+    numbers = {name: prime(k) for k, name in enumerate(names, 1)}  # which rows: a proposal
     rows = dissipation
     power = dissipation
     for _ in range(1, mass.rows):
-        power = (power * step).applyfunc(reduced)
+        power = (power * step).applyfunc(expand)
         rows = rows.col_join(power)
-        chosen = independent_rows(rows)
+        chosen = independent_rows(rows.subs(numbers))
         if len(chosen) == mass.rows:
             return sign(rows[list(chosen), :].det(method="berkowitz")) in (-1, 1)
     return False

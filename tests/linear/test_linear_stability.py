@@ -138,6 +138,7 @@ def test_sign_is_known_only_where_the_parameters_settle_it() -> None:
     assert sign(K) is None
 
 
+@pytest.mark.campaign
 def test_conditions_that_are_too_long_say_so() -> None:
     rest = dict.fromkeys(("x", "theta", "x1", "x2"), 0)
     linear = linearize(by_route("kane", half_car.scene()), rest, {"y1": 0, "y2": 0})
