@@ -38,7 +38,8 @@ class Trial:
     ----------
     case : Case
     verdict : str
-        Of the whole answer; ``"not read"`` where an error was raised.
+        Of the whole answer; ``"not read"`` where an error was raised, ``"crashed"`` where that was
+        none of ours.
     words : str
     named : int
         At which place the true mistake is named, from 1; 0 for nowhere.
@@ -61,6 +62,8 @@ def tried(case: Case, *, with_options: bool = False) -> Trial:
         found = _checked(case, case.text, **(case.options if with_options else {}))
     except MechanicsError as error:
         return Trial(case, "not read", str(error), 0, process_time() - start)
+    except Exception as error:  # a defect of ours: it counts, and the other cases are still tried
+        return Trial(case, "crashed", repr(error), 0, process_time() - start)
     seconds = process_time() - start
     words = "; ".join(_words(found))
     return Trial(case, found.verdict.name, words, _place(case, found, _mended_rows(case)), seconds)

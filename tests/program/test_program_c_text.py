@@ -38,6 +38,7 @@ def operations(builder: Builder, function: Function) -> int:
 VALUES = [
     ("y[0] = x[0] - x[1] * 2;", a - 2 * b),
     ("y[0] = x[0] - (x[1] - 2.0);", a - b + 2),
+    ("y[0] = x[0]; return;", a),
     ("y[0] = 1 / 2 * x[0] + 7 / 2 + -7 % 4;", 0 * a),
     ("y[0] = 1 / 2.0 * x[0];", a / 2),
     ("y[0] = 0x1.8p+1 + 1e1 + .5 + 010;", Fraction(43, 2)),

@@ -220,10 +220,11 @@ class Reader:
         *statements, last = function.body.block_items or [c_ast.EmptyStatement()]
         for statement in statements:
             self.statement(statement)
-        if isinstance(last, c_ast.Return):
+        if isinstance(last, c_ast.Return) and last.expr is not None:
             returned = declared(_returned(function))
             return self.converted(self.value(last.expr), returned, last.coord)
-        self.statement(last)
+        if not isinstance(last, c_ast.Return):
+            self.statement(last)
         if declared(_returned(function)).kind != "void":
             raise ExpressionError(f"{function.coord}: {function.decl.name} returns nothing")
         return None
