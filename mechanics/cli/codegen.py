@@ -18,6 +18,7 @@ from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.export import write_c
 from mechanics.export.atomic import named
+from mechanics.export.evidence.chain import NO_COMPILER
 from mechanics.export.folder import MANIFEST
 from mechanics.export.prefix import free_prefix
 from mechanics.kernel import Verdict
@@ -85,10 +86,12 @@ def codegen(
 
 
 def _told(folder: Path) -> None:
-    """Whatever is UNDECIDED about the code: exit code 3. What is REFUTED is not written."""
+    """What is not shown of the code: UNDECIDED is exit code 3. What is REFUTED is not written."""
     content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
     found = [finding for step in content["chain"]["steps"] for finding in step["findings"]]
     doubtful = [finding for finding in found if finding["verdict"] == Verdict.UNDECIDED.name]
+    if NO_COMPILER in content["chain"]["not_done"]:
+        typer.echo(f"not checked here: {NO_COMPILER}", err=True)
     for finding in doubtful:
         words = f"{finding['verdict']} {finding['subject']}: {finding['evidence']}"
         Console(stderr=True, soft_wrap=True).print(escape(words))

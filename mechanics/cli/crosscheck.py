@@ -19,6 +19,7 @@ from mechanics.crosscheck.by_sympy import METHODS
 from mechanics.crosscheck.routes import named_routes
 from mechanics.crosscheck.system import DEFAULT_STATES
 from mechanics.equations import Side
+from mechanics.extremes.result import STABLE
 from mechanics.kernel import Verdict
 from mechanics.report.html import to_html
 from mechanics.report.json_report import to_json
@@ -180,12 +181,15 @@ def _summary(console: Console, results: Sequence[SystemResult], verbose: bool) -
             _timings(console, result)
         for title, findings in result.groups.items():
             if findings:
-                console.print(f"{title}: {counted(findings)}")
+                apart = ", not counted below" if findings is result.witnesses else ""
+                console.print(f"{title}: {counted(findings)}{apart}")
         if result.compiled:
             worst = max(result.compiled, key=lambda entry: entry.max_eps)
+            rounding = worst.max_eps < STABLE
             console.print(
                 f"compiled residuals: at most {worst.max_eps:.2f} epsilon of the sum of the terms"
-                f" at {worst.states} states ({escape(worst.subject)})"
+                f" at {worst.states} states ({escape(worst.subject)}): "
+                f"{'a few roundings' if rounding else 'mechanics extremes shows where and why'}"
             )
         for remark in result.remarks:
             console.print(escape(remark), style="dim")

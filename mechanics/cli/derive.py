@@ -17,6 +17,7 @@ from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
 from mechanics.equations import Equations
 from mechanics.report.notation import latex
+from mechanics.scene.units import units_missing
 
 
 class Format(StrEnum):
@@ -49,7 +50,10 @@ def derive(
     In Python they are a function of NumPy arrays then.
     """
     fixed_values = assignments(fixed or [], "--fix")
-    typer.echo(written(derive_by(load(system).scene(), route), form, fixed_values))
+    scene = load(system).scene()
+    typer.echo(written(derive_by(scene, route), form, fixed_values))
+    for words in units_missing(scene):
+        typer.echo(words, err=True)
 
 
 def written(equations: Equations, form: Format, fixed: Mapping[str, Any]) -> str:

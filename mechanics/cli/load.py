@@ -121,7 +121,10 @@ def _from_file(path: Path, name: str) -> System:
     module = run_file(path)
     scene = getattr(module, name, None)
     if not callable(scene):
-        raise InputError(f"file {path}: it has no function {name}() that returns a Scene")
+        raise InputError(
+            f"file {path}: it has no function {name}() that returns a Scene: write def {name}():"
+            " above the lines that make it, indent them, and end with return Scene(...)"
+        )
     rows = getattr(module, "PUBLISHED", ())
     if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")

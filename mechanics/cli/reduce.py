@@ -113,7 +113,7 @@ def _print(console: Console, found: Reduction, out: Path | None) -> None:
     told = record(found)
     console.print(
         f"[bold]{escape(told['scene'])}[/], {found.of}: {found.after} operations instead of"
-        f" {found.before}"
+        f" {found.before}, with numbers for parameters without a range"
     )
     for row in told["outputs"]:
         console.print(
@@ -134,16 +134,19 @@ def _print(console: Console, found: Reduction, out: Path | None) -> None:
             " by itself; with the rest no bound is known",
             markup=False,
         )
+    numbers = {symbol.name: value for symbol, value in found.fixed.items()}
     for title in ("parameters", "couplings"):
         for kind in ("dropped", "kept"):
-            if told[title][kind]:
-                console.print(f"  {title} {kind}: {', '.join(told[title][kind])}", markup=False)
+            names = [name for name in told[title][kind] if kind == "dropped" or name not in numbers]
+            if names:
+                console.print(f"  {title} {kind}: {', '.join(names)}", markup=False)
+    if values := [f"{n} = {numbers[n]}" for n in told["parameters"]["kept"] if n in numbers]:
+        console.print(f"  parameters as numbers: {', '.join(values)}", markup=False)
     if found.edits and found.after <= LISTED:
         lines = listing(found.program)
-        rows = [(str(name), value) for name, value in lines.lines]
-        rows += [
-            (f"{o}[{k}]", value) for o, e in lines.outputs.items() for k, value in enumerate(e)
-        ]
+        rows = [(str(name), str(value)) for name, value in lines.lines]
+        entries = (str(value) for group in lines.outputs.values() for value in group)
+        rows += zip(found.outputs, entries, strict=True)
         for name, value in rows:
             console.print(f"    {name} = {value}", markup=False)
     explain(console, found.finding)

@@ -108,6 +108,8 @@ def simulate(
                 fresh.write_text(animation(scene, found.times, found.coordinates), encoding="utf-8")
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
+    if model.compiler is None:
+        console.print(f"functions are evaluated by {model.backend}, which is slower")
     for crossing in found.crossings if found.ending is not Ending.LEFT_DOMAIN else ():
         console.print(escape(f"t = {crossing.time:.6g} s: {crossing.sentence}"))
     if found.branch:

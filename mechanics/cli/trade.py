@@ -29,6 +29,11 @@ from mechanics.trade.least import DECLARED, LeastModel
 from mechanics.trade.recommend import milliseconds
 from mechanics.trade.record import to_record
 
+LEGEND = (
+    "Times are for one second of motion, in the sentences below for all of it. Other states: what"
+    " 99.9 % of {states} are expected to stay below. Forms write the same forward dynamics in other"
+    " ways, which differ in time and rounding."
+)
 WIDE = 130
 """Columns that the whole table takes."""
 
@@ -111,11 +116,13 @@ def _print(console: Console, found: Trade) -> None:
         console.print(f"  {escape(words)}", style="dim")
     console.print(f"  error: {stick.norm}\n", style="dim")
     console.print(_front(found, console.width >= WIDE))
+    console.print(f"  {escape(LEGEND.format(states=found.family.words))}", style="dim")
     console.print()
     for pick in found.recommendations:
         style = "" if pick.choice is not None else "yellow"
         console.print(f"{escape(pick.reason)}\n", style=style)
     console.print(_costs(found))
+    console.print("  A call: what Python takes for a run besides its steps.", style="dim")
     console.print()
     if found.least is not None:
         _print_least(console, found.least)

@@ -59,7 +59,7 @@ from mechanics.scene.potential import potential
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 from mechanics.scene.system import System
-from mechanics.scene.units import without_unit
+from mechanics.scene.units import units_missing
 
 DEFAULT_STATES = 100_000
 
@@ -178,7 +178,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     if any(row in right and holds_others(scene, row) for row in motions):
         remarks += ("Residuals of equations that hold a reaction or a momentum are not measured.",)
     remarks += (
-        *_units_missing(scene),
+        *units_missing(scene),
         _written(models),
         f"Compiled functions are evaluated by {_preferred(models).backend}.",
     )
@@ -248,7 +248,7 @@ def _without_textbook(
     pairs |= sympy.pairs
     findings = [*own, *pairs.values(), *check_laws(programs)]
     remarks = [*told, "The equations are too long to be written out, and stay programs."]
-    remarks += _units_missing(scene)
+    remarks += units_missing(scene)
     stage("compiling")
     model = compile(first)
     # Without constraints and friction programs come from the mechanism, whatever the route.
@@ -396,13 +396,6 @@ def _preferred(models: Mapping[str, Model]) -> Model:
     return models.get("kane", next(iter(models.values())))
 
 
-def _units_missing(scene: Scene) -> tuple[str, ...]:
-    """What is not checked because no unit is declared."""
-    names = ", ".join(symbol.name for symbol in without_unit(scene))
-    words = f"No unit is declared for {names}: what is added to them may have any dimension."
-    return (words,) if names else ()
-
-
 def _written(models: Mapping[str, Model]) -> str:
     """In which form forward dynamics was compiled, route by route."""
     routes: dict[tuple[int, str], list[str]] = {}
@@ -410,10 +403,11 @@ def _written(models: Mapping[str, Model]) -> str:
         count = model.program("forward_dynamics").operations
         routes.setdefault((count, model.form), []).append(name)
     parts = [
-        f"{count} operations in the form {form} ({', '.join(names)})"
+        f"{count} operations by {', '.join(names)} (form {form})"
         for (count, form), names in routes.items()
     ]
-    return f"Forward dynamics takes {'; '.join(parts)}."
+    choice = ": --route chooses" if len(parts) > 1 else ""
+    return f"An evaluation of forward dynamics takes {'; '.join(parts)}{choice}."
 
 
 def _units(models: Mapping[str, Model]) -> dict[Symbol, str]:

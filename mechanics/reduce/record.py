@@ -16,8 +16,8 @@ from mechanics.program.operations import CONSTANT, INPUT, NEGATE, PI
 from mechanics.reduce.edits import Edit, Kind
 from mechanics.reduce.reduce import Reduction, repeated
 
-DEPTH = 4
-"""Operations that are written one within the other; what is deeper is left out."""
+DEPTH, LONGEST = 8, 100
+"""Operations that are written one within the other, and characters; what is deeper is ``(...)``."""
 
 
 def record(reduction: Reduction) -> dict[str, Any]:
@@ -98,18 +98,20 @@ def words(reduction: Reduction, edit: Edit) -> str:
         return f"coupling {couplings[edit.node]}"
     code, operands = program.operations[edit.node], program.operands_of(edit.node)
     if edit.kind in (Kind.ANGLE, Kind.ONE):
-        whole = _text(program, edit.node, DEPTH)
-        return f"{whole} = {'1' if edit.kind is Kind.ONE else _text(program, operands[0], DEPTH)}"
+        whole = _text(program, edit.node)
+        return f"{whole} = {'1' if edit.kind is Kind.ONE else _text(program, operands[0])}"
     if code == INPUT:
-        return f"parameter {_text(program, edit.node, 1)}"
+        return f"parameter {_text(program, edit.node)}"
     lost = edit.node
     if edit.kind is not Kind.ZERO:
         lost = operands[edit.kind is Kind.FIRST]
-    return f"term {_text(program, lost, DEPTH)}"
+    return f"term {_text(program, lost)}"
 
 
-def _text(program: Program, node: int, depth: int) -> str:
-    return _written(program, node, depth).code
+def _text(program: Program, node: int) -> str:
+    """A value as deep as fits into a line."""
+    texts = (_written(program, node, depth).code for depth in range(DEPTH, 0, -1))
+    return next((text for text in texts if len(text) <= LONGEST), "(...)")
 
 
 def _written(program: Program, node: int, depth: int) -> Text:

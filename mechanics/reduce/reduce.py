@@ -115,9 +115,14 @@ class Reduction:
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """Names of the entries: ``ud[0]``."""
-        outputs = self.start.program.outputs
-        return tuple(f"{name}[{k}]" for name, nodes in outputs.items() for k in range(len(nodes)))
+        """Names of the entries: ``theta_ddot``, ``mass_matrix[0]``."""
+        equations, outputs = self.equations, self.start.program.outputs
+        symbols = {"ud": equations.scene.ud, "multipliers": equations.multipliers}
+        return tuple(
+            str(symbols[name][k]) if name in symbols else f"{name}[{k}]"
+            for name, nodes in outputs.items()
+            for k in range(len(nodes))
+        )
 
     @cached_property
     def made(self) -> dict[int, Kind]:

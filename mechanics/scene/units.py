@@ -83,9 +83,11 @@ def inferred(scene: Declaration) -> dict[Symbol, Dimension]:
     return known
 
 
-def without_unit(scene: Declaration) -> tuple[Symbol, ...]:
-    """Parameters whose unit is not declared."""
-    return tuple(p for p in scene.parameters if not getattr(p, "unit", ""))
+def units_missing(scene: Declaration) -> tuple[str, ...]:
+    """What is not checked because no unit is declared."""
+    names = ", ".join(p.name for p in scene.parameters if not getattr(p, "unit", ""))
+    words = f"No unit is declared for {names}: what is added to them may have any dimension."
+    return (words,) if names else ()
 
 
 def dimension(scene: Declaration, expression: Expr, where: str) -> Dimension | None:

@@ -167,7 +167,8 @@ def _words(pair: Pair, index: int, limit: float) -> str:
     name, unit, horizon = pair.whole.names[index], pair.whole.units[index], pair.whole.horizon
     percent = f"within {ENOUGH:.0%}".replace("%", " %")
     if limit == np.inf:
-        return f"{name}: {percent} up to at least {LARGEST:g} {unit} for {horizon:g} s"
+        tried = f"up to {LARGEST:g} {unit}, the largest that was tried"
+        return f"{name}: {percent} {tried}, for {horizon:g} s"
     words = f"{name}: {percent} up to {limit:.2g} {unit} for {horizon:g} s"
     if limit == 0.0:
         words = f"{name}: not {percent} for {horizon:g} s at any amplitude that doubles resolve"

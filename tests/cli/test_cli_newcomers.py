@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,33 @@ def test_the_package_runs_as_a_module() -> None:
 def test_parameters_without_a_unit_are_named(run: Any, pendulum: Any) -> None:
     ran = run("crosscheck", pendulum(), "--states", "0")
     assert "No unit is declared for g, l, m" in " ".join(ran.out.split())
+
+
+def test_derive_names_them_beside_the_equations(run: Any, pendulum: Any) -> None:
+    ran = run("derive", pendulum())
+    assert "No unit is declared for g, l, m" in ran.err and "No unit" not in ran.out
+
+
+def test_without_a_compiler_simulate_and_codegen_say_so(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    ran = run("simulate", "rod_pendulum", "--duration", "0.1", "--out", tmp_path / "motion.csv")
+    assert ran.code == 0 and "no C compiler" in ran.out
+    ran = run("codegen", "rod_pendulum", "-o", tmp_path / "c", "--outputs", "energy")
+    assert ran.code == 0 and "no C compiler was found" in ran.err
+
+
+def test_an_ensemble_to_a_folder_without_a_compiler_says_what_to_install(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    many = ("--vary", "theta=0:1:3", "--duration", "0.125", "--out", tmp_path / "many")
+    ran = run("ensemble", "rod_pendulum", *many)
+    assert ran.code == 2 and ran.err.count("\n") == 1
+    assert "install gcc or clang" in ran.err and "executor out" not in ran.err
 
 
 @pytest.mark.parametrize("route", mechanics.ROUTES, ids=lambda route: route.name)

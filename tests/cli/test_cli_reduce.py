@@ -1,6 +1,7 @@
 """`mechanics reduce`: what it prints, writes and refuses; what `mechanics verify` says of it."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,10 @@ def test_what_is_written_is_verified_and_a_changed_record_is_seen(run: Any, tmp_
     file = folder / "reduction.json"
     file.write_text(file.read_text().replace('"error": "1/20"', '"error": "1/21"'))
     assert run("verify", folder).code == 3
+    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
+    (folder / "manifest.json").write_text(json.dumps(manifest | {"system": None}))
+    ran = run("verify", folder, "--no-compile")
+    assert ran.code == 3 and "give --scene FILE" in ran.out and "from its scene" in ran.out
 
 
 def test_the_command_prints_what_is_left_out(run: Any, tmp_path: Path) -> None:
@@ -30,6 +35,8 @@ def test_the_command_prints_what_is_left_out(run: Any, tmp_path: Path) -> None:
     assert ran.code == 0, ran.err
     assert "7 operations instead of 17" in ran.out and "sin(theta) = theta" in ran.out
     assert "PROVED" in ran.out
+    assert re.search("^    theta_ddot = ", ran.out, re.MULTILINE)
+    assert "parameters as numbers: L = 1, M = 1, g = 981/100" in ran.out
     told = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
     assert told["finding"]["verdict"] == "PROVED" and told["operations"]["after"] == 7
 

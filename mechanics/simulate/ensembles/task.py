@@ -110,8 +110,8 @@ def _library(text: str) -> Library:
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError(
-            f"worker {platform.node()}: there is no C compiler, which an ensemble on several"
-            " workers needs: install gcc or clang there, or leave the executor out"
+            f"machine {platform.node()}: it has no C compiler, which an ensemble in a folder or by"
+            " an executor needs: install gcc or clang there, or set CC to one"
         )
     task = from_text(text)
     return Library(task.held, task.moving, compiler, SOURCES[task.method.name], load_shared)
