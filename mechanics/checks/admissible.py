@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from mechanics.checks.energy import kinetic
 from mechanics.checks.equilibria import check_equilibria
+from mechanics.checks.example import check_example
 from mechanics.errors import SceneError
 from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
@@ -47,9 +48,11 @@ def check_scene(scene: Scene) -> Mechanism:
     Raises
     ------
     SceneError
-        For what `check_admissible` refuses, and for a declared equilibrium that is none.
+        For what `check_admissible` refuses, for a declared equilibrium that is none, and for an
+        example that contradicts a constraint.
     """
     mechanism = lower(scene, Builder())
+    check_example(scene, mechanism)
     check_admissible(mechanism)
     check_equilibria(scene, mechanism)
     return mechanism

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.checks.example import contradicted
 from mechanics.compiled.model import Model
 from mechanics.compiled.quantities import Quantities, Quantity
 from mechanics.errors import InputError, SingularError
@@ -96,6 +97,10 @@ def begin(
     suggested_q, suggested_u = read_initial(scene, initial or {})
     moving = flow(model, p, signals, given)
     q, branch = consistent_coordinates(moving.manifold, 0.0, suggested_q, periodic(scene))
+    if branch and not parameters and not {*(initial or {})} & {*suggested_q.names}:
+        off = contradicted(scene.example, dict(zip(suggested_q.names, q, strict=True)))
+        listed = ", ".join(f"{name} = {value:g}" for name, value in off.items())
+        branch += f"; the example's {listed} does not satisfy the constraints" if off else ""
     u = consistent_speeds(moving.manifold, 0.0, q, suggested_u)
     state = np.concatenate([q, u])
     valid = domain(model, p, given, values, state)
