@@ -9,9 +9,10 @@ import numpy as np
 import typer
 from sympy import Expr, Matrix, Rational, Symbol
 
+from mechanics.checks.equilibria import exact
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
+from mechanics.cli.formulas import formulas
 from mechanics.cli.load import SystemArgument, load
-from mechanics.cli.values import points, products
 from mechanics.crosscheck import derive
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import (
@@ -30,6 +31,7 @@ from mechanics.linear.sweep import AXIS
 from mechanics.linear.values import with_numbers
 from mechanics.nearest import instead
 from mechanics.report.modes_plot import modes_plot
+from mechanics.scene import Scene
 from mechanics.simulate.files import writable
 
 WIDTH = 80
@@ -46,13 +48,17 @@ LONGEST = 16
 AtOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--at", metavar="NAME=VALUE", help="Coordinate or input there; zero if not given."
+        "--at",
+        metavar="NAME=VALUE",
+        help="Coordinate or input there: 0.5, pi/2, l/3; once for each; zero if not given.",
     ),
 ]
 SpeedsOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--speeds", metavar="NAME=VALUE", help="Speed of a steady motion: 3, pi/2, v/R; else zero."
+        "--speeds",
+        metavar="NAME=VALUE",
+        help="Speed of a steady motion: 3, v/R, sqrt(g/R); else zero.",
     ),
 ]
 
@@ -226,7 +232,11 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
     scene = load(name).scene()
     coordinates: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.q}
     inputs: dict[str, Expr] = {symbol.name: Rational(0) for symbol in scene.input_symbols}
-    for key, value in points(settings, "--at").items():
+    parameters = {symbol.name: symbol for symbol in scene.parameters}
+    given, typical = formulas(settings, "--at", parameters), dict[Symbol, Expr]()
+    if not given and not moving:
+        given, typical = _declared(scene)
+    for key, value in given.items():
         if key in coordinates:
             coordinates[key] = value
         elif key in inputs:
@@ -234,7 +244,7 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         else:
             known = instead(key, (*coordinates, *inputs), "coordinates and inputs")
             raise InputError(f"{scene.name}: there is no coordinate or input {key!r}: {known}")
-    speeds = products(moving, "--speeds", {symbol.name: symbol for symbol in scene.parameters})
+    speeds = formulas(moving, "--speeds", parameters, more=True)
     if over is not None and over in {u.name for u in scene.u} - set(speeds):
         speeds[over] = Symbol(over, real=True)
     equations = derive(scene, "lagrange")
@@ -245,7 +255,29 @@ def _linear(name: str, settings: list[str], moving: list[str], over: str | None 
         numbers = {s: with_numbers(scene, s) for s in scene.parameters if s.name not in left}
         typer.echo("at typical values: the equations are too long for formulas", err=True)
         return about(equations, coordinates, inputs, numbers, speeds)
-    return about(equations, coordinates, inputs, None, speeds)
+    return about(equations, coordinates, inputs, typical, speeds)
+
+
+def _declared(scene: Scene) -> tuple[dict[str, Expr], dict[Symbol, Expr]]:
+    """The first declared equilibrium, where the constraints do not hold with all coordinates 0.
+
+    And numbers for the parameters at which it holds, where it does not for all.
+    """
+    zero = dict.fromkeys(scene.q, Rational(0))
+    held = [scene.plain(c.expression, c.name) for c in scene.constraints if c.holonomic]
+    if not scene.equilibria or all(value.xreplace(zero).equals(0) for value in held):
+        return {}, {}
+    place = {name: exact(value) for name, value in scene.equilibria[0].items()}
+    _tell(f"about the declared equilibrium {', '.join(f'{k} = {v}' for k, v in place.items())}")
+    there = zero | {q: place[q.name] for q in scene.q if q.name in place}
+    left = [value.xreplace(there) for value in held]
+    free = {s for value in left if not value.equals(0) for s in value.free_symbols}
+    numbers = {s: with_numbers(scene, s) for s in scene.parameters if s in free}
+    if numbers:
+        _tell(
+            f"where {', '.join(f'{s} = {v}' for s, v in numbers.items())}, as its constraints ask"
+        )
+    return place, numbers
 
 
 def _tell(line: str) -> None:

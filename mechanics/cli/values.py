@@ -1,12 +1,11 @@
 """Values on the command line: ``--set M=2 --set theta=1/2 --at theta=pi``."""
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Annotated
 
 import typer
-from sympy import Expr, Rational, Symbol, pi
+from sympy import Expr, Rational, pi
 
 from mechanics.errors import InputError, RangeError
 from mechanics.nearest import instead
@@ -31,11 +30,6 @@ JudgedAtOption = Annotated[
     typer.Option(metavar="NAME=VALUE", help="Judge where a parameter has this value."),
 ]
 
-LETTER = re.compile(r"[A-Za-z]")
-FACTOR = re.compile(r"([*/]?) *([A-Za-z]\w*|[\d.]+)")
-PRODUCT = re.compile(r"[+-]? *([A-Za-z]\w*|[\d.]+)( *[*/] *([A-Za-z]\w*|[\d.]+))*")
-"""Names and numbers multiplied and divided."""
-
 
 def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     """Read ``name=value`` entries of an option; decimal numbers or fractions, kept exact.
@@ -46,7 +40,7 @@ def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
         For an entry that is no assignment, a value that is no number, or a name given twice.
     """
     found: dict[str, Fraction] = {}
-    for name, text, entry in _named(entries, option):
+    for name, text, entry in named(entries, option):
         try:
             found[name] = rational(text)
         except RangeError as error:
@@ -56,36 +50,7 @@ def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     return found
 
 
-def products(entries: Sequence[str], option: str, known: Mapping[str, Symbol]) -> dict[str, Expr]:
-    """Read ``name=value`` entries; numbers as for `points`, or products: ``-v/R``, ``2*v``.
-
-    A name that is not known is a symbol of its own.
-
-    Raises
-    ------
-    InputError
-        As `assignments`.
-    """
-    found: dict[str, Expr] = {}
-    for name, text, entry in _named(entries, option):
-        if not PRODUCT.fullmatch(text) or not LETTER.search(text.replace("pi", "")):
-            found |= points([entry], option)
-            continue
-        value = Rational(-1 if text.startswith("-") else 1)
-        for operator, factor in FACTOR.findall(text.lstrip("+-")):
-            number = pi if factor == "pi" else known.get(factor, Symbol(factor, real=True))
-            if not LETTER.match(factor):
-                try:
-                    exact = rational(factor) if operator != "/" else 1 / rational(factor)
-                    number, operator = Rational(exact.numerator, exact.denominator), "*"
-                except (ValueError, ZeroDivisionError):
-                    raise _no_number(option, entry, factor, "") from None
-            value = value / number if operator == "/" else value * number
-        found[name] = value
-    return found
-
-
-def points(entries: Sequence[str], option: str) -> dict[str, Expr]:
+def points(entries: Sequence[str], option: str, accepted: str = " or pi/2") -> dict[str, Expr]:
     """Read ``name=value`` entries; numbers as for `assignments`, or multiples of pi.
 
     Raises
@@ -94,18 +59,18 @@ def points(entries: Sequence[str], option: str) -> dict[str, Expr]:
         As `assignments`.
     """
     found: dict[str, Expr] = {}
-    for name, text, entry in _named(entries, option):
+    for name, text, entry in named(entries, option):
         try:
             number, turn = with_pi(text)
         except RangeError as error:
             raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):
-            raise _no_number(option, entry, text, " or pi/2") from None
+            raise _no_number(option, entry, text, accepted) from None
         found[name] = Rational(number.numerator, number.denominator) * (pi if turn else 1)
     return found
 
 
-def _named(entries: Sequence[str], option: str) -> list[tuple[str, str, str]]:
+def named(entries: Sequence[str], option: str) -> list[tuple[str, str, str]]:
     """(name, text, entry) of each entry, no name twice."""
     found: list[tuple[str, str, str]] = []
     for entry in entries:
@@ -121,6 +86,10 @@ def _named(entries: Sequence[str], option: str) -> list[tuple[str, str, str]]:
 
 
 def _no_number(option: str, entry: str, text: str, more: str) -> InputError:
+    if "=" in text:
+        return InputError(
+            f"{option} {entry!r}: {text!r} is no number: write {option} once for each name"
+        )
     return InputError(f"{option} {entry!r}: {text!r} is no number: write 0.5, 1e-3, 1/3{more}")
 
 

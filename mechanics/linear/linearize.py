@@ -165,7 +165,10 @@ class Expansion:
         for i in self.kept:
             if scene.q[i] not in self.point.coordinates:
                 raise missing(scene, "coordinate", scene.q[i])
-        words = "give coordinates that satisfy the constraints, exactly"
+        words = (
+            "give coordinates that satisfy the constraints exactly (at=, or --at NAME=VALUE once"
+            " for each): numbers as 1/3 or pi/2, or formulas in the parameters as l/3"
+        )
         holonomic = [c.name for c in self.reduction.mechanism.constraints if c.holonomic]
         broken = [(f"constraint {name}", words) for name in holonomic]
         broken += [(f"the norm of quaternion {r.name}, less 1,", words) for r in scene.rotations]
