@@ -22,8 +22,8 @@ from mechanics.linear import (
     damped_modes,
     numeric_modes,
     speed_form,
-    stability,
     sweep,
+    verdict,
 )
 from mechanics.linear import linearize as about
 from mechanics.linear import modes as exact_modes
@@ -89,11 +89,7 @@ def linearize(system: SystemArgument, at: AtOption = None, speeds: SpeedsOption 
         if matrix.cols:
             names = ", ".join(str(name) + "'" * order for name in linear.inputs)
             typer.echo(f"B = {_rows(matrix)}, for {names}")
-    try:
-        kind = "steady motion" if linear.moves else "equilibrium"
-        _tell(f"{kind}: {stability(linear).value}")
-    except ExpressionError as error:
-        _tell(f"stability: {error}")
+    _print_verdict(linear)
 
 
 def modes(
@@ -207,6 +203,12 @@ def _print_modes(linear: Linear) -> None:
         _numeric(linear)
     else:
         _natural(linear)
+    _print_verdict(linear)
+
+
+def _print_verdict(linear: Linear) -> None:
+    kind = "steady motion" if linear.moves else "equilibrium"
+    _tell(f"{kind}: {verdict(linear)}")
 
 
 def _natural(linear: Linear) -> None:

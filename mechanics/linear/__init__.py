@@ -19,6 +19,7 @@ from mechanics.linear.stability import (
     conditions,
     stability,
     stability_region,
+    verdict,
 )
 from mechanics.linear.sweep import Sweep, sweep
 from mechanics.linear.transfer import (
@@ -34,5 +35,5 @@ __all__ = [
     "characteristic_polynomial", "close_loop", "conditions", "damped", "damped_modes",
     "dimensionless", "linearize", "modes", "numeric_modes", "numeric_poles", "speed_form",
     "stability", "stability_region", "state_space", "sweep", "transfer_function",
-    "trim",
+    "trim", "verdict",
 ]  # fmt: skip

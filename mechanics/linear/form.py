@@ -60,6 +60,8 @@ class Linear:
         All speeds at the operating point; they are zero at rest.
     cyclic : tuple of Symbol
         Of the coordinates, those that drift along a steady motion and have no effect.
+    ignorable : tuple of Symbol
+        Of the coordinates at rest, those that have no effect: the system may rest at any value.
     no_outputs : str
         Why the outputs of the scene are no C y + D w; empty where they are.
     """
@@ -74,6 +76,7 @@ class Linear:
     conjugate: bool
     speeds: Mapping[Symbol, Expr] = field(default_factory=dict)
     cyclic: tuple[Symbol, ...] = ()
+    ignorable: tuple[Symbol, ...] = ()
     no_outputs: str = ""
 
     def __repr__(self) -> str:
@@ -123,6 +126,7 @@ class Linear:
             program=builder.program(outputs),
             names={**self.names, **names},
             conjugate=False,
+            ignorable=(),
             no_outputs="these equations were changed: take the outputs of the scene's own",
         )
 

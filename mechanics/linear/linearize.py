@@ -352,12 +352,19 @@ class Expansion:
             speeds=dict(zip(scene.u, self._written(speeds), strict=True)),
             coordinates=tuple(scene.q[i] for i in own),
             cyclic=tuple(scene.q[i] for i in drifting),
+            ignorable=() if self.point.moves else self._ignorable(stiffness, own),
             inputs=scene.input_symbols,
             program=build.program({n: [e for row in m for e in row] for n, m in matrices.items()}),
             names=self.names,
             conjugate=moving.conjugate,
             no_outputs=why_not,
         )
+
+    def _ignorable(self, stiffness: Rows, own: Sequence[int]) -> tuple[Symbol, ...]:
+        """Coordinates at rest without effect, whose columns of K are zero."""
+        free = [i for k, i in enumerate(own) if all(row[k].is_zero for row in stiffness)]
+        acting = effective(self.reduction, self.point.parameters) if free else frozenset()
+        return tuple(self.scene.q[i] for i in free if i not in acting)
 
     def _not_linear(self, observed: Sequence[Node]) -> str:
         """Why the outputs of the scene are no functions of the state and the inputs."""

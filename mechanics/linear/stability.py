@@ -14,22 +14,25 @@
            the rank n (Kelvin, Tait and Chetaev; damping is pervasive)                       (4)
     steady motions: p(s) = s^k r(s), and r decides if 0 is semisimple in y' = A y: such deviations
            lead to neighbouring steady motions                                               (5)
+    rest: the same with k coordinates that are ignorable and the whole null space of K; 0 that is
+           not semisimple lets them drift at constant speed                                  (6)
 
 A negative coefficient a_i / a_n means a pole with a positive real part: unstable. The borderline in
 a gain is where a condition, linear in the gain, vanishes.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import combinations
 
 from sympy import Add, And, Expr, Gt, Lt, Matrix, S, Symbol, expand, factor_list, fraction, prime
 from sympy.logic.boolalg import Boolean
 
-from mechanics.errors import ExpressionError, InputError
+from mechanics.errors import ExpressionError, InputError, ValueMissingError
 from mechanics.linear.algebra import coefficients, independent_rows, is_zero, reduced, sign
 from mechanics.linear.form import Linear
 from mechanics.linear.transfer import characteristic_polynomial
+from mechanics.linear.values import with_numbers
 
 # Products that a Hurwitz determinant may have before it is not written out.
 TERMS = 10**9
@@ -41,13 +44,15 @@ class Stability(Enum):
     ASYMPTOTIC = "every pole has a negative real part: deviations die out"
     BOUNDED = "all poles are on the imaginary axis and semisimple: deviations oscillate, bounded"
     NEIGHBOUR = "poles are 0, semisimple, or on the left: deviations end in a neighbouring motion"
+    DRIFTING = "a pole at 0 is double, none is on the right: a deviation drifts at constant speed"
     UNSTABLE = "a pole has a positive real part: a deviation grows exponentially"
     OPEN = "the signs depend on the parameters, or a pole lies on the borderline"
 
     @property
     def stable(self) -> bool | None:
         """True, False, or None where it is open."""
-        return {Stability.UNSTABLE: False, Stability.OPEN: None}.get(self, True)
+        none = {Stability.UNSTABLE: False, Stability.DRIFTING: False, Stability.OPEN: None}
+        return none.get(self, True)
 
 
 @dataclass(frozen=True)
@@ -94,17 +99,57 @@ def stability(linear: Linear) -> Stability:
     """Stability of the operating point for all admissible parameters, if they settle it."""
     if (by_energy := _by_energy(linear)) is not None:
         return by_energy
-    ratios = _monic(linear)
+    ratios, zeros = _monic(linear), 0
+    if _only_ignorable(linear):
+        zeros = next((k for k, entry in enumerate(ratios) if not is_zero(entry)), len(ratios))
+        ratios = ratios[zeros:]
     if any(sign(ratio) == -1 for ratio in ratios):
         return Stability.UNSTABLE
     signs = [sign(condition) for condition in _conditions(linear, ratios)]
     if all(value == 1 for value in signs):
+        if zeros > len(linear.ignorable):
+            return Stability.DRIFTING
         if _even(ratios):
             return Stability.BOUNDED
         whole = 2 * len(linear.coordinates) - len(linear.cyclic)
         return Stability.ASYMPTOTIC if len(ratios) == whole else Stability.NEIGHBOUR
     # A negative discriminant makes S complex; Hurwitz determinants that are negative, poles too.
     return Stability.UNSTABLE if -1 in signs else Stability.OPEN
+
+
+def verdict(linear: Linear) -> str:
+    """Stability in words: for all admissible parameters, else at the typical values.
+
+    Coordinates that are ignorable at rest are named: they are what a pole at 0 comes from.
+    """
+    where = ""
+    try:
+        answer = stability(linear)
+    except ExpressionError:
+        answer = Stability.OPEN
+    if answer is Stability.OPEN and linear.program.inputs:
+        try:
+            answer = stability(_at_typical_values(linear))
+        except (ExpressionError, ValueMissingError):
+            return Stability.OPEN.value
+        where = "at typical values, "
+    names = ", ".join(map(str, linear.ignorable))
+    words = {
+        Stability.OPEN: "a pole lies on the borderline",
+        Stability.NEIGHBOUR: f"a pole at 0: {names} may rest anywhere; other deviations die out",
+        Stability.DRIFTING: f"a double pole at 0: {names} may drift at constant speed; no deviation"
+        " grows exponentially",
+    }
+    own = words.get(answer) if linear.ignorable or answer is Stability.OPEN else None
+    return where + (own or answer.value)
+
+
+def _at_typical_values(linear: Linear) -> Linear:
+    matrices = {
+        name: getattr(linear, name).applyfunc(lambda entry: with_numbers(linear.scene, entry))
+        for name in ("mass", "damping", "stiffness")
+    }
+    return replace(linear.with_matrices((), **matrices), ignorable=linear.ignorable)
 
 
 def stability_region(linear: Linear, gain: Symbol) -> Region:
@@ -149,6 +194,12 @@ def _monic(linear: Linear) -> list[Expr]:
         return ratios
     rank = len(independent_rows(linear.A))
     return ratios[zeros:] if rank == linear.A.rows - zeros else ratios
+
+
+def _only_ignorable(linear: Linear) -> bool:
+    """Whether K pushes back against all but the coordinates that are ignorable at rest."""
+    free = len(linear.ignorable)
+    return bool(free) and len(independent_rows(linear.stiffness)) == linear.mass.rows - free
 
 
 def _even(ratios: list[Expr]) -> bool:

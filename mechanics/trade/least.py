@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from mechanics.errors import MechanicsError
+from mechanics.linear import verdict
 from mechanics.simulate.integrators import Outcome
 from mechanics.trade.amplitude import Amplitude, amplitudes
 from mechanics.trade.case import Case
@@ -120,7 +121,8 @@ def _equilibria(case: Case) -> tuple[tuple[Equilibrium, ...], tuple[str, ...]]:
 
 
 def _described(at: Equilibrium) -> str:
-    kind = "stable" if at.stable else f"unstable, growing e-fold in {1 / at.growth:.2g} s"
+    grows = f"unstable, growing e-fold in {1 / at.growth:.2g} s" if not at.stable else ""
+    kind = grows or verdict(at.linear)
     return (
         f"Linearized about {at.place}, proved to be an equilibrium ({kind}); the example starts"
         f" {at.distance:.2g} away from it."

@@ -4,10 +4,21 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sympy import And, Gt, Lt, Symbol, symbols
+from sympy import And, Gt, Lt, Symbol, pi, symbols
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics import Particle, Scene, force, parameters, reaction
+from mechanics import (
+    Particle,
+    RigidBody,
+    Scene,
+    force,
+    gravity,
+    parameters,
+    pin,
+    reaction,
+    slide,
+    torque,
+)
 from mechanics.errors import ExpressionError, InputError
 from mechanics.linear import (
     Stability,
@@ -17,6 +28,7 @@ from mechanics.linear import (
     numeric_poles,
     stability,
     stability_region,
+    verdict,
 )
 from mechanics.linear.algebra import sign
 from mechanics.routes.derivation import by_route
@@ -170,3 +182,52 @@ def test_damping_that_a_mode_escapes_does_not_end_it(damper: str) -> None:
                   reactions=guides)  # fmt: skip
     expected = Stability.OPEN if damper == "between" else Stability.ASYMPTOTIC
     assert stability(linearize(by_route("kane", scene), {"x": 0, "y": 0})) is expected
+
+
+@pytest.mark.parametrize(
+    ("cart", "rod", "expected", "words"),
+    [
+        (1, 1, Stability.NEIGHBOUR, "a pole at 0: x may rest anywhere"),
+        (1, 0, Stability.NEIGHBOUR, "a pole at 0: x may rest anywhere"),
+        (0, 1, Stability.DRIFTING, "a double pole at 0: x may drift"),
+        (0, 0, Stability.DRIFTING, "a double pole at 0: x may drift"),
+    ],
+)
+@pytest.mark.parametrize("up", [False, True])
+def test_cart_may_rest_anywhere(
+    cart: int, rod: int, expected: Stability, words: str, up: bool
+) -> None:
+    x, phi = dynamicsymbols("x phi")
+    M, m, l, c, g = parameters("M m l c g", "kg kg m N*s/m m/s^2", "2 1 1 1 9.81")
+    N, O = ReferenceFrame("N"), Point("O")
+    rail = slide("rail", None, "cart", at=O, axis=N.x, distance=x)
+    hinge = pin("hinge", "cart", "rod", at=rail.point, axis=N.z, angle=phi)
+    G = hinge.point.locatenew("G", -l * hinge.frame.y)
+    scene = Scene(
+        "cart", N, O, plane=N.z, joints=(rail, hinge),
+        bodies=(
+            RigidBody("cart", rail.point, rail.frame, M, 0),
+            RigidBody("rod", G, hinge.frame, m, m * l**2),
+        ),
+        loads=(
+            gravity(-g * N.y),
+            force("D", rail.point, -cart * c * x.diff() * N.x, on="cart", by=None),
+            torque("E", -rod * c * l**2 * phi.diff() * N.z, on="rod", by="cart"),
+        ),
+    )  # fmt: skip
+    linear = linearize(by_route("lagrange", scene), {"x": 0, "phi": pi if up else 0})
+    assert linear.ignorable == (linear.coordinates[0],)
+    assert stability(linear) is (Stability.UNSTABLE if up else expected)
+    assert verdict(linear).startswith("a pole has a positive real part" if up else words)
+
+
+def test_coordinate_whose_force_is_cubic_is_not_ignorable() -> None:
+    x, (m, k) = dynamicsymbols("x"), parameters("m k", "kg N/m^3", "1 1")
+    N, O = ReferenceFrame("N"), Point("O")
+    rail = slide("rail", None, "cart", at=O, axis=N.x, distance=x)
+    pull = force("F", rail.point, -k * x**3 * N.x, on="cart", by=None)
+    scene = Scene("cubic", N, O, plane=N.z, joints=(rail,), loads=(pull,),
+                  bodies=(RigidBody("cart", rail.point, rail.frame, m, 0),))  # fmt: skip
+    linear = linearize(by_route("lagrange", scene), {"x": 0})
+    assert linear.ignorable == ()
+    assert stability(linear) is Stability.OPEN
