@@ -16,7 +16,7 @@ from rich.console import Console
 from rich.markup import escape
 from typer.core import TyperGroup
 
-from mechanics.cli.interrupts import end_in_order
+from mechanics.cli.interrupts import end_in_order, told_when_stopped
 from mechanics.errors import MechanicsError, RefutedError
 
 # Typer brings its own copy of click, or uses click, depending on its version.
@@ -78,7 +78,7 @@ def command(name: str) -> Any:
     """A command with its options, imported now."""
     single = typer.Typer(**_LOOKS)
     module = import_module(f"mechanics.cli.{MODULES.get(name, name)}")
-    single.command(name)(getattr(module, name.replace("-", "_")))
+    single.command(name)(told_when_stopped()(getattr(module, name.replace("-", "_"))))
     return typer.main.get_command(single)
 
 

@@ -86,7 +86,11 @@ def ensemble(
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
         model = compile(derive(scene, route))
-    with _team(cluster, processes, threads) as team, working("integrating") as progress:
+    with (
+        goes_on(out),
+        _team(cluster, processes, threads) as team,
+        working("integrating") as progress,
+    ):
         found = write_ensemble(
             model, duration, out, grid, initial=initial, parameters=parameters, inputs=inputs,
             samples=samples, tolerance=tolerance, step=step, method=method,
@@ -108,6 +112,19 @@ def ensemble(
     console.print(f"wrote {escape(str(out))}")
     if not found.complete:
         raise typer.Exit(3)
+
+
+@contextmanager
+def goes_on(out: Path) -> Iterator[None]:
+    """Say how much is there, where it is stopped."""
+    try:
+        yield
+    except (KeyboardInterrupt, SystemExit) as stop:
+        count = sum(1 for _ in out.glob("motions/*.parquet"))
+        stop.add_note(
+            f"{count} files are in {out / 'motions'}; the same command goes on from there"
+        )
+        raise
 
 
 @contextmanager

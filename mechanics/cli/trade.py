@@ -43,7 +43,10 @@ def trade(
     horizon: Annotated[float, typer.Option(help="Length of the motion in s.")] = 10.0,
     settings: SettingsOption = None,
     target: Annotated[
-        float | None, typer.Option(metavar="ERROR", help="Largest error allowed, such as 1e-6.")
+        list[float] | None,
+        typer.Option(
+            metavar="ERROR", help="Largest error allowed; may be repeated; else 1e-3, 1e-6, 1e-9."
+        ),
     ] = None,
     report: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write tables and plot for a browser.")
@@ -84,7 +87,7 @@ def trade(
             initial=initial,
             parameters=parameters,
             inputs=inputs,
-            target=target,
+            target=target or None,
             derive=None if equations.textbook is None else again,
             progress=lambda words, share: status.update(f"{share:.0%} {escape(words)}"),
             team=team,

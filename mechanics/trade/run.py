@@ -52,7 +52,7 @@ def trade(
     initial: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     inputs: Mapping[str, Any] | None = None,
-    target: float | None = None,
+    target: float | Sequence[float] | None = None,
     spread: float = SPREAD,
     members: Sequence[Integrator] = INTEGRATORS,
     compiler: str | None = "auto",
@@ -70,9 +70,9 @@ def trade(
         Length of the motion in s. Shortened where doubles cannot tell the motion that long.
     initial, parameters, inputs : mapping, optional
         As for `mechanics.simulate`; inputs have to be numbers.
-    target : float, optional
-        Largest error along the way that may be made, in the norm of `mechanics.trade.truth`, beside
-        those of `TARGETS`.
+    target : float or sequence of float, optional
+        Largest error along the way that may be made, in the norm of `mechanics.trade.truth`;
+        otherwise `TARGETS`.
     spread : float
         Share of the motion by which the states differ on which picks are tuned: see
         `mechanics.trade.family`.
@@ -113,7 +113,7 @@ def trade(
     """
     wanted(equations, Equations, "trade", "pass derive(scene, route)")
     tell = progress or (lambda words, share: None)
-    targets = _targets(target)
+    targets = targets_of(target)
     numbers = initial or {}, parameters or {}, inputs or {}
     asked = Case(equations, horizon, *numbers, compiler, through=True)
     tell("reference", 0.0)
@@ -122,7 +122,9 @@ def trade(
     notes = (*beside, *notes, *_left(case))
     found = survey(case, stick.truth, tuple(members), lambda w, s: tell(w, 0.05 + 0.3 * s))
     tell("one axis at a time", 0.35)
-    better = vary(case, stick.truth, found, best_for(found.measurements, target or TARGETS[1]))
+    better = vary(
+        case, stick.truth, found, best_for(found.measurements, targets[len(targets) // 2])
+    )
     near = near_front(found.measurements)
     for choice in [c.with_variant(better) for c in near if c.variant.plain]:
         if better.careful and found.add(case, choice, stick.truth) is not None:
@@ -175,12 +177,15 @@ def trade(
     )
 
 
-def _targets(target: float | None) -> tuple[float, ...]:
+def targets_of(target: float | Sequence[float] | None) -> tuple[float, ...]:
+    """The targets that are asked for, the largest first; `TARGETS` where none is."""
     if target is None:
         return TARGETS
-    if not (np.isfinite(target) and 0 < target < 1):
-        raise InputError(f"target: {target!r} found: an error between 0 and 1 is needed")
-    return tuple(sorted({*TARGETS, float(target)}, reverse=True))
+    every = tuple(target) if isinstance(target, Sequence) else (target,)
+    for one in every:
+        if not (np.isfinite(one) and 0 < one < 1):
+            raise InputError(f"target: {one!r} found: an error between 0 and 1 is needed")
+    return tuple(sorted({float(one) for one in every}, reverse=True)) or TARGETS
 
 
 def _left(case: Case) -> tuple[str, ...]:

@@ -13,6 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from mechanics.cli.ensemble import goes_on
+from mechanics.cli.interrupts import AGAIN, told_when_stopped
+
 COMPILER = """\
 #!/bin/sh
 case "$*" in *--version*) echo "gcc stand-in"; exit 0;; esac
@@ -125,3 +128,24 @@ def test_a_signal_that_is_ignored_stays_ignored() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["True", "False"]
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), SystemExit(143), SystemExit(129)])
+def test_a_command_that_is_stopped_says_how_to_go_on(
+    stop: BaseException, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "motions").mkdir()
+    (tmp_path / "motions" / "part-000000000.parquet").touch()
+    with pytest.raises(type(stop)), told_when_stopped():
+        raise stop
+    assert capsys.readouterr().err == f"stopped: {AGAIN}\n"
+    with pytest.raises(type(stop)), told_when_stopped(), goes_on(tmp_path):
+        raise stop
+    words = f"stopped: 1 files are in {tmp_path / 'motions'}; the same command goes on from there\n"
+    assert capsys.readouterr().err == words
+
+
+def test_a_command_that_ends_by_itself_was_not_stopped(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit), told_when_stopped():
+        raise SystemExit(3)
+    assert capsys.readouterr().err == ""

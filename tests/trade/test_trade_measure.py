@@ -17,6 +17,7 @@ from mechanics.trade.choice import Choice, Variant
 from mechanics.trade.measure import prepared
 from mechanics.trade.pareto import pareto
 from mechanics.trade.record import to_record
+from mechanics.trade.run import TARGETS, targets_of
 from mechanics.trade.survey import LONGEST
 from mechanics.trade.truth import from_states
 from mechanics.trade.yardstick import with_informative_start, yardstick
@@ -193,3 +194,9 @@ def test_choices_are_measured_beside_a_motion_on_which_any_step_is_exact() -> No
 def test_start_of_other_motions_is_kept() -> None:
     asked = Case(derive(load("rod_pendulum").scene(), "kane"), 1.0)
     assert with_informative_start(asked) == (asked, ())
+
+
+def test_targets_that_are_asked_for_replace_the_usual_ones() -> None:
+    assert targets_of(None) == TARGETS
+    assert targets_of(1e-4) == (1e-4,)
+    assert targets_of([1e-8, 1e-4, 1e-8]) == (1e-4, 1e-8)
