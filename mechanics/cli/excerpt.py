@@ -8,7 +8,8 @@
       |
 
 An error says in words what it is about: a place of JSON, a line, something in quotes, or a thing by
-its kind and name. The place is looked for in the files that the command names, then in the command.
+its kind and name. The place is looked for in the command where it is about an option or a name
+there, then in the files that the command names, then in the command.
 """
 
 import ast
@@ -59,13 +60,18 @@ def excerpt(error: BaseException, words: str, arguments: Sequence[str]) -> str:
     arguments : sequence of str
         Of the command, without the name of the program.
     """
-    for file in _files(arguments):
+    command = shlex.join(["mechanics", *arguments])
+    files = list(_files(arguments))
+    if _on_the_command_line(error, words, arguments, files):
+        folder = FILE.match(words)
+        if span := _argument(command, folder[0] if folder else words):
+            return _shown(Place(command, *span))
+    for file in files:
         text = file.read_text(encoding="utf-8", errors="replace")
         reader = READERS.get(file.suffix.lower())
         span = None if reader is None else reader(text, error, words, file)
         if span is not None:
             return _shown(Place(text, *span, file))
-    command = shlex.join(["mechanics", *arguments])
     span = _argument(command, words)
     return "" if span is None else _shown(Place(command, *span))
 
@@ -105,6 +111,25 @@ def _files(arguments: Sequence[str]) -> Iterator[Path]:
             if name and len(name) < 1000 and "\0" not in name and Path(name).is_file():
                 yield Path(name)
                 break
+
+
+def _on_the_command_line(
+    error: BaseException, words: str, arguments: Sequence[str], files: Sequence[Path]
+) -> bool:
+    """Whether the words are about an option, a folder or a name of the command itself."""
+    own = {str(file) for file in files}
+    frames = (f for cause in _causes(error) for f in traceback.extract_tb(cause.__traceback__))
+    if any(frame.filename in own for frame in frames):
+        return False
+    told = _told(words)
+    if OPTION.match(told):
+        return True
+    if (named := FILE.match(told)) and named[1] not in own:
+        return named[1] in arguments
+    entries = {entry.partition("=")[0] for entry in arguments if not entry.startswith("-")}
+    entries |= {entry.split("=")[1] for entry in arguments if re.match("--[a-z-]+=.*=", entry)}
+    names = [*_quoted(words), *(match[1] for match in NAMED.finditer(told))]
+    return any(name in entries and name not in own for name in names)
 
 
 Span = tuple[int, int] | None

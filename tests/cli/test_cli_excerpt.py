@@ -66,6 +66,38 @@ def test_a_part_of_the_command_is_underlined(
     assert underlined(ran.place) == ("", meant)
 
 
+@pytest.mark.parametrize(
+    ("command", "meant"),
+    [
+        ("simulate {file} --out a.csv --set lll=3", "lll"),
+        ("simulate {file} --out a.csv --set=lll=3", "lll"),
+        ("simulate {file} --out a.csv --set m=-1", "m="),
+        ("ensemble {file} --vary thta=0:1:3 --out {folder}", "thta"),
+        ("linearize {file} --at theta=1/2,l=1", "1/2,l=1"),
+        ("linearize {file} --at theta=k/3", "k"),
+        ("codegen {file} --out c --fix gg=9.81", "gg"),
+    ],
+)
+def test_a_slip_of_the_command_is_not_looked_for_in_the_scene(
+    run: Any, pendulum: Callable[..., Path], tmp_path: Path, command: str, meant: str
+) -> None:
+    command = command.format(file=pendulum(), folder=tmp_path / "e")
+    ran = run(*command.split())
+    assert ran.code == 2
+    assert underlined(ran.place) == ("", meant)
+
+
+def test_a_folder_that_holds_another_run_is_underlined(
+    run: Any, pendulum: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    first = ("ensemble", pendulum(), "--duration", "0.1", "--out", "e", "--vary")
+    assert run(*first, "theta=0:1:2").code == 0
+    ran = run(*first, "theta=0:1:3")
+    assert ran.code == 2
+    assert underlined(ran.place) == ("", "e")
+
+
 def test_what_is_missing_is_said_with_what_it_is_for(run: Any) -> None:
     ran = run("ensemble", "rocker", "--out", "e")
     assert "Add --vary NAME=FROM:TO:COUNT: " in ran.err
