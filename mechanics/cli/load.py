@@ -111,9 +111,10 @@ def built_in(text: str) -> System:
             make: Callable[..., Scene] = system.scene
             return System(text, partial(make, int(sized[2] or sized[3])))
         raise InputError(f"system {text!r}: {sized[1]} has no size: write {sized[1]}")
+    nearest = instead(text, known, "systems")
     raise InputError(
-        f"system {text!r} is not known: {instead(text, known, 'systems')};"
-        " or give the path of a .py file with a function scene()"
+        f"system {text!r} is not known: {nearest}{'' if nearest.endswith('?') else '.'} Or give the"
+        " path of a .py file with a function scene()"
     )
 
 
@@ -122,14 +123,31 @@ def _from_file(path: Path, name: str) -> System:
     scene = getattr(module, name, None)
     if not callable(scene):
         raise InputError(
-            f"file {path}: it has no function {name}() that returns a Scene: write def {name}():"
-            " above the lines that make it, indent them, and end with return Scene(...)"
+            f"file {path}: it has no function {name}() that returns a Scene"
+            + _functions(module, path, name)
         )
     rows = getattr(module, "PUBLISHED", ())
     if not isinstance(rows, tuple | list) or not all(isinstance(row, Published) for row in rows):
         raise InputError(f"file {path}: PUBLISHED has to be a tuple of published(...) rows")
     made = partial(_made, scene, name, path)
     return System(path.stem, partial(_taken, made, path.stem), tuple(rows), model=made)
+
+
+def _functions(module: ModuleType, path: Path, name: str) -> str:
+    """What to write instead, by the functions of a file that need no argument."""
+    names = [
+        own
+        for own, value in vars(module).items()
+        if inspect.isfunction(value)
+        and value.__module__ == module.__name__
+        and not any(p.default is p.empty for p in inspect.signature(value).parameters.values())
+    ]
+    if names:
+        return f": write {path}:{names[0]} for one of its own, which are {', '.join(names)}"
+    return (
+        f": write def {name}(): above the lines that make it, indent them, and end with"
+        " return Scene(...)"
+    )
 
 
 def _from_model(path: Path, option: str, multiples: bool) -> System:

@@ -154,8 +154,7 @@ def _given(scene: Declaration) -> None:
     for name, value in scene.example.items():
         if name not in names:
             raise SceneError(
-                f"{scene.name}: the example gives {name!r}: the names are"
-                f" {', '.join(sorted(names))}"
+                f"{scene.name}: the example gives {name!r}: {instead(name, sorted(names), 'names')}"
             )
         scalar(value, f"{scene.name}: the example's {name}")
     known = names | {symbol.name for symbol in scene.input_symbols}

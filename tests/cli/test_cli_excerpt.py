@@ -193,3 +193,17 @@ def test_a_line_of_c_is_underlined(words: str, line: int, meant: str) -> None:
 def test_what_no_file_has_is_not_shown() -> None:
     assert excerpt_of_c("arm.c: arm_power = graph: e[0]: other", C_TEXT) == ""
     assert excerpt_of_c("leg.c:4:5: While is not supported", C_TEXT) == ""
+
+
+def test_what_a_file_has_instead_of_a_scene_is_listed(run: Any, tmp_path: Path) -> None:
+    path = tmp_path / "own.py"
+    path.write_text("def swing(): pass\ndef of(size): pass\n", encoding="utf-8")
+    assert f"write {path}:swing for one of its own, which are swing" in run("derive", path).err
+    path.write_text("scene = 3\n", encoding="utf-8")
+    assert "write def scene(): above the lines that make it" in run("derive", path).err
+    assert "did you mean 'rocker'? Or give" in run("derive", "rockr").err
+
+
+def test_a_name_of_the_example_has_a_suggestion(run: Any, pendulum: Callable[..., Path]) -> None:
+    path = pendulum(("bodies=", 'example={"thta": 1}, bodies='))
+    assert "the example gives 'thta': did you mean 'theta'?" in run("derive", path).err
