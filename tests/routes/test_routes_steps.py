@@ -236,3 +236,18 @@ def test_a_reaction_that_no_row_determines_is_named() -> None:
 @pytest.mark.parametrize(("count", "readable"), [(1, True), (3, True), (4, False)])
 def test_up_to_three_bodies_in_space_are_written_out(count: int, readable: bool) -> None:
     assert is_written_out(lower(serial_arm(count).scene, Builder())) is readable
+
+
+def test_mass_centres_without_a_letter_get_a_free_one() -> None:
+    """The names of joints are words: no mass centre is called 1."""
+    scene = slider_crank()
+    printer = Printer(scene, mechanism := lower(scene, Builder()))
+    writer = Writer(printer, mechanism, ())
+    labels = [writer.centre(index) for index in range(len(mechanism.bodies))]
+    assert len(set(labels)) == len(labels)
+    assert not any(label.isdigit() for label in labels)
+    points = {point.name for point in mechanism.points}
+    own = [mechanism.points[body.centre].name for body in mechanism.bodies]
+    assert all(
+        label == name or label not in points for label, name in zip(labels, own, strict=True)
+    )

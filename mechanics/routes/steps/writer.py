@@ -41,6 +41,8 @@ LARGEST = 1_000_000
 """Above and below in a factor of a row: what is no number at all has more digits."""
 SHORT_NAME = re.compile(r"[A-Za-z]\w{0,2}'?")
 """A point whose name can stand as a subscript."""
+CENTRES = "CGSABDEFHJKLMPQRTUVW"
+"""Letters for mass centres whose points have names that are no letters."""
 LETTERS = {
     "kinetic": (("T", "T"), ("E_k", "E_{k}")),
     "potential": (("V", "V"), ("U", "U"), ("E_p", "E_{p}")),
@@ -78,10 +80,14 @@ class Writer:
         return next(latex for plain, latex in LETTERS[quantity] if plain not in taken)
 
     def centre(self, body: int) -> str:
-        """Subscript for the mass centre of a body: the name of the point, else a number."""
+        """Subscript for the mass centre of a body: the name of the point, else a free letter."""
         names = [self.mechanism.points[b.centre].name for b in self.mechanism.bodies]
-        name = names[body]
-        return name if SHORT_NAME.fullmatch(name) and names.count(name) == 1 else str(body + 1)
+        taken = {point.name for point in self.mechanism.points}
+        free = (letter for letter in CENTRES if letter not in taken)
+        for k, name in enumerate(names[: body + 1]):
+            short = SHORT_NAME.fullmatch(name) and names.count(name) == 1
+            label = name if short else next(free, str(k + 1))
+        return label
 
     def axis(self, name: str) -> str:
         """An axis for people: that of the inertial frame is a letter, A.x is x of A."""
