@@ -31,6 +31,7 @@ from mechanics.program.builder import Builder, Node
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector
+from mechanics.routes.multipliers import meanings
 from mechanics.symbolic import tidy
 
 FULL = 3
@@ -240,14 +241,14 @@ def arrival(writer: Writer, rows: Sequence[tuple[str, Expr]]) -> Step:
 
 def _with_multipliers(writer: Writer, rows: Sequence[Expr]) -> tuple[list[Expr], str]:
     """Rows with multipliers for the reactions that maintain constraints, and what is what."""
-    table: dict[Symbol, Symbol] = {}
-    symbols = writer.printer.symbols
-    for k, constraint in enumerate(writer.printer.scene.constraints, start=1):
-        own = [symbols[name] for name in constraint.reactions if name in symbols]
-        if len(own) == 1 and any(row.has(own[0]) for row in rows):
-            table[own[0]] = symbols[f"lambda{k}"]
-    said = ", ".join(f"$<<{one}>> = <<{other}>>$" for one, other in table.items())
-    return [row.xreplace(table) for row in rows], said
+    table: dict[Symbol, Expr] = {}
+    symbols, said = writer.printer.symbols, []
+    for multiplier, (sign, reaction, _) in meanings(writer.mechanism).items():
+        own = symbols.get(reaction)
+        if own is not None and any(row.has(own) for row in rows):
+            table[own] = sign * symbols[multiplier]
+            said.append(f"$<<{reaction}>> = {'-' if sign < 0 else ''}<<{multiplier}>>$")
+    return [row.xreplace(table) for row in rows], ", ".join(said)
 
 
 def pressed_step(
