@@ -109,7 +109,8 @@ def _multipliers(equations: Equations) -> list[str]:
     if not any(name.startswith("lambda") for name in shown):
         return []
     return [
-        f"  {name} = {'-' if sign < 0 else ''}{reaction}, which maintains {constraint}"
+        f"  {name} = {'-' if sign < 0 else ''}{reaction},"
+        f" which maintains the constraint {constraint}"
         for name, (sign, reaction, constraint) in meanings(lower(scene, Builder())).items()
         if name in shown
     ]

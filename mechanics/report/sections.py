@@ -145,7 +145,8 @@ class Section:
         if not any(name.startswith("lambda") for name in shown):
             return ""
         said = [
-            f"$<<{name}>> = {'-' if sign < 0 else ''}<<{reaction}>>$, which maintains {constraint}"
+            f"$<<{name}>> = {'-' if sign < 0 else ''}<<{reaction}>>$,"
+            f" which maintains the constraint {constraint}"
             for name, (sign, reaction, constraint) in meanings(
                 lower(self.result.scene, Builder())
             ).items()
