@@ -155,8 +155,8 @@ def test_no_letter_stands_for_two_things(route, make) -> None:
 def test_a_point_whose_name_is_words_has_a_letter_in_formulas() -> None:
     """The pins of a four-bar linkage, by the reactions in them."""
     lines = [x for step in steps_of(by_route("free_body", four_bar.scene())) for x in step.lines]
-    arms = {line.left: line.label for line in lines if str(line.left).startswith(r"\vec{r}_{1")}
-    assert arms[r"\vec{r}_{1B}"] == "from $1$ to $B$, the end of the crank"
+    arms = {line.left: line.label for line in lines if str(line.left).startswith(r"\vec{r}_{G")}
+    assert arms[r"\vec{r}_{GB}"] == "from $G$ to $B$, the end of the crank"
     assert not any(" of " in str(line.left) for line in lines)
 
 

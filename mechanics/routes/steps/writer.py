@@ -83,7 +83,9 @@ class Writer:
     def centre(self, body: int) -> str:
         """Subscript for the mass centre of a body: the name of the point, else a free letter."""
         names = [self.mechanism.points[b.centre].name for b in self.mechanism.bodies]
+        # A joint without a letter has the first one of its reactions.
         taken = {point.name for point in self.mechanism.points}
+        taken |= {reaction.name[:1] for reaction in self.mechanism.reactions}
         free = (letter for letter in CENTRES if letter not in taken)
         for k, name in enumerate(names[: body + 1]):
             short = SHORT_NAME.fullmatch(name) and names.count(name) == 1
