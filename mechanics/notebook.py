@@ -119,7 +119,8 @@ def trajectory_html(motion: "Trajectory") -> str:
 
     parts = [Markup("<p>{}: {}</p>").format(motion.title, motion.note)]
     if motion.scene is not None:
-        parts.append(Markup(moving_picture(motion.scene, motion.times, motion.coordinates)))
+        moving = {**motion.coordinates, **motion.inputs}
+        parts.append(Markup(moving_picture(motion.scene, motion.times, moving)))
     groups: dict[str, dict[str, Any]] = {}
     for name, values in motion.coordinates.items():
         groups.setdefault(motion.units.get(name, ""), {})[name] = values

@@ -90,13 +90,9 @@ def test_points_of_the_work_precision_plot_stand_at_their_errors() -> None:
 
 @pytest.mark.campaign
 def test_errors_of_the_work_precision_plot_are_what_is_measured_now() -> None:
-    """Times are of the machine that drew it; errors are not.
-
-    It was drawn when fixed steps still ended at the samples, and shows that. Drawn anew, on a
-    machine that does nothing else, its steps go through them: `through=True` then.
-    """
+    """Times are of the machine that drew it; errors are not. Steps go through the samples."""
     equations = derive(elastic_pendulum.scene(), "kane")
-    case, stick, _ = yardstick(Case(equations, pictures.HORIZON))
+    case, stick, _ = yardstick(Case(equations, pictures.HORIZON, through=True))
     off = []
     points = [p for p in POINT.findall(kept("work_precision")) if 1e-9 < float(p[-1]) < 1e-2]
     for _, name, knob, amount, _, _, error in points[::7]:

@@ -16,7 +16,10 @@ from mechanics.compiled import compile
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
 from mechanics.equations import Equations
+from mechanics.mechanism import lower
+from mechanics.program import Builder
 from mechanics.report.notation import latex
+from mechanics.routes.multipliers import meanings
 from mechanics.scene.units import units_missing
 
 
@@ -96,7 +99,21 @@ def _text(equations: Equations) -> str:
     lines = [f"{equations.scene.name}, by {equations.route}"]
     lines += [f"  {words}" for words in equations.chosen]
     lines += [f"{left} = {right}" for left, right in _sides(equations)]
+    lines += _multipliers(equations)
     return "\n".join(lines)
+
+
+def _multipliers(equations: Equations) -> list[str]:
+    """What Lagrange's multipliers are: the reactions that maintain the constraints."""
+    scene, shown = equations.scene, {symbol.name for symbol in equations.multipliers}
+    if not any(name.startswith("lambda") for name in shown):
+        return []
+    return [
+        f"  {name} = {'-' if sign < 0 else ''}{reaction},"
+        f" which maintains the constraint {constraint}"
+        for name, (sign, reaction, constraint) in meanings(lower(scene, Builder())).items()
+        if name in shown
+    ]
 
 
 def _latex(equations: Equations) -> str:

@@ -105,7 +105,8 @@ def simulate(
                 write_plot(found, fresh)
         if animate is not None:
             with replaced_file(animate) as fresh:
-                fresh.write_text(animation(scene, found.times, found.coordinates), encoding="utf-8")
+                moving = {**found.coordinates, **found.inputs}
+                fresh.write_text(animation(scene, found.times, moving), encoding="utf-8")
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
     if model.compiler is None:

@@ -21,6 +21,7 @@ def example_motion(model: Model) -> tuple[Motion | None, tuple[str, ...]]:
         "t": found.times,
         **found.coordinates,
         **found.speeds,
+        **found.inputs,
         "kinetic_energy": found.kinetic,
         "potential_energy": found.potential,
         "total_energy": found.total,

@@ -7,7 +7,7 @@ Which of the two a coordinate is, and where it begins, is found from poses of th
 other coordinates held.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -15,8 +15,7 @@ from sympy import Symbol
 
 from mechanics.report import ink
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, normal, unit
-from mechanics.report.supports import Paper
+from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene import Body, RigidBody
 from mechanics.scene.rotations import Rotation
 from mechanics.scene.symbols import plain_symbol
@@ -26,17 +25,16 @@ SAMPLES = 33
 """Points of an arc."""
 LEAST = 0.15
 """In rad: what turns less is drawn with an arrow of this sense, which is longer."""
-SHOWN = 0.7
 RADIUS = (26.0, 54.0)
 """Of arcs, in pixels."""
 SPIRAL = 7.0
 """Pixels by which an arc grows with every turn."""
-ARROW = 40.0
-"""Length of the arrow of a coordinate that is zero, in pixels."""
+ARROW = 20.0
+"""Length of the arrow of a coordinate that is about zero, in pixels: it shows the sense alone."""
+ASIDE, EDGE = 44.0, 16.0
+"""Pixels from a body to the arrow of a length, or less, where that stands beyond the edge."""
 AXES = 62.0
 """Length of the axes of a body that a quaternion turns, in pixels."""
-PLACES = 160
-"""Along a motion."""
 
 
 class Turn(NamedTuple):
@@ -188,7 +186,7 @@ def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, st
     value = float(view.state.get(coordinate.name, 0.0))
     reach = turn.reach * paper.scale
     radius = float(np.clip(0.5 * reach, *RADIUS))
-    swept = value if not still or abs(value) > LEAST else SHOWN
+    swept = value if not still or abs(value) > LEAST else ARROW / radius
 
     def pixel(angle: float, length: float) -> np.ndarray:
         return paper.place(view.project(turn.at(angle, length / paper.scale)))
@@ -245,8 +243,13 @@ def aside_of(view: View, paper: Paper, coordinate: Symbol) -> np.ndarray:
         return np.zeros(2)
     along = unit(paper.turn(view.shift(body.centre, coordinate)))
     side = normal(along)
-    outward = side @ (paper.place(view.point(body.centre)) - paper.middle)
-    return 44 * (side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side)
+    ends = [paper.place(at.point(body.centre)) for at in (view, set_to(view, coordinate, 0.0))]
+    outward = side @ (ends[0] - paper.middle)
+    side = side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side
+    asides = [share * ASIDE * side for share in (1.0, 0.75, 0.5)]
+    room = paper.middle - EDGE
+    inside = (a for a in asides if all(np.all(abs(e + a - paper.middle) < room) for e in ends))
+    return next(inside, asides[-1])
 
 
 def coordinate_words(view: View, coordinate: Symbol) -> str:
@@ -360,16 +363,21 @@ def orientation_picture(view: View, paper: Paper, rotation: Rotation) -> str:
     return "".join(drawn)
 
 
+def movers(view: View, body: Body) -> list[Symbol]:
+    """The coordinates that move the centre of a body."""
+    return [q for q in view.scene.q if q in view.scene.position(body.centre).free_symbols]
+
+
 def trace(view: View, body: Body) -> np.ndarray | None:
     """The way of a point mass, in m on paper: the circle that one coordinate leads it round.
 
     Where several move it, its way along the motion that the view holds. None for other bodies.
     """
-    moving = [q for q in view.scene.q if q in view.scene.position(body.centre).free_symbols]
+    moving = movers(view, body)
     if isinstance(body, RigidBody):
         return None
     if len(moving) > 1 and view.motion is not None:
-        return _way_along(view, body, view.motion)
+        return view.way(body.centre)
     if len(moving) != 1:
         return None
     turn = turn_of(view, body, moving[0])
@@ -377,10 +385,3 @@ def trace(view: View, body: Body) -> np.ndarray | None:
         return None
     around = np.linspace(0, 2 * np.pi, 61)
     return np.array([view.project(turn.at(angle, turn.reach)) for angle in around])
-
-
-def _way_along(view: View, body: Body, motion: Mapping[str, np.ndarray]) -> np.ndarray:
-    count = len(next(iter(motion.values())))
-    samples = np.unique(np.linspace(0, count - 1, PLACES).astype(int))
-    states = ({name: float(values[k]) for name, values in motion.items()} for k in samples)
-    return np.array([view.at(state).point(body.centre) for state in states])

@@ -13,18 +13,18 @@ from sympy import Symbol
 from sympy.physics.vector import Dyadic, Point
 
 from mechanics.report import ink
-from mechanics.report.coordinates import coordinate_picture, trace, zero_end
+from mechanics.report.coordinates import coordinate_picture, movers, trace, zero_end
 from mechanics.report.label_places import apart
 from mechanics.report.labels import length_labels, point_labels
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, attached, closed, normal, unit
+from mechanics.report.projection import Paper, View, attached, closed, normal, unit
 from mechanics.report.supports import (
     BLOCK,
-    Paper,
     gravity_arrow,
     ground,
     is_slack_at_anchor,
     load_symbol,
+    rail,
 )
 from mechanics.scene import Body, Position, RigidBody, Scene
 from mechanics.scene.loads import Force, Gravity, Torque
@@ -36,6 +36,8 @@ PUSHED = 96.0
 FEW = 4
 MARKED, MARKED_IN_SPACE = 6, 2
 """Coordinates up to which one drawing marks them; more have a drawing each."""
+FAR = 4.0
+"""Times as wide as the bodies and what holds them: a wider motion is not all shown."""
 CORNER = (160.0, 92.0)
 """Room for axes and gravity, in pixels."""
 
@@ -104,8 +106,13 @@ def paper_for(
     # A line at zero is long as its body is far: a few of the views tell where it ends.
     for view in views[:: max(1, len(views) // 8)]:
         points += [zero for q in few if (zero := zero_end(view, q)) is not None]
+    # A motion that leads far off leaves the paper: the bodies would be a dot on all of it.
+    size_of_bodies = np.ptp(points, axis=0).max()
     for body in scene.bodies:
-        points += list(circle) if (circle := trace(views[0], body)) is not None else []
+        way = trace(views[0], body)
+        led = len(movers(views[0], body)) == 1
+        if way is not None and (led or np.ptp(way, axis=0).max() <= FAR * size_of_bodies):
+            points += list(way)
     # Where nothing leads to the ground, the origin is far from what is drawn.
     held = any(reaction.by is None for reaction in scene.reactions)
     return paper_of([*points, *([views[0].point(scene.origin)] if held else [])], margin, size)
@@ -190,6 +197,10 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
         return [view.point(end) for end in ends]
     if len(found) > 2:
         return found
+    if len(found) == 1 and rail(view, body) is not None:
+        return found
+    if len(found) == 2 and view.planar and (tips := _tips(view, body, found)):
+        return [*found, *tips]
     if view.number(body.mass) == 0:
         return found  # a moment of inertia alone says nothing about a shape
     first, second = _semi_axes(view, body)
@@ -201,12 +212,13 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
         reach = float(np.hypot(*arm))
         if abs(reach - long * np.sqrt(1.5)) < 0.01 * long and view.planar:
             return [centre - arm, centre, centre + arm]
-        if view.planar and 0.5 * long < reach < 1.3 * long:
-            # Of the ellipses with this inertia the one that ends at the joint or contact.
+        rolls = not all(_carries(view, body, point) for point in attached(view.scene, body))
+        if view.planar and rolls and 0.5 * long < reach < 1.3 * long:
+            # Of the ellipses with this inertia the one that ends at the contact.
             across = np.sqrt(2 * long**2 - reach**2)
             first, second, short = arm, across * unit(normal(arm)), across
         elif view.planar:
-            return found  # no uniform shape with this inertia ends here
+            return found  # a bar from the hinge
     if long < 1e-9:
         return found
     if short < 0.02 * long:
@@ -235,6 +247,22 @@ def _ends(view: View, body: RigidBody) -> list[Point]:
     if len(apart) == 1 and len(points) > 1:
         return [*apart, body.centre]
     return apart if len(apart) > 1 else []
+
+
+def _tips(view: View, body: RigidBody, known: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """Outputs on paper that the body carries, but for those at `known` points."""
+    outputs = [o.point for o in view.scene.outputs.values() if isinstance(o, Position)]
+    ends = [view.point(point) for point in outputs if _carries(view, body, point)]
+    return [end for end in ends if all(np.hypot(*(end - one)) > 1e-9 for one in known)]
+
+
+def _carries(view: View, body: RigidBody, point: Point) -> bool:
+    """Whether a point is fixed in a body, as a hinge is; a contact moves on as the body rolls."""
+    other = view.at({q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
+    here, there = (
+        at.frame(body.frame).T @ (at.place(point) - at.place(body.centre)) for at in (view, other)
+    )
+    return bool(np.allclose(here, there, atol=1e-9))
 
 
 def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
@@ -273,16 +301,12 @@ def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) 
     pixels = [paper.place(corner) for corner in corners]
     centre = paper.place(view.point(body.centre))
     if len(corners) == 1:
-        if isinstance(body, RigidBody) or trace(view, body) is not None:
-            return ink.dot(centre, 9, "mass")
-        slides = [r for r in view.scene.reactions if r.on == body.name and r.by is None]
-        if not slides:
-            moving = [q for q in view.scene.q if np.hypot(*view.shift(body.centre, q)) > 1e-9]
-            if len(moving) != 1:
-                return ink.dot(centre, 9, "mass")
-            return ink.block(centre, paper.turn(view.shift(body.centre, moving[0])), *BLOCK)
-        rail = normal(paper.turn(view.direction(slides[0].along)))
-        return ink.block(centre, rail, *BLOCK)
+        way = rail(view, body)
+        return (
+            ink.dot(centre, 9, "mass")
+            if way is None
+            else ink.block(centre, paper.turn(way), *BLOCK)
+        )
     ends = _ends(view, body) if isinstance(body, RigidBody) else []
     if len(ends) > 2:
         shape = ink.path(ink.around(pixels), "body", closed=True)
@@ -372,7 +396,7 @@ def _label(view: View, paper: Paper, body: Body) -> str:
     if isinstance(body, RigidBody) and body.outlines:
         at = _clear_corner(view, paper, body)
         return ink.text(at + 18 * unit(at - paper.middle), _words(body))
-    if isinstance(body, RigidBody):
+    if isinstance(body, RigidBody) and (rail(view, body) is None or len(outline(view, body)) > 1):
         _, arm, sense = _lever(view, paper, body)
         side = -sense * normal(unit(arm)) if np.hypot(*arm) > 1 else np.array([0.7, 0.7])
         anchor = "start" if side[0] > 0.3 else "end" if side[0] < -0.3 else "middle"

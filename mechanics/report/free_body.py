@@ -22,8 +22,8 @@ from mechanics.report import ink
 from mechanics.report.drawing import body_shape, outline, paper_of
 from mechanics.report.label_places import apart
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, normal, unit
-from mechanics.report.supports import Paper, label
+from mechanics.report.projection import Paper, View, normal, unit
+from mechanics.report.supports import label
 from mechanics.report.typeset import slug
 from mechanics.routes.loads import Wrench, acting_reactions, applied
 

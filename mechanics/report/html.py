@@ -121,7 +121,9 @@ def _moving(result: SystemResult) -> tuple[str, Markup] | None:
 
 
 def _way(result: SystemResult) -> dict[str, Any] | None:
-    """The coordinates along the motion, where there is one."""
+    """Coordinates and inputs along the motion, where there is one."""
     if result.motion is None:
         return None
-    return {q.name: np.asarray(result.motion.columns[q.name]) for q in result.scene.q}
+    columns, scene = result.motion.columns, result.scene
+    moving = (s.name for s in (*scene.q, *scene.input_symbols))
+    return {name: np.asarray(columns[name]) for name in moving if name in columns}

@@ -17,8 +17,7 @@ from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.report import ink
 from mechanics.report.notation import svg_name
-from mechanics.report.projection import View, normal, unit
-from mechanics.report.supports import Paper
+from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene.loads import Force
 
 SHORT = re.compile(r"[A-Z]\w{0,2}'?")

@@ -29,6 +29,8 @@ TURNED = np.diag([1.0, -1.0, -1.0])
 # Arrows of other inputs and of parameters without a typical value need some length.
 UNKNOWN = 1.0
 ITERATIONS = 40
+PLACES = 480
+"""Along a motion, at most."""
 STACKED = 0.22
 """Parts of the width of a scene between bodies that springs hold above each other."""
 ARRAYS = Arrays()
@@ -49,7 +51,8 @@ class View:
     ----------
     scene : Scene
     state : mapping of str to float
-        Values by plain name; coordinates and speeds that are missing are 0, quaternions no turn.
+        Values by plain name; coordinates and speeds that are missing are 0, quaternions no turn,
+        inputs of a length that can be drawn.
     known : mapping of Symbol to float, optional
         Parameters, where another view of the scene has them already, see `at`.
     apart : mapping of Point to ndarray, optional
@@ -57,7 +60,7 @@ class View:
     program : callable, optional
         `_program`, with what it made: the same are asked for at all states of a motion.
     motion : mapping of str to array, optional
-        Coordinates along a motion, by plain name: where points go that several coordinates move.
+        Coordinates along a motion, by plain name: where points go, see `way`.
     """
 
     scene: Scene
@@ -83,7 +86,8 @@ class View:
         table = dict(self.constants)
         places = [scene.position(point).free_symbols for point in self.loaded]
         shaking = set[Symbol]().union(*places)
-        table |= {s: 0.0 if s in shaking else UNKNOWN for s in scene.input_symbols}
+        rest = {s: 0.0 if s in shaking else UNKNOWN for s in scene.input_symbols}
+        table |= {s: float(self.state.get(s.name, value)) for s, value in rest.items()}
         for symbol in (*scene.q, *scene.qd, *scene.u, *scene.ud):
             table[symbol] = float(self.state.get(symbol.name, 0.0))
         for rotation in scene.rotations:
@@ -217,6 +221,18 @@ class View:
         """A point of the scene on paper."""
         return self.point_itself(point) + self.slack.get(point, 0.0)
 
+    def way(self, point: Point) -> np.ndarray:
+        """The point along the motion on paper, shape (N, 2); where it is, without a motion."""
+        count = max(map(len, (self.motion or {}).values()), default=1)
+        samples = np.unique(np.linspace(0, count - 1, PLACES).astype(int))
+        inputs: dict[str, Any] = dict(self.inputs)
+        inputs |= {name: np.asarray(x)[samples] for name, x in (self.motion or {}).items()}
+        program = self.program(tuple(self.scene.position(point)))
+        entries = interpret(program, ARRAYS, inputs, release=False)["entries"]
+        at = np.array([np.broadcast_to(entry, samples.shape) for entry in entries], dtype=float)
+        path: np.ndarray = (self.projection @ at).T + self.slack.get(point, 0.0)
+        return path
+
     def point_itself(self, point: Point) -> np.ndarray:
         """The same without a shift."""
         return self.project(self.place(point))
@@ -251,6 +267,31 @@ class View:
         """Whether the point depends on a coordinate or an input."""
         free: set[Expr] = self.scene.position(point).free_symbols
         return bool(free & {*self.scene.q, *self.scene.input_symbols})
+
+
+@dataclass(frozen=True)
+class Paper:
+    """From metres on paper (y upwards) to pixels (y downwards).
+
+    Attributes
+    ----------
+    scale : float
+        In pixels per m.
+    shift, middle : ndarray
+        Pixel of the origin, and of the middle of the drawing.
+    """
+
+    scale: float
+    shift: np.ndarray
+    middle: np.ndarray
+
+    def place(self, point: np.ndarray) -> np.ndarray:
+        """Pixel of a point."""
+        return self.shift + self.scale * point * np.array([1, -1])
+
+    def turn(self, direction: np.ndarray) -> np.ndarray:
+        """A direction in pixels, with its length in m."""
+        return direction * np.array([1, -1])
 
 
 def attached(scene: Scene, body: Body) -> list[Point]:

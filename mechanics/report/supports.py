@@ -1,16 +1,17 @@
 """What holds and drives the bodies of a drawing: ground, springs, dampers, forces, gravity."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from sympy import Expr, Mul, Symbol
-from sympy.physics.vector import Point
+from sympy.physics.vector import Point, Vector
 
 from mechanics.report import ink
+from mechanics.report.coordinates import trace
 from mechanics.report.notation import in_order, svg_name
-from mechanics.report.projection import View, normal, unit
+from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene import (
+    Body,
     Coulomb,
     Damper,
     Force,
@@ -32,31 +33,6 @@ SLACK = 84.0
 """Length of a spring that is drawn where it would have none, in pixels."""
 
 
-@dataclass(frozen=True)
-class Paper:
-    """From metres on paper (y upwards) to pixels (y downwards).
-
-    Attributes
-    ----------
-    scale : float
-        In pixels per m.
-    shift, middle : ndarray
-        Pixel of the origin, and of the middle of the drawing.
-    """
-
-    scale: float
-    shift: np.ndarray
-    middle: np.ndarray
-
-    def place(self, point: np.ndarray) -> np.ndarray:
-        """Pixel of a point."""
-        return self.shift + self.scale * point * np.array([1, -1])
-
-    def turn(self, direction: np.ndarray) -> np.ndarray:
-        """A direction in pixels, with its length in m."""
-        return direction * np.array([1, -1])
-
-
 def ground(view: View, paper: Paper, moving: bool = False) -> str:
     """Pins, rails and planes where the ground reacts, and ropes.
 
@@ -71,13 +47,12 @@ def ground(view: View, paper: Paper, moving: bool = False) -> str:
             groups.setdefault(reaction.at, []).append(reaction)
     planes: list[Point] = []
     for at, held in groups.items():
-        if _is_on_plane(view, at, held):
-            planes.append(at)
-        else:
+        if not _is_on_plane(view, at, held):
             drawn.append(_support(view, paper, at, held, moving))
+        elif any(abs(view.numbers(view.scene.vector(r.along))[2, 0]) > 1e-9 for r in held):
+            planes.append(at)
     if planes:
-        around = [paper.middle] if moving else [paper.place(view.point(at)) for at in planes]
-        drawn.insert(0, _plane(view, around, (0.74 if moving else 0.34) * paper.middle[0]))
+        drawn.insert(0, _plane(view, paper, planes, moving))
     return "".join(drawn)
 
 
@@ -119,17 +94,29 @@ def _is_on_plane(view: View, at: Point, held: list[Reaction]) -> bool:
     return not view.planar and not _is_pin(view, at, held) and not _is_led(view, held)
 
 
-def _plane(view: View, places: Sequence[np.ndarray], reach: float) -> str:
-    """The plane of x and y around some pixels."""
+def _plane(view: View, paper: Paper, held: Sequence[Point], moving: bool) -> str:
+    """The plane of x and y around some points; its outline alone where bodies are behind it.
+
+    In a picture that moves it reaches along all of their ways, as under those that are drawn.
+    """
+    led = {body.centre for body in view.scene.bodies if not isinstance(body, RigidBody)}
+    ways = [view.way(at) if moving or at in led else view.point(at)[None] for at in held]
+    places = [paper.place(p) for way in ways for p in way]
+    reach = (0.34 if len(places) == len(held) else 0.16) * paper.middle[0]
+    towards = np.cross(*view.projection)[2]
+    heights = [view.place(body.centre)[2] - view.place(held[0])[2] for body in view.scene.bodies]
+    style = "plane open" if min(towards * height for height in heights) < -1e-9 else "plane"
     axes = np.column_stack([view.project(np.eye(3)[:, i]) * np.array([1, -1]) for i in range(2)])
     inside = np.linalg.solve(axes, np.array(places).T)
     low, high = inside.min(axis=1) - reach, inside.max(axis=1) + reach
     around = ((low[0], low[1]), (low[0], high[1]), (high[0], high[1]), (high[0], low[1]))
-    return ink.path([axes @ np.array(corner) for corner in around], "plane", closed=True)
+    return ink.path([axes @ np.array(corner) for corner in around], style, closed=True)
 
 
 def load_symbol(view: View, paper: Paper, load: Load) -> str:
     """The symbol of one load."""
+    if isinstance(load, Force | Torque) and _is_off(view, load.vector):
+        return ""
     if isinstance(load, Gravity):
         # Its arrow stands beside the axes.
         return ""
@@ -151,6 +138,13 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
             at, label(Symbol(load.name), load.name), "force-name"
         )
     raise TypeError(f"no drawing is known for the load {load!r}")
+
+
+def _is_off(view: View, vector: Vector) -> bool:
+    """Whether a load is zero with the inputs that the state names."""
+    entries = view.scene.vector(vector)
+    inputs = {symbol.name for symbol in entries.free_symbols & {*view.scene.input_symbols}}
+    return bool(inputs) and inputs <= view.state.keys() and not view.numbers(entries).any()
 
 
 def _joint_of(view: View, load: Torque | TorsionSpring) -> Point:
@@ -224,8 +218,26 @@ def is_slack_at_anchor(view: View, load: Load) -> bool:
 def _inset(view: View, load: Spring | Damper, point: Point, stated: str | None) -> float:
     """Pixels from the point to the edge of the body there: a mass point is drawn as a block."""
     carrier = carrier_of(view.scene, load, point, stated)
-    is_block = carrier is not None and not isinstance(view.scene.body(carrier), RigidBody)
+    is_block = carrier is not None and rail(view, view.scene.body(carrier)) is not None
     return 0.5 * BLOCK[0] if is_block else 0.0
+
+
+def rail(view: View, body: Body) -> np.ndarray | None:
+    """The way on paper of a body that slides in a plane without turning, and is drawn as a block.
+
+    None for a body without one: it turns, is free, is led round, or moves in space.
+    """
+    scene = view.scene
+    turns = isinstance(body, RigidBody) and scene.rotation(body.frame).free_symbols & {*scene.q}
+    if not view.planar or turns or trace(view, body) is not None:
+        return None
+    slides = [r for r in scene.reactions if r.on == body.name and r.by is None]
+    if slides:
+        across = slides[0].along
+        return None if view.turns(across) else normal(view.direction(across))
+    ways = [view.shift(body.centre, q) for q in scene.q]
+    moving = [way for way in ways if np.hypot(*way) > 1e-9]
+    return moving[0] if len(moving) == 1 else None
 
 
 def _lane(view: View, load: Spring | Damper) -> tuple[int, int]:

@@ -64,7 +64,8 @@ def _picture(scene: Scene, mode: Swing) -> str:
             for k in range(len(times))
         ]
         columns = {q.name: np.array([s.get(q.name, 0.0) for s in states]) for q in scene.q}
-    every = {q.name: columns.get(q.name, 0.0 * times) for q in scene.q}
+    still = 0.0 * times
+    every = {s.name: columns.get(s.name, still) for s in (*scene.q, *scene.input_symbols)}
     return moving_picture(scene, times, every, title=f"{scene.name}: mode {mode.number}")
 
 

@@ -1,4 +1,4 @@
-"""The reactions that maintain constraints, solved from the rows of a route.
+"""The reactions that maintain constraints: solved from the rows of a route, or as multipliers.
 
 row(q, u, u', lambda) = 0        as many rows as there are multipliers, the shortest first
 """
@@ -8,9 +8,36 @@ from collections.abc import Sequence
 from sympy import Add, Expr, Symbol
 
 from mechanics.equations import Equations
+from mechanics.kinematics import differentiate
 from mechanics.kinematics.printer import Printer
+from mechanics.mechanism import Mechanism
 from mechanics.routes.elimination import Elimination, Row, Solved, nonzero
-from mechanics.routes.rows import coefficients, remainder
+from mechanics.routes.lagrange import virtual_power
+from mechanics.routes.loads import unit_reactions
+from mechanics.routes.rows import acceleration_forms, coefficients, remainder
+
+
+def meanings(mechanism: Mechanism) -> dict[str, tuple[int, str, str]]:
+    """Lagrange's multipliers as reactions: ``{"lambda1": (-1, "T", "T_length")}``.
+
+    That is lambda1 = -T, where the reaction T maintains the constraint T_length.
+
+    The power of a unit of the reaction is that of the gradient of the constraint, or opposite,
+    where the constraints hold; multipliers of which neither is true are left out.
+    """
+    if not mechanism.constraints:
+        return {}
+    motions = differentiate.motions(mechanism)
+    units = unit_reactions(mechanism, motions.poses)
+    _, closed = mechanism.filters
+    named, names = {}, [constraint.name for constraint in mechanism.constraints]
+    forms = coefficients(acceleration_forms(mechanism), mechanism.ud)
+    for k, (row, index) in enumerate(zip(forms, mechanism.multipliers, strict=True), start=1):
+        powers = virtual_power(mechanism, motions, units[index])
+        for sign in (1, -1):
+            if all(closed.is_zero(p - sign * a) for p, a in zip(powers, row, strict=True)):
+                named[f"lambda{k}"] = (sign, mechanism.reactions[index].name, names[k - 1])
+    return named
 
 
 def multipliers_of(equations: Equations) -> tuple[tuple[Symbol, Expr], ...]:

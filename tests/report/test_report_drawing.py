@@ -15,6 +15,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inert
 
 import systems
 from mechanics.errors import SceneError
+from mechanics.report.animation import moving_picture
 from mechanics.report.charts import Axis, bar, line_chart, round_step
 from mechanics.report.coordinate_drawings import coordinate_drawings
 from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline, paper_for
@@ -27,10 +28,14 @@ from mechanics.scene import (
     RigidBody,
     Scene,
     damper,
+    force,
     gravity,
     parameters,
     pin,
+    position,
     reaction,
+    rope,
+    slide,
     spring,
 )
 from mechanics.scene.json import from_json, to_json
@@ -263,3 +268,103 @@ def test_an_outline_moves_with_its_body_and_knows_no_stranger() -> None:
     ends, P = view.outlines(drawn.bodies[0]), view.projection
     assert np.allclose(ends[1], [[-1, 0, 0], [1, 0, 0]] @ P.T)
     assert to_json(from_json(to_json(drawn))) == to_json(drawn)
+
+
+def puck_on_table() -> Scene:
+    """A puck on a table, on a string through a hole, and the weight that hangs below."""
+    r, theta, z = dynamicsymbols("r theta z")
+    m, l, g = parameters("m l g", units="kg m m/s^2", typical="1 1.5 9.81")
+    ground, hole = ReferenceFrame("N"), Point("O")
+    turned = ground.orientnew("A", "Axis", (theta, ground.z))
+    puck, weight = hole.locatenew("P", r * turned.x), hole.locatenew("Q", -z * ground.z)
+    ends = (("puck", puck), (None, hole), ("weight", weight))
+    return Scene(
+        "puck", ground, hole, coordinates=(r, theta, z),
+        bodies=(Particle("puck", puck, m), Particle("weight", weight, m)),
+        loads=(gravity(-g * ground.z),),
+        joints=(rope("T", *ends, length=l, along=(-turned.x, -ground.z)),),
+        reactions=(
+            reaction("n", at=puck, on="puck", by=None, along=ground.z),
+            reaction("gx", at=weight, on="weight", by=None, along=ground.x),
+            reaction("gy", at=weight, on="weight", by=None, along=ground.y),
+        ),
+        example={"r": 0.5, "z": 1.0},
+    )  # fmt: skip
+
+
+def test_particles_in_space_are_dots_and_a_plane_does_not_hide_what_is_below_it() -> None:
+    scene = puck_on_table()
+    pictures = [drawing(scene, scene.example)]
+    pictures += [svg for _, svg in coordinate_drawings(scene, scene.example)]
+    assert len(pictures) == 4
+    for text in pictures:
+        assert text.count('class="mass"') == 2
+        assert 'class="body"' not in text
+        assert text.count('class="plane open"') == 1
+    assert 'class="plane"' in drawing(scenes()["rolling_disc"], scenes()["rolling_disc"].example)
+
+
+def test_the_way_of_a_particle_is_as_smooth_as_its_motion() -> None:
+    """Ten turns in 500 samples: a circle of 0.5 m, and no corner of more than its samples have."""
+    scene = puck_on_table()
+    angle = np.linspace(0, 20 * np.pi, 501)
+    motion = {"r": 0.5 + 0 * angle, "theta": angle, "z": 1.0 + 0 * angle}
+    way = View(scene, scene.example, motion=motion).way(scene.bodies[0].centre)
+    chords = np.diff(way, axis=0)
+    turned = np.abs(np.diff(np.unwrap(np.arctan2(chords[:, 1], chords[:, 0]))))
+    assert len(way) > 400
+    # An ellipse of axes 1 : 0.58 turns at its ends 1.7 times as fast as the circle.
+    assert turned.max() < 2 * 1.8 * 20 * np.pi / 500
+
+
+def test_the_arrow_of_a_coordinate_that_is_zero_is_short() -> None:
+    scene = puck_on_table()
+    arrows = dict(coordinate_drawings(scene, scene.example))
+    (path,) = re.findall(r'<polyline class="motion" points="([^"]*)"', arrows[("theta",)])
+    corners = np.array([[float(v) for v in pair.split(",")] for pair in path.split()])
+    assert np.hypot(*np.diff(corners, axis=0).T).sum() < 24
+
+
+def cart_with_rod() -> tuple[Scene, Point]:
+    """A cart on a rail, pushed by F, and a rod on a hinge whose inertia is no uniform rod's."""
+    x, phi, push = dynamicsymbols("x phi F")
+    m, l, g = parameters("m l g", units="kg m m/s^2", typical="1 0.8 9.81")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    rail = slide("rail", None, "cart", at=origin, axis=ground.x, distance=x)
+    hinge = pin("hinge", "cart", "rod", at=rail.point, axis=ground.z, angle=phi)
+    centre, tip = (
+        hinge.point.locatenew(n, -k * l * hinge.frame.y) for n, k in (("G", 0.5), ("E", 1))
+    )
+    return Scene(
+        "cart with rod", ground, origin, plane=ground.z,
+        bodies=(
+            RigidBody("cart", rail.point, rail.frame, m, 0),
+            RigidBody("rod", centre, hinge.frame, m, m * l**2 / 9),
+        ),
+        joints=(rail, hinge), inputs=(push,), outputs={"tip": position(tip)},
+        loads=(gravity(-g * ground.y), force("F", rail.point, push * ground.x, on="cart", by=None)),
+        example={"phi": 1.0},
+    ), tip  # fmt: skip
+
+
+def test_a_rod_is_a_bar_from_its_hinge_to_the_point_that_it_carries() -> None:
+    scene, tip = cart_with_rod()
+    view = View(scene, scene.example)
+    corners = outline(view, scene.body("rod"))
+    np.testing.assert_allclose(corners[1:], [view.point(scene.bodies[0].centre), view.point(tip)])
+    # The cart, which slides without turning, is a block: the one closed shape.
+    assert drawing(scene, scene.example).count('class="body"') == 1
+
+
+def test_a_force_that_is_zero_has_no_arrow_in_a_motion() -> None:
+    scene, _ = cart_with_rod()
+    times = np.linspace(0, 1, 11)
+    still = {"x": 0 * times, "phi": 1 + 0 * times}
+    name = '<text class="force-name"'
+    # Gravity has its arrow; that of F is there where F is.
+    without, pushed = (
+        moving_picture(scene, times, {**still, "F": size + 0 * times}).count(name)
+        for size in (0.0, 1.0)
+    )
+    assert (without, drawing(scene, scene.example).count(name)) == (1, 2)
+    assert pushed > without

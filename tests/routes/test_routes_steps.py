@@ -14,13 +14,16 @@ from mechanics.errors import SingularError
 from mechanics.kinematics.printer import Printer, symbols
 from mechanics.mechanism import lower
 from mechanics.program import Builder
+from mechanics.report.projection import View, closed
 from mechanics.routes import free_body, kane
 from mechanics.routes.derivation import ROUTES, by_route, goal_of, is_written_out, steps_of
+from mechanics.routes.multipliers import meanings
 from mechanics.routes.steps.writer import Writer, combination, multiplied_out
 from mechanics.scene import Scene, reaction
 from mechanics.symbolic.decide import prove_zero
 from systems import (
     ALL,
+    atwood,
     cartpole_friction,
     elastic_pendulum,
     four_bar,
@@ -152,8 +155,8 @@ def test_no_letter_stands_for_two_things(route, make) -> None:
 def test_a_point_whose_name_is_words_has_a_letter_in_formulas() -> None:
     """The pins of a four-bar linkage, by the reactions in them."""
     lines = [x for step in steps_of(by_route("free_body", four_bar.scene())) for x in step.lines]
-    arms = {line.left: line.label for line in lines if str(line.left).startswith(r"\vec{r}_{1")}
-    assert arms[r"\vec{r}_{1B}"] == "from $1$ to $B$, the end of the crank"
+    arms = {line.left: line.label for line in lines if str(line.left).startswith(r"\vec{r}_{G")}
+    assert arms[r"\vec{r}_{GB}"] == "from $G$ to $B$, the end of the crank"
     assert not any(" of " in str(line.left) for line in lines)
 
 
@@ -236,3 +239,40 @@ def test_a_reaction_that_no_row_determines_is_named() -> None:
 @pytest.mark.parametrize(("count", "readable"), [(1, True), (3, True), (4, False)])
 def test_up_to_three_bodies_in_space_are_written_out(count: int, readable: bool) -> None:
     assert is_written_out(lower(serial_arm(count).scene, Builder())) is readable
+
+
+def test_mass_centres_without_a_letter_get_a_free_one() -> None:
+    """The names of joints are words: no mass centre is called 1."""
+    scene = slider_crank("slider")
+    printer = Printer(scene, mechanism := lower(scene, Builder()))
+    writer = Writer(printer, mechanism, (), {})
+    labels = [writer.centre(index) for index in range(len(mechanism.bodies))]
+    assert len(set(labels)) == len(labels)
+    assert not any(label.isdigit() for label in labels)
+    points = {point.name for point in mechanism.points}
+    own = [mechanism.points[body.centre].name for body in mechanism.bodies]
+    assert all(
+        label == name or label not in points for label, name in zip(labels, own, strict=True)
+    )
+
+
+@pytest.mark.parametrize("scene", [four_bar.scene(), rolling_disc.scene(), atwood.scene()])
+def test_a_multiplier_is_the_reaction_that_it_is_said_to_be(scene: Scene) -> None:
+    """The rows of Lagrange and those of the moving point give both: they agree on the motion."""
+    said = meanings(lower(scene, Builder()))
+    assert len(said) == len(scene.constraints)
+    start, values = View(scene, closed(scene, scene.example)).values, {}
+    for route in ("lagrange", "moving_point"):
+        equations = by_route(route, scene)
+        left, right = (side.subs(start).evalf() for side in equations.system)
+        solved = left.LUsolve(right)
+        values |= {s.name: v for s, v in zip(equations.unknowns, solved, strict=True)}
+    for name, (sign, force, _) in said.items():
+        assert abs(values[name] - sign * values[force]) < 1e-9 * (1 + abs(values[force]))
+
+
+def test_a_multiplier_keeps_its_meaning_where_points_meet_only_in_a_closed_loop() -> None:
+    said = meanings(lower(slider_crank("slider"), Builder()))
+    assert {name: force for name, (_, force, _) in said.items()} == {
+        "lambda1": "Qx", "lambda2": "Qy",
+    }  # fmt: skip

@@ -31,6 +31,7 @@ from mechanics.program.builder import Builder, Node
 from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector
+from mechanics.routes.multipliers import meanings
 from mechanics.symbolic import tidy
 
 FULL = 3
@@ -41,6 +42,8 @@ LARGEST = 1_000_000
 """Above and below in a factor of a row: what is no number at all has more digits."""
 SHORT_NAME = re.compile(r"[A-Za-z]\w{0,2}'?")
 """A point whose name can stand as a subscript."""
+CENTRES = "CGSABDEFHJKLMPQRTUVW"
+"""Letters for mass centres whose points have names that are no letters."""
 LETTERS = {
     "kinetic": (("T", "T"), ("E_k", "E_{k}")),
     "potential": (("V", "V"), ("U", "U"), ("E_p", "E_{p}")),
@@ -78,10 +81,16 @@ class Writer:
         return next(latex for plain, latex in LETTERS[quantity] if plain not in taken)
 
     def centre(self, body: int) -> str:
-        """Subscript for the mass centre of a body: the name of the point, else a number."""
+        """Subscript for the mass centre of a body: the name of the point, else a free letter."""
         names = [self.mechanism.points[b.centre].name for b in self.mechanism.bodies]
-        name = names[body]
-        return name if SHORT_NAME.fullmatch(name) and names.count(name) == 1 else str(body + 1)
+        # A joint without a letter has the first one of its reactions.
+        taken = {point.name for point in self.mechanism.points}
+        taken |= {reaction.name[:1] for reaction in self.mechanism.reactions}
+        free = (letter for letter in CENTRES if letter not in taken)
+        for k, name in enumerate(names[: body + 1]):
+            short = SHORT_NAME.fullmatch(name) and names.count(name) == 1
+            label = name if short else next(free, str(k + 1))
+        return label
 
     def axis(self, name: str) -> str:
         """An axis for people: that of the inertial frame is a letter, A.x is x of A."""
@@ -234,14 +243,14 @@ def arrival(writer: Writer, rows: Sequence[tuple[str, Expr]]) -> Step:
 
 def _with_multipliers(writer: Writer, rows: Sequence[Expr]) -> tuple[list[Expr], str]:
     """Rows with multipliers for the reactions that maintain constraints, and what is what."""
-    table: dict[Symbol, Symbol] = {}
-    symbols = writer.printer.symbols
-    for k, constraint in enumerate(writer.printer.scene.constraints, start=1):
-        own = [symbols[name] for name in constraint.reactions if name in symbols]
-        if len(own) == 1 and any(row.has(own[0]) for row in rows):
-            table[own[0]] = symbols[f"lambda{k}"]
-    said = ", ".join(f"$<<{one}>> = <<{other}>>$" for one, other in table.items())
-    return [row.xreplace(table) for row in rows], said
+    table: dict[Symbol, Expr] = {}
+    symbols, said = writer.printer.symbols, []
+    for multiplier, (sign, reaction, _) in meanings(writer.mechanism).items():
+        own = symbols.get(reaction)
+        if own is not None and any(row.has(own) for row in rows):
+            table[own] = sign * symbols[multiplier]
+            said.append(f"$<<{reaction}>> = {'-' if sign < 0 else ''}<<{multiplier}>>$")
+    return [row.xreplace(table) for row in rows], ", ".join(said)
 
 
 def pressed_step(
