@@ -14,7 +14,7 @@ from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import Name, Node, Number, ended, names
 
-WORDS = ("const", "constant", "konst", "cst")
+CONSTANT = ("const", "constant", "konst", "cst")
 NOTE = "what is constant has the rate zero"
 SAID = re.compile(
     r"[^$]*\$\s*(?:,\s*which\s+)?is\s+(?:(?:thus|therefore|also|then|hence|a)\s+)*"
@@ -35,6 +35,7 @@ def with_first_integrals(lines: Iterable[Entry], naming: Naming, text: str) -> I
         In which the lines stand.
     """
     for line in lines:
+        line = _unnamed(line, naming)
         last = line.sides[-1] if isinstance(line, Line) and len(line.sides) > 1 else None
         if not isinstance(line, Line) or last is None or not _constant(last, naming):
             yield line
@@ -45,6 +46,15 @@ def with_first_integrals(lines: Iterable[Entry], naming: Naming, text: str) -> I
         if others:
             yield replace(line, sides=(*others, whole))
         yield _kept(line, whole)
+
+
+def _unnamed(line: Entry, naming: Naming) -> Entry:
+    """The line without what it calls a constant: ``... = const = c``."""
+    if not isinstance(line, Line) or len(line.sides) < 3:
+        return line
+    *_, constant, last = line.sides
+    called = isinstance(last, Name) and not last.order and not naming.knows(last.name)
+    return replace(line, sides=line.sides[:-1]) if called and _constant(constant, naming) else line
 
 
 def _kept(line: Line, whole: Node) -> Line:
@@ -61,6 +71,6 @@ def _moves(line: Line, naming: Naming) -> bool:
 
 
 def _constant(side: Node, naming: Naming) -> bool:
-    if not isinstance(side, Name) or side.order or side.name.lower() not in WORDS:
+    if not isinstance(side, Name) or side.order or side.name.lower() not in CONSTANT:
         return False
     return not naming.knows(side.name)

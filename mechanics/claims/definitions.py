@@ -11,7 +11,7 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
 from mechanics.claims.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES, OF_CONSTANTS
-from mechanics.claims.lines import Entry, Line
+from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Naming, column
 from mechanics.claims.partials import undifferentiated
 from mechanics.claims.tree import (
@@ -185,13 +185,17 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
     """The lines without sides that only name what the others are: x'' = w' = ..., = tau/I = ... .
 
     Those are the rate of a name, or hold one, that nothing explains and nothing else uses; of
-    letters for energies only what the first side is by definition: L = T - V = ... .
+    letters for energies only what the first side is by definition: L = T - V = ... . Where that is
+    all that a line says, and another line says what the first side is, it is a remark.
     """
     known = set(definitions(lines, naming))
     counts = Counter(name.name for name in used(lines))
     once = {name for name, count in counts.items() if count == 1} - known
     found: list[Entry] = []
     for line in lines:
+        if isinstance(line, Line) and _only_names(line, lines, naming, once):
+            words = f"{line.source[:60]}: names what another line gives"
+            line = Aside(words, line.at)
         if isinstance(line, Line) and len(line.sides) > 2:
             first, *rest = line.sides
             kept = tuple(
@@ -204,6 +208,29 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
                 line = replace(line, sides=kept, notes=(*line.notes, note))
         found.append(line)
     return found
+
+
+def _only_names(line: Line, lines: Sequence[Entry], naming: Naming, once: Container[str]) -> bool:
+    """Whether a line is H = T + V, T = T_1 + T_2 or tau = M q'' + C q' + G, and another gives it.
+
+    Each term is a name that nothing else uses, or has one that depends on what moves; two energies
+    stand by the law of what they make.
+    """
+    first, side = line.sides[0], line.sides[-1]
+    if len(line.sides) != 2 or not isinstance(first, Name):
+        return False
+    terms = side.terms if isinstance(side, Sum) else ()
+    free = [[name for name in names(term) if name.name in once] for term in terms]
+    plain = all(isinstance(term, Name) for term in terms) and all(free)
+    if plain or any(name.name in ENERGY_NAMES for some in free for name in some):
+        says = not _named(first, side, naming, once)
+    else:
+        says = not all(any(name.given for name in some) for some in free)
+    if says or not terms:
+        return False
+    lefts = [n.sides[0] for n in lines if isinstance(n, Line) and n is not line and n.sides[1:]]
+    named = {(left.name, left.order) for left in lefts if isinstance(left, Name)}
+    return (first.name, first.order) in named
 
 
 def _named(first: Node, side: Node, naming: Naming, once: Container[str]) -> bool:

@@ -44,7 +44,7 @@ def _length(a: Any, b: Any) -> Any:
 
 
 _ALIASES: dict[Any, str] = {
-    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
+    sympy.sin: "sin sen", sympy.cos: "cos", sympy.tan: "tan tg", sympy.cot: "cot ctg",
     sympy.sec: "sec", sympy.csc: "csc cosec",
     sympy.asin: "asin arcsin", sympy.acos: "acos arccos", sympy.atan: "atan arctan",
     sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.coth: "coth",

@@ -2,8 +2,9 @@ r"""Sines and cosines by one letter, as in robotics: s_1, c_{12}, c_\psi, s\thet
 
 s_1 = sin(theta_1)      c_12 = cos(theta_1 + theta_2)      c_{1-2} = cos(theta_1 - theta_2)
 
-Only where both letters are used so, the scene has no such name, the text defines none, and the
-scene has no damper or spring left that the letter could name.
+Only where both letters are used so, or in a matrix, as that of masses holds cosines only; the scene
+has no such name, the text defines none, and the scene has no damper or spring left that the letter
+could name.
 """
 
 import re
@@ -22,6 +23,7 @@ from mechanics.claims.tree import (
     Name,
     Node,
     Product,
+    Table,
     ended,
     names,
     negative,
@@ -51,7 +53,9 @@ def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     letters = {name[0].lower() for name in (*short, *(one.name for one, _ in pairs))}
     several = any(len(key(name)) > 2 and key(name)[1:].isdigit() for name in short)
     both = letters >= {"s", "c"}
-    if not (both or several):
+    tables = (names(side) for side in sides if isinstance(side, Table) and len(side.rows) > 1)
+    numbered = {name.name for held in tables for name in held} & {*short}
+    if not (both or several or numbered):
         return list(lines)
     told = [Aside(_words(name, found), 0) for name, found in short.items()]
     return [*told, *(_replaced(line, naming, {*free}, short) for line in lines)]

@@ -11,7 +11,7 @@ from sympy.matrices import MatrixBase
 from mechanics.claims.about import ENERGY_NAMES
 from mechanics.claims.partials import PARTIAL
 from mechanics.claims.statement import Statement
-from mechanics.claims.tree import Call, Name, Node, Product, Rate
+from mechanics.claims.tree import Call, Name, Node, Product, Rate, Table
 from mechanics.kernel import Finding, undecided
 from mechanics.scene.quantities import EquationOfMotion, Identity
 from mechanics.symbolic import is_zero
@@ -68,6 +68,12 @@ def as_step(statement: Statement) -> Statement:
     return replace(statement, row=replace(row, quantity=Identity()))
 
 
+def _column(side: Node) -> bool:
+    """Whether it is a column or row of names: du[1:2] = u[3:4]."""
+    cells = [cell for row in side.rows for cell in row] if isinstance(side, Table) else []
+    return bool(cells) and all(isinstance(cell, Name) for cell in cells)
+
+
 def _names(statement: Statement) -> bool:
     """Whether a side is a name of the person's own, or every side a name; no two are the same.
 
@@ -79,6 +85,8 @@ def _names(statement: Statement) -> bool:
         return False
     own = dict(written.definitions)
     named = [(side.name, side.order) for side in written.sides if isinstance(side, Name)]
+    if all(map(_column, written.sides)):
+        return len({*written.sides}) == len(written.sides)
     if len(set(named)) < len(named):
         return False
     partial = any(isinstance(s, Call) and s.function == PARTIAL for s in written.sides)

@@ -10,12 +10,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 OPENS = re.compile(
-    r"\$\$|(?<!\\)\\\[|\\begin\s*\{"
+    r"\$\$|(?<!\\)\\\[|^[ \t]*(?P<fence>`{3,})[ \t]*math[ \t]*$"
+    r"|^[ \t]*(?P<copy>\{[ \t]*\\displaystyle)(?![A-Za-z])"
+    r"|^(?P<indent>[ \t]*)\.\.[ \t]+math::[ \t]*|\\begin\s*\{"
     r"(?P<env>(?:equation|align|gather|multline|eqnarray|flalign|displaymath|math|dmath)\*?|"
-    r"(?:alignat|IEEEeqnarray)\*?(?=\}\s*\{[\w\s]{0,20}(?P<columns>\})?))\}"
+    r"(?:alignat|IEEEeqnarray)\*?(?=\}\s*\{[\w\s]{0,20}(?P<columns>\})?))\}",
+    re.MULTILINE,
 )
 INLINE = re.compile(
-    r"(?<![\\$])\$(?P<one>(?:[^$\n]|\n(?!\s*\n))+)\$(?!\$)|(?<!\\)\\\((?P<two>(?:[^$\\]|\\[^()\[\]])+)\\\)"
+    r":math:`(?P<role>[^`]+)`|(?<!#)##(?P<hash>[^#\n]+)##(?!#)|(?<![\\$])\$(?P<one>(?:[^$\n]|\n(?!\s*\n))+)\$(?!\$)|(?<!\\)\\\((?P<two>(?:[^$\\]|\\[^()\[\]])+)\\\)"
 )
 
 NAME = r"(?!\\d*dot)\\?[A-Za-z]+(?:\s?\{\s?\\?[A-Za-z]+\s?\})?(?:\s?_\s?(?:\{[^{}]*\}|\\?\w+))?"
@@ -116,6 +119,12 @@ def _displays(text: str) -> Iterator[Block]:
 def _ends(opens: re.Match[str]) -> str:
     if opens["env"]:
         return rf"\\end\s*\{{{re.escape(opens['env'])}\}}"
+    if opens["fence"]:
+        return rf"\n[ \t]*{opens['fence']}"
+    if opens["copy"]:  # out of a page of Wikipedia
+        return r"\}[ \t]*(?:\n|\Z)"
+    if opens["indent"] is not None:  # up to the next line that is no deeper
+        return rf"\n(?!{opens['indent']}[ \t]|[ \t]*\n)|\Z"
     return r"\$\$" if opens[0] == "$$" else r"(?<!\\)\\\]"
 
 
@@ -124,7 +133,7 @@ def _inline(text: str, shown: list[Block]) -> Iterator[Block]:
     at = 0
     for block in (*shown, Block(len(text), len(text))):
         for match in INLINE.finditer(text, at, max(at, block.start)):
-            yield Block(*match.span("one" if match["one"] is not None else "two"), inline=True)
+            yield Block(*match.span(match.lastgroup or 0), inline=True)
         at = max(at, block.end) if block.closed else at
 
 

@@ -212,6 +212,10 @@ class Items:
                 items = [Item("node", at, self._matrix(base, at))]
             case _:
                 items = [self._bracket(base, at)]
+                node = items[0].node
+                if sub and base.data == "braces" and isinstance(node, Name):
+                    name = Name(at, f"{node.name}_{sub}", node.order, given=node.given)
+                    return [Item("node", at, name)]
         if sub:
             raise Refused(at, f"the subscript {sub} belongs behind a name")
         return items

@@ -16,6 +16,8 @@ MARKS = re.compile(
     r"\\(boxed|fbox|framebox|underbrace|overbrace|underline|shove(?:left|right)|smash|math[rl]lap|"
     r"ensuremath|[hv]?phantom|color|(?:textcolor|colorbox)\s*\{[^{}]{0,40}\})\s*\{"
 )
+SMALL = re.compile(r"[-+]\s*(?:\\order|\\mathcal\s*\{?\s*O\s*\}?)\s*(?:\\left\s*)?\([^()]{1,40}\)")
+"""What is left out of a series: + O(theta^2), no term of an equation."""
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
 """Energies by their initials, which are no products."""
@@ -35,6 +37,7 @@ def prepared(text: str) -> str:
         Where it is not known what is printed.
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
+    text = SMALL.sub(lambda m: " " * len(m[0]), text)
     for initials, name in SHORT:
         text = initials.sub(name, text)
     marks = list(MARKS.finditer(text))

@@ -27,6 +27,7 @@ from mechanics.claims.latex.pieces import Pieces, is_kind
 from mechanics.claims.latex.prepare import labels, prepared, without_boxes
 from mechanics.claims.latex.rows import rows
 from mechanics.claims.latex.vectors import applied
+from mechanics.claims.latex.words import SUM
 from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
@@ -159,6 +160,7 @@ def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) 
 SHORTER = "the argument of a function is its first factor: write brackets around it"
 STRAY = "an equation outside of a formula is not read: put it between \\[ and \\]"
 END_OF_LINE = "\u2028"
+SUMMED = f"a side with {SUM} is what the others are"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
@@ -246,6 +248,9 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         else:
             sides[-1].append(piece)
     notes: list[str] = []
+    if len(sides) > 2 and len(kept := [side for side in sides if not _summed(side)]) > 1:
+        notes += [SUMMED] if len(kept) < len(sides) else []
+        sides = kept
     fold = Fold(naming, notes)
     nodes = _sides(sides, text, end, fold)
     others = _others(sides, text, end, naming, nodes) if SLASH in notes else ()
@@ -256,6 +261,17 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         move(tree, offset)
     unique = tuple(dict.fromkeys(notes))
     return Line(nodes, tag, offset + start, source, unique, others)
+
+
+def _letters(piece: Tree | Token) -> str:
+    """A name, number or command with its scripts; empty for anything else."""
+    base = piece.children[0] if isinstance(piece, Tree) else None
+    return str(base) if isinstance(base, Token) else ""
+
+
+def _summed(side: Pieces) -> bool:
+    """Whether a side is a sum of anything but a name: what it runs over is not known."""
+    return any(_letters(one) == SUM and not _letters(other) for one, other in pairwise(side))
 
 
 def _sides(sides: list[Pieces], text: str, end: int, fold: Fold) -> tuple[Node, ...]:

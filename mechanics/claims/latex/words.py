@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from lark import Token
 
+from mechanics.claims.conserved import CONSTANT
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.latex.item import DETERMINANT, Item, bare, letter_of
 from mechanics.claims.lines import PRODUCT
@@ -20,6 +21,9 @@ def named(name: str, sub: str, at: int) -> Item:
     """A name with its subscript."""
     return Item("node", at, Name(at, f"{name}_{sub}" if sub else name))
 
+
+SINES = ("sin", "cos", "tan")
+"""Functions that people write without a backslash behind a factor: gsin(theta)."""
 
 SUM = r"\sum"
 
@@ -87,11 +91,17 @@ class Words:
     def _word(self, word: str, sub: str, at: int) -> list[Item]:
         """A run of letters: one name of the scene, a function, or a product of letters."""
         whole = f"{word}_{sub}" if sub else word
-        if len(word) == 1 or self.naming.knows(whole):
+        if len(word) == 1 or self.naming.knows(whole) or (word in CONSTANT and not sub):
             return [named(word, sub, at)]
         if word in FUNCTIONS and not sub:
             self.notes.append(f"{word} is read as the function, not as a product of letters")
             return [Item("function", at, text=word)]
+        end = next((word[k:] for k in range(1, len(word) - 2) if word[k:] in SINES), "")
+        if end and not sub and not self.naming.knows(end[0]):
+            return [
+                *self._word(word[: -len(end)], "", at),
+                *self._word(end, "", at + len(word) - len(end)),
+            ]
         letters = " ".join((*word[:-1], whole[len(word) - 1 :]))
         self.notes.append(f"{whole} {PRODUCT} {letters}")
         before = [named(letter, "", at + i) for i, letter in enumerate(word[:-1])]

@@ -9,7 +9,7 @@ import re
 from mechanics.program.c.tokens import blanked
 
 HEADER = re.compile(
-    r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*"
+    r"^[ \t]*(?:(?:encapsulated|partial|@\w+)[ \t]+)*"
     r"(?:function|model|class|block|within)\b[^\n]*(?=\n)",
     re.MULTILINE,
 )
@@ -17,6 +17,10 @@ FIELDS = re.compile(
     r"^[ \t]*\[[\w ,]+\][ \t]*=[ \t]*(?:deal\()?\w+\{:\}\)?[ \t]*;?[ \t\r]*$", re.MULTILINE
 )
 """Parameters, taken out of a list of MATLAB's: [m, g] = param{:}."""
+DOCUMENTED = re.compile(r'^[ \t]*(?:"{3}.*?"{3}|"[^"\n]*")[ \t]*$', re.MULTILINE | re.DOTALL)
+"""Words on a function, alone on their lines."""
+PARTED = re.compile(r"^[ \t]*\(;[\w ,]+\)[ \t]*=[ \t]*\w+[ \t]*$", re.MULTILINE)
+"""Parameters, taken out of a record of Julia's by their names: (; m, g) = p."""
 RECORD = re.compile(
     r"^[ \t]*(?:Base\.)?(?:@\w+[ \t]+)?(?:mutable[ \t]+)?struct\b.*?^[ \t]*end\b",
     re.MULTILINE | re.DOTALL,
@@ -101,6 +105,7 @@ def without_declarations(text: str) -> str:
     if HEADER.search(text):
         text = LIST.sub(lambda m: f"[{m[1]}]".rjust(len(m[0])), text)
         text = JULIA.sub(_blank, text)
+        text = PARTED.sub(_blank, DOCUMENTED.sub(_blank, text)).replace(" .= ", "  = ")
     text = RECORD.sub(_blank, text)
     text = FIELDS.sub(_blank, text)
     text = RETURNED.sub(_blank, SIZED.sub(_blank, text))
@@ -135,7 +140,10 @@ def _model(text: str) -> str:
 def _declared(statement: re.Match[str]) -> str:
     """A declaration as the formula that it binds a name to; blanks where it binds none."""
     blank = blanked(statement[0])
-    bound = BOUND.search(statement[0])
+    bounds = BOUND.finditer(statement[0])
+    before = ((one, statement[0][: one.start()]) for one in bounds)
+    # Inside of brackets, as start = pi/4 is, it modifies a name.
+    bound = next((one for one, left in before if left.count("(") == left.count(")")), None)
     if bound is None or not FORMULA.search(bound[3]):
         return blank
     named, modified = bound.end(1), bound.end(2) if bound[2] else bound.end(1)

@@ -21,11 +21,10 @@ def plain(text: str) -> tuple[str, int]:
 def _latin(character: str) -> str:
     if ord(character) < 128:
         return unicodedata.normalize("NFKD", character)  # a script l is an l
-    words = unicodedata.name(character, "").split()
+    character = unicodedata.normalize("NFKD", character)  # a symbol for phi is a phi
+    words = unicodedata.name(character, "").split() if len(character) == 1 else []
     # GREEK SMALL LETTER THETA, GREEK CAPITAL LETTER DELTA
     if words[:1] == ["GREEK"] and "LETTER" in words:
         spelled = words[words.index("LETTER") + 1].lower().replace("lamda", "lambda")
         return spelled.capitalize() if "CAPITAL" in words else spelled
-    if unicodedata.category(character) == "No":
-        return str(unicodedata.digit(character, "")) or character
-    return unicodedata.normalize("NFKD", character)  # a script l is an l
+    return character

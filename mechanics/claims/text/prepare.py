@@ -35,6 +35,21 @@ PROSE = re.compile(
 )
 """A line of words alone, which are no factors: With theta measured from the horizontal:"""
 
+GLOSSARY = re.compile(
+    r"^[ \t]*[^\W\d]\w{0,20}[ \t]*:(?=[^\n]*\b(?:of|the|in|on|by|from|to|with|for)\b)"
+    r"(?:[ \t,\-]+\(?\w+[).,]*){2,}[ \t]*$",
+    re.MULTILINE,
+)
+"""What a name means, in words: m: mass of the cart."""
+LEADS = re.compile(
+    r"^[ \t]*(?:where|here|with|and|then|hence|thus|so|therefore)[ \t]*[,:]?[ \t]*$"
+    r"|(?<=[\w)])[ \t]+(?:then|hence|thus|so|therefore)[ \t]*$",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""Words between equations."""
+DOTTED = re.compile(r"(?<![\w.])(d{1,2})ot[ \t]+([^\W\d]\w*)(?![\w(])")
+"""AsciiMath: ddot theta."""
+
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
@@ -48,6 +63,9 @@ def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
     for words in (ANONYMOUS, BRACES):
         text = words.sub(lambda m: " " * len(m[0]), text)
+    for words in (GLOSSARY, LEADS):
+        text = words.sub(lambda m: " " * len(m[0]), text)
+    text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)
