@@ -12,6 +12,7 @@ from mechanics.claims.definitions import definitions, gathers
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import COORDINATES, Naming, column
 from mechanics.claims.spelled_rates import bases, key
+from mechanics.claims.text.elements import ELEMENT
 from mechanics.claims.tree import Call, Name, Node, Number, Product, Sum, Table, names, parts
 from mechanics.scene.symbols import DOTS
 
@@ -27,7 +28,9 @@ def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     own = {key(name): name for name in defined}
     free = [name for name in used if name not in defined and not naming.knows(name)]
     lines = [_accelerations(line, naming, used_once(sides)) for line in lines]
-    gathered = [line for name in free if (line := _gathered(naming, name, own)) is not None]
+    # x(1) is an entry itself, also beside x1 = x(1).
+    whole = [name for name in free if ELEMENT.fullmatch(name) is None]
+    gathered = [line for name in whole if (line := _gathered(naming, name, own)) is not None]
     if not gathered and not any(map(_holds_matrix, sides)):
         return list(lines)
     gathered += _inputs(naming, sides, free, defined)

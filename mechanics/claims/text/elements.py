@@ -6,20 +6,24 @@ The state is q, q' in the scene's order, in pairs where the text says so.
 """
 
 import re
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from mechanics.claims.definitions import definitions
+from mechanics.claims.kinds import angular
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Match, Naming, column
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.next_state import with_rates
 from mechanics.claims.tree import (
     ENTRY,
     Call,
     Name,
     Node,
     Number,
+    Product,
+    Sum,
     Table,
     constant,
     ended,
@@ -35,6 +39,7 @@ RATES = ("d{}dt", "d{}", "{}dot", "{}_dot", "{}d", "{}p", "D{}", "d{}_dt", "dot_
 """What people call the rate of an array."""
 INPUTS = ("u", "tau", "F", "Q", "U")
 WHY = "an entry of an array, in the scene's order"
+BY_KIND = "an entry of an array: angles are those that sines are taken of"
 SAID = "an entry of an array, as the text has it"
 
 Meaning = tuple[str, int]
@@ -73,6 +78,7 @@ def with_states(lines: Sequence[Entry], naming: Naming) -> tuple[list[Entry], tu
     rates: dict[str, str] = {}
     passed = {name: places for name, places in arrays.items() if name != returned}
     state = _returned_state(passed, tables, size) if returned else ""
+    lines = with_rates(lines, returned, state, 1 - from_zero, _place) if state else lines
     for array in arrays:
         rate = next((name for name in _named_rates(array) if name in (*arrays, *tables)), "")
         if not rate and array == state:
@@ -141,15 +147,22 @@ def _returned(lines: Sequence[Entry], tables: Mapping[str, Line], size: int) -> 
 
 
 def _returned_by_entries(lines: Sequence[Entry], arrays: Mapping[str, set[int]], size: int) -> str:
-    """The one array that gets all its entries, as many as a state has: y(1) = x(3); y(2) = ..."""
+    """The one array that gets all its entries, as many as a state has: y(1) = x(3); y(2) = ...
+
+    Behind these stand zeros, the rates of inputs that are held.
+    """
     assigned: dict[str, list[int]] = {}
     for line in lines:
         left = line.sides[0] if isinstance(line, Line) and len(line.sides) == 2 else None
-        if isinstance(left, Name) and (part := ELEMENT.fullmatch(left.name)):
-            assigned.setdefault(part["array"], []).append(int(part["index"]))
+        part = ELEMENT.fullmatch(left.name) if isinstance(left, Name) else None
+        if part and isinstance(line, Line):
+            place = int(part["index"])
+            held = place > size and constant(line.sides[1]) == 0
+            assigned.setdefault(part["array"], []).extend([] if held else [place])
     whole = [
         array for array, places in assigned.items()
-        if {*places} == arrays[array] and len(arrays[array]) == size > 1
+        if {*places} == {p for p in arrays[array] if p in places or p <= size}
+        and len({*places}) == size > 1
         and not any(array in _named_rates(other) for other in arrays)
     ]  # fmt: skip
     return whole[0] if len(whole) == 1 and len(arrays) > 1 else ""
@@ -264,13 +277,14 @@ def _arrays(lines: Sequence[Entry]) -> dict[str, set[int]]:
 def _said(lines: Sequence[Entry], naming: Naming, array: str) -> dict[int, Meaning]:
     """What ``theta = y(1)`` says of entries."""
     found: dict[int, Meaning] = {}
+    beyond = 2 * len(naming.vocabulary.scene.q)
     for line in lines:
         if not isinstance(line, Line) or len(line.sides) != 2:
             continue
         for one, other in (line.sides, line.sides[::-1]):
             place = _place(other, array)
             target = naming.lookup(one.name) if isinstance(one, Name) else None
-            if place is None or not isinstance(one, Name) or target is None:
+            if place is None or place > beyond or not isinstance(one, Name) or target is None:
                 continue
             if naming.is_function(one.name) and not ELEMENT.match(one.name):
                 found.setdefault(place, (target[0], target[1] + one.order))
@@ -297,6 +311,10 @@ def _meanings(
         places = {first + i: (entry, 0) for i, entry in enumerate(entries)}
     elif rate:
         order = _order(lines, array, rate, size, first)
+        by_kind = _by_kind(scene, order[:size], _places_of_angles(lines, array))
+        if by_kind is None:
+            return {}
+        coordinates, why = by_kind, WHY if by_kind == coordinates else BY_KIND
         places = {place: (coordinates[k % size], k // size) for k, place in enumerate(order)}
     elif array in INPUTS and max(used) - first < len(scene.input_symbols):
         inputs = [symbol.name for symbol in scene.input_symbols]
@@ -395,6 +413,49 @@ def _order(lines: Sequence[Entry], array: str, rate: str, size: int, first: int)
     return blocks
 
 
+def _by_kind(scene: Scene, places: Sequence[int], angles: Container[int]) -> list[str] | None:
+    """The coordinates at the places of q: in the scene's order, unless angles stand elsewhere.
+
+    None where several other orders have them there.
+    """
+    coordinates = [q.name for q in scene.q]
+    turning = {symbol.name for symbol in angular(scene)}
+    used = [place in angles for place in places]
+    pairs = list(zip(coordinates, used, strict=True))
+    if all(name in turning for name, angle in pairs if angle) or sum(used) > len(turning):
+        return coordinates
+    if sum(used) < len(turning):
+        return None
+    kinds = {
+        True: iter([name for name in coordinates if name in turning]),
+        False: iter([name for name in coordinates if name not in turning]),
+    }
+    return [next(kinds[angle]) for angle in used]
+
+
+def _places_of_angles(lines: Sequence[Entry], array: str) -> set[int]:
+    """Places of the entries of which sines and cosines are taken: 1 in cos(x(1) - x(2)), too."""
+    pairs = [line.sides for line in lines if isinstance(line, Line) and len(line.sides) == 2]
+    own = {left.name: _place(right, array) for left, right in pairs if isinstance(left, Name)}
+    found: set[int] = set()
+    todo = [side for line in lines if isinstance(line, Line) for side in line.sides]
+    while todo:
+        node = todo.pop()
+        todo += parts(node)
+        of = (
+            node.arguments[0]
+            if isinstance(node, Call) and node.function in ("sin", "cos")
+            else None
+        )
+        for term in of.terms if isinstance(of, Sum) else (of,):
+            last = term.factors[-1] if isinstance(term, Product) else term
+            place = _place(last, array) if last is not None else None
+            if place is None and isinstance(last, Name) and not last.order:
+                place = own.get(last.name)
+            found |= {place} if place is not None else set()
+    return found
+
+
 def _pairs(lines: Sequence[Entry], array: str, rate: str, first: int = 1) -> list[tuple[int, int]]:
     """Places i and j of ``dy(i) = y(j)``, or of ``dy(i) = v`` where v is y(j)."""
     found: list[tuple[int, int]] = []
@@ -476,12 +537,14 @@ def _told(
         return line
     if isinstance(line.sides[0], Table) and isinstance(line.sides[1], Table):
         return _without_names(line, naming, found)
+    if constant(line.sides[1]) == 0 and _beyond(line.sides[0], naming, found):
+        return Aside(f"{line.source[:60]}: taken as an input that is held", line.at)
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
     for one, other in (line.sides, line.sides[::-1]):
         if not isinstance(one, Name) or not isinstance(other, Name):
             continue
         passed = other.name in INPUTS and other.name in once and not naming.knows(other.name)
-        if one.name in inputs and passed:
+        if one.name in inputs and (passed or _beyond(other, naming, found)):
             return Aside(f"{line.source[:60]}: taken as the name of an argument", line.at)
         if other.name not in found:
             if naming.is_function(one.name) is False and ELEMENT.fullmatch(other.name):
@@ -496,6 +559,14 @@ def _told(
         if found[other.name] == (target[0] + DOTS[order], SAID):
             return Aside(f"{line.source[:60]}: taken as the name of an entry", line.at)
     return line
+
+
+def _beyond(entry: Node, naming: Naming, found: Iterable[str]) -> bool:
+    """Whether an entry stands behind those of the state: u = x(5), of an array of four."""
+    part = ELEMENT.fullmatch(entry.name) if isinstance(entry, Name) else None
+    if part is None or int(part["index"]) <= 2 * len(naming.vocabulary.scene.q):
+        return False
+    return any(name.startswith(f"{part['array']}{part['open']}") for name in found)
 
 
 def _without_names(line: Line, naming: Naming, found: Mapping[str, tuple[str, str]]) -> Entry:

@@ -12,6 +12,7 @@ from lark import Token
 
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.names import Naming
+from mechanics.claims.text.declarations import HEADER
 from mechanics.claims.text.letters import plain
 
 BESIDE = "BESIDE"
@@ -116,12 +117,16 @@ def _below(tokens: Sequence[Token], i: int, constant: Callable[[str], bool]) -> 
 def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
     """What splits words: mgl is m g l where these are names, and the text says nothing of mgl.
 
+    In a program no word is a product: f(t, xx) has an argument xx, whatever x is in the scene.
+
     Parameters
     ----------
     naming : Naming
     text : str
         What stands before an equals sign in it is a name.
     """
+    if HEADER.search(text):
+        return lambda word: [word]
     defined = frozenset(DEFINED.findall(text))
 
     def letters(word: str) -> list[str]:
