@@ -248,7 +248,7 @@ def test_a_worker_without_a_compiler_says_so(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(tasks, "find_compiler", lambda: None)
     with (
         ThreadPoolExecutor(1) as executor,
-        pytest.raises(CompilerError, match="there is no C compiler"),
+        pytest.raises(CompilerError, match="it has no C compiler"),
     ):
         ensemble(model_of("elastic_pendulum"), 1.0, executor=executor, method="rk4", step=0.123)
 
