@@ -37,7 +37,7 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
     statements : sequence of Statement
         With a row each; at least one of them is refuted as it is written.
     """
-    rows = [s.row for s in statements if s.row is not None]
+    rows = _distinct([s.row for s in statements if s.row is not None])
     changes = _changes(truth.scene)
     if not any(moves_more(truth.scene, row) for row in rows):
         written = [in_plain_symbols(truth.kinematics, row) for row in rows]
@@ -58,13 +58,22 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
     return right
 
 
+def _distinct(rows: Sequence[Published]) -> list[Published]:
+    """Rows without those that say what an earlier one says."""
+    distinct: list[Published] = []
+    for row in rows:
+        if all((row.quantity, row.sides) != (one.quantity, one.sides) for one in distinct):
+            distinct.append(row)
+    return distinct
+
+
 def _with_shown(
     target: Equations, rows: Sequence[Published], changes: Iterable[Change], right: list[Change]
 ) -> list[Change]:
     """What is right, and changes besides under which all rows are shown."""
     for change in changes:
         if not _holds_one(change, right):
-            findings = [_judged(target, row, combined_table(change)) for row in rows]
+            findings = (_judged(target, row, combined_table(change)) for row in rows)
             if all(finding is not None and finding.shown for finding in findings):
                 right = [*right, change]
     return right
