@@ -13,7 +13,7 @@ from mechanics.equations import Equations
 from mechanics.judge import right_if as module
 from mechanics.judge.check import derived
 from mechanics.judge.right_if import targets_of
-from systems import cartpole, double_pendulum, elastic_pendulum, rod_pendulum, rolling_disc
+from systems import cartpole, double_pendulum, elastic_pendulum_ledger, rod_pendulum, rolling_disc
 
 WITH_RODS = {"cartpole": cartpole, "rod_pendulum": rod_pendulum}
 Said = Callable[[Equations], Expr | Matrix]
@@ -76,5 +76,5 @@ def test_simplest_change_is_told_without_more_besides() -> None:
 
 def test_a_line_that_stands_often_is_tried_once() -> None:
     """172 times the same line took 45 s of the processor; they take 3 s now."""
-    rows = [replace(row, tag=tag) for tag in "abc" for row in elastic_pendulum.PUBLISHED[:4]]
+    rows = [replace(row, tag=tag) for tag in "abc" for row in elastic_pendulum_ledger.PUBLISHED[:4]]
     assert module._distinct(rows) == rows[:4]
