@@ -97,7 +97,7 @@ systems = {
 }
 shown = [str(finding) for finding in compare_pairs(systems).values()]
 wrong = equal("a sign", mechanism, rows, [rows[0], -rows[1], *rows[2:]])
-json.dump([told, text, shown, str(wrong)], sys.stdout)
+json.dump([told, text, shown, f"{wrong} {wrong.witness}"], sys.stdout)
 """
 
 
