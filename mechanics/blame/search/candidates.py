@@ -25,7 +25,7 @@ from mechanics.blame.search.change import (
 )
 from mechanics.blame.search.circular import circular
 from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import inside_of
+from mechanics.blame.search.function_arguments import Inner, inside_of, valued
 from mechanics.blame.search.inserted_factors import Inserted
 from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.blame.search.syntax_tree import is_root
@@ -51,7 +51,7 @@ class Candidates:
     def all(self) -> list[Change]:
         """Every edit, once for each node that was written."""
         found: list[Change] = []
-        inside = 0
+        inside: list[tuple[int, Inner]] = []
         forest = self.make.forest
         for index, node in enumerate(forest.nodes):
             copies = forest.copies[forest.place[index]]
@@ -59,12 +59,11 @@ class Candidates:
                 continue
             if not forest.rates[index]:
                 found += self._here(index, node)
-            if forest.opaque(index) and inside < MOST_INSIDE:
+            if forest.opaque(index):
                 edits = differentiated if forest.rates[index] else inside_of
-                more = list(edits(self.make, index))
-                inside += len(more)
-                found += more
-        return found
+                inside += [(index, edit) for edit in edits(self.make, index)]
+        inside.sort(key=lambda pair: pair[1][-1])  # the cheapest are tried
+        return [*found, *valued(self.make, inside[:MOST_INSIDE])]
 
     def _hidden(self, index: int) -> bool:
         """Whether a node stands in a function or exponent, so that its value tells nothing."""

@@ -27,6 +27,7 @@ from mechanics.blame.search.edits import Maker
 from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.blame.search.syntax_tree import Forest, edited
 from mechanics.blame.search.words import Words
+from mechanics.claims.kinds import angular
 from mechanics.claims.place import Refused
 from mechanics.claims.tree import (
     Call,
@@ -43,6 +44,7 @@ from mechanics.claims.tree import (
 from mechanics.errors import MechanicsError
 
 Inner = tuple[int, Node | None, Mistake, float]
+"""Where, what in its place, which mistake, and its cost."""
 
 
 def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
@@ -55,16 +57,16 @@ def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
         return None
 
 
-def inside_of(make: Maker, index: int) -> Iterator[Change]:
+def inside_of(make: Maker, index: int) -> Iterator[Inner]:
     """Edits below a function."""
-    return valued(make, index, Inside(make.forest, make.words).of(index))
+    return Inside(make.forest, make.words).of(index)
 
 
-def valued(make: Maker, index: int, edits: Iterable[Inner]) -> Iterator[Change]:
-    """Edits at or below a node that is known as a whole only, with what it is worth then."""
+def valued(make: Maker, edits: Iterable[tuple[int, Inner]]) -> Iterator[Change]:
+    """Edits at or below nodes that are known as a whole only, with what these are worth then."""
     forest = make.forest
-    node, depth = forest.nodes[index], len(forest.place[index][1])
-    for below, other, mistake, cost in edits:
+    for index, (below, other, mistake, cost) in edits:
+        node, depth = forest.nodes[index], len(forest.place[index][1])
         if below == index:
             new = other
         else:
@@ -157,9 +159,9 @@ class Inside:
         return put(node) if held and len(of) == len({*held}) else None
 
     def _symbols(self, kid: int, part: Name) -> Iterator[Inner]:
-        own = self.words.word(part)
+        own, angles = self.words.word(part), angular(self.words.truth.scene)
         for word in self.words.symbols:
-            alike = own is not None and word.kind == own.kind
+            alike = word.symbol in angles or (own is not None and word.kind == own.kind)
             if word != own:
                 yield kid, word.name, Mistake.SYMBOL, TOKEN if alike else TOKEN + HINT
 

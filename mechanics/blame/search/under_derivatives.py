@@ -13,7 +13,6 @@ from mechanics.blame.search.change import (
     RATIOS,
     SECOND,
     TOKEN,
-    Change,
     minus,
     one_of_squares,
     raised,
@@ -21,7 +20,7 @@ from mechanics.blame.search.change import (
     times,
 )
 from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import Inner, Inside, valued
+from mechanics.blame.search.function_arguments import Inner, Inside
 from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.claims.kinds import angular
 from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum, parts
@@ -30,9 +29,9 @@ MOST_RATIOS = 12
 """Numbers in front of a term, the simplest of them."""
 
 
-def differentiated(make: Maker, index: int) -> Iterator[Change]:
+def differentiated(make: Maker, index: int) -> Iterator[Inner]:
     """Edits of a term below d/dt, and of its parts."""
-    return valued(make, index, _Term(make).of(index))
+    return _Term(make).of(index)
 
 
 @dataclass(frozen=True, eq=False)
