@@ -1,7 +1,8 @@
 """Arms of two links, a rotary pendulum, a ball on a beam."""
 
-from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, pin, reaction, torque
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, pin, reaction, torque
 
 
 def P(text, **more):
@@ -11,7 +12,8 @@ def P(text, **more):
 
 
 def _arm(angles, length, first, second, g, moments, inputs):
-    """Two links from the horizontal, the second angle from the first link; each (mass, reach, inertia)."""
+    """Two links from the horizontal, the second angle from the first link; each (mass, reach,
+    inertia)."""
     a, b = angles
     N, O = ReferenceFrame("N"), Point("O")
     shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
@@ -25,9 +27,19 @@ def _arm(angles, length, first, second, g, moments, inputs):
         torque("shoulder moment", moments[0] * N.z, on="one"),
         torque("elbow moment", moments[1] * N.z, on="two", by="one"),
     ]
-    return Scene("arm", N, O, plane=N.z, joints=(shoulder, elbow), loads=loads, inputs=inputs,
-                 bodies=(RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
-                         RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2)))  # fmt: skip
+    return Scene(
+        "arm",
+        N,
+        O,
+        plane=N.z,
+        joints=(shoulder, elbow),
+        loads=loads,
+        inputs=inputs,
+        bodies=(
+            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
+            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
+        ),
+    )
 
 
 def double_link():
@@ -88,10 +100,23 @@ def chemnitz():
     elbow = pin(
         "elbow", "one", "two", at=shoulder.point.locatenew("E", l1 * A.x), axis=A.z, angle=q2
     )
-    return Scene("arm", N, O, plane=N.z, joints=(shoulder, elbow), inputs=(u, v),
-                 loads=(gravity(-g * N.x), torque("shoulder moment", u * N.z, on="one"), torque("elbow moment", v * N.z, on="two", by="one")),
-                 bodies=(RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
-                         RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2)))  # fmt: skip
+    return Scene(
+        "arm",
+        N,
+        O,
+        plane=N.z,
+        joints=(shoulder, elbow),
+        inputs=(u, v),
+        loads=(
+            gravity(-g * N.x),
+            torque("shoulder moment", u * N.z, on="one"),
+            torque("elbow moment", v * N.z, on="two", by="one"),
+        ),
+        bodies=(
+            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
+            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
+        ),
+    )
 
 
 def pendubot():
@@ -104,7 +129,8 @@ def pendubot():
 
 
 def furuta():
-    """Arm J_arm about its shaft, slender rod J_pend about its mass centre at l_pend, theta_pend from below; torque tau."""
+    """Arm J_arm about its shaft, slender rod J_pend about its mass centre at l_pend, theta_pend
+    from below; torque tau."""
     theta, alpha, tau = dynamicsymbols("theta_arm theta_pend tau")
     J1, Jp, mp, Lr, lp, g = P("J_arm:kg*m^2 J_pend:kg*m^2 m_pend:kg L_arm:m l_pend:m g:m/s^2")
     N, O = ReferenceFrame("N"), Point("O")
@@ -114,21 +140,40 @@ def furuta():
         "hinge", "arm", "rod", at=shaft.point.locatenew("E", Lr * A.x), axis=A.x, angle=alpha
     )
     B = hinge.frame
-    return Scene("rotary pendulum", N, O, joints=(shaft, hinge), inputs=(tau,),
-                 loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
-                 bodies=(RigidBody("arm", O, A, 0, inertia(A, 0, 0, J1)),
-                         RigidBody("rod", hinge.point.locatenew("C", -lp * B.z), B, mp, inertia(B, Jp, Jp, 0))))  # fmt: skip
+    return Scene(
+        "rotary pendulum",
+        N,
+        O,
+        joints=(shaft, hinge),
+        inputs=(tau,),
+        loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
+        bodies=(
+            RigidBody("arm", O, A, 0, inertia(A, 0, 0, J1)),
+            RigidBody("rod", hinge.point.locatenew("C", -lp * B.z), B, mp, inertia(B, Jp, Jp, 0)),
+        ),
+    )
 
 
 def ball_beam():
-    """A ball, a point mass m, at r from the pivot of a beam with the inertia J about it; torque tau."""
+    """A ball, a point mass m, at r from the pivot of a beam with the inertia J about it; torque
+    tau."""
     r, theta, tau = dynamicsymbols("r theta tau")
     m, J, g = P("m:kg J:kg*m^2 g:m/s^2")
     N, O = ReferenceFrame("N"), Point("O")
     A = N.orientnew("A", "Axis", (theta, N.z))
     ball = O.locatenew("B", r * A.x)
-    return Scene("ball on beam", N, O, coordinates=(r, theta), inputs=(tau,), example={"r": 0.2, "theta": 0.1},
-                 bodies=(Particle("ball", ball, m), RigidBody("beam", O, A, 0, J)),
-                 loads=(gravity(-g * N.y), torque("motor", tau * N.z, on="beam")),
-                 reactions=(reaction("X", at=O, on="beam", by=None, along=N.x), reaction("Y", at=O, on="beam", by=None, along=N.y),
-                            reaction("P", at=ball, on="ball", by="beam", along=A.y)))  # fmt: skip
+    return Scene(
+        "ball on beam",
+        N,
+        O,
+        coordinates=(r, theta),
+        inputs=(tau,),
+        example={"r": 0.2, "theta": 0.1},
+        bodies=(Particle("ball", ball, m), RigidBody("beam", O, A, 0, J)),
+        loads=(gravity(-g * N.y), torque("motor", tau * N.z, on="beam")),
+        reactions=(
+            reaction("X", at=O, on="beam", by=None, along=N.x),
+            reaction("Y", at=O, on="beam", by=None, along=N.y),
+            reaction("P", at=ball, on="ball", by="beam", along=A.y),
+        ),
+    )

@@ -1,7 +1,8 @@
 """Carts with a rod or a load."""
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
 
 
 def P(text, **more):
@@ -62,7 +63,8 @@ def bob():
 
 
 def pymoskito():
-    """A cart s with friction D, a rod with the inertia J about its pin and friction d, varphi from upright, its top at s - l sin(varphi)."""
+    """A cart s with friction D, a rod with the inertia J about its pin and friction d, varphi
+    from upright, its top at s - l sin(varphi)."""
     s, phi, F = dynamicsymbols("s varphi F")
     M, m, J, l, D, d, g = P("M:kg m:kg J:kg*m^2 l:m D:N*s/m d:N*m*s g:m/s^2")
     return _one(
@@ -82,7 +84,8 @@ def pymoskito():
 
 
 def hussein():
-    """A rod of the length l with I_p about its mass centre, counterclockwise from upright; disturbances D_c and D_p."""
+    """A rod of the length l with I_p about its mass centre, counterclockwise from upright;
+    disturbances D_c and D_p."""
     x, theta, U, Dc, Dp = dynamicsymbols("x theta U_f D_c D_p")
     mc, mp, l, I, bc, bp, g = P("m_c:kg m_p:kg l:m I_p:kg*m^2 b_c:N*s/m b_p:N*m*s g:m/s^2")
     push = U - bc * x.diff() + Dc
@@ -123,7 +126,8 @@ def hussein_u():
 
 
 def jing():
-    """A rod with the inertia I about its mass centre, clockwise from upright, friction b of the cart."""
+    """A rod with the inertia I about its mass centre, clockwise from upright, friction b of the
+    cart."""
     x, theta, u = dynamicsymbols("x theta control")
     M, m, b, l, I, g = P("M:kg m:kg b:N*s/m l:m I:kg*m^2 g:m/s^2")
     return _one(x, theta, M, m, l, g, u - b * x.diff(), up=1, sense=1, I=I, inputs=(u,))
@@ -149,7 +153,8 @@ def damped():
 
 
 def continuo():
-    """A rod that hangs, with the inertia I about its mass centre, frictions c of the cart and b of the pin, pushed by F."""
+    """A rod that hangs, with the inertia I about its mass centre, frictions c of the cart and b
+    of the pin, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, I, b, c, g = P("M:kg m:kg l:m I:kg*m^2 b:N*m*s c:N*s/m g:m/s^2")
     return _one(
