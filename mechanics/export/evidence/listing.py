@@ -67,7 +67,6 @@ def prove_files(
 
     Parameters
     ----------
-    folder : Folder
     again : Contents or None
         What a scene that was derived again says of the functions; without it, the manifest does.
     found : Chain
