@@ -52,7 +52,7 @@ TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
 TOLD = ("system", "form", "reciprocals", "kernels", "chain", "files", "versions")
 """Of a manifest, beside what scene and graphs give again: other steps look at form, reciprocals and
 hashes, none at versions."""
-PROGRAM = ("inputs", "operations", "outputs", "nodes")
+PROGRAM = ("values", "inputs", "operations", "outputs")
 """Of what was derived, as operations."""
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
 """What reading a text raises that is not as it was written."""
