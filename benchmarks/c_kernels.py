@@ -30,7 +30,6 @@ class CKernel:
 
     Attributes
     ----------
-    name : str
     outputs : mapping of (array, entry) to Expr
         In the symbols that stand for the entries of the input arrays.
     counts : mapping of str to int

@@ -56,7 +56,6 @@ def drift(times: Array, error: Array, size: int) -> Drift:
     times : array, shape (N,)
         In periods.
     error : array, shape (N,)
-    size : int
     """
     count, largest = len(error) // size, float(np.max(np.abs(error), initial=0.0))
     if count < 3:

@@ -36,10 +36,8 @@ def timed(source: str, names: Sequence[str], compiler: str, seed: int = 1) -> tu
 
     Parameters
     ----------
-    source : str
     names : sequence of str
         Functions whose arguments are arrays of double.
-    compiler : str
 
     Raises
     ------

@@ -27,7 +27,6 @@ def pose(
 
     Parameters
     ----------
-    model : Model
     times : array, shape (N,)
         When the state is wanted, in s: increasing from 0.
     initial, parameters, inputs : mapping, optional

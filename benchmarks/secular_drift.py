@@ -38,10 +38,8 @@ class LongRun:
 
     Attributes
     ----------
-    setting : Setting
     periods : int
         How many were integrated; fewer than wanted where more would take too long.
-    wanted : int
     energy : Drift
         Relative to the range of kinetic and potential energy.
     momenta : tuple of (str, Drift)
@@ -118,8 +116,6 @@ def long_runs(
     ----------
     problem : Problem
         Gives everything but the times.
-    settings : sequence of Setting
-    periods : int
     period : float, optional
         In s; by default the longest of the small oscillations.
     seconds : float

@@ -70,7 +70,6 @@ def close(
 
     Parameters
     ----------
-    builder : Builder
     configuration, rates : sequences of Node
     dependent : sequence of str
         Inputs in the order in which they are tried.
@@ -79,7 +78,6 @@ def close(
     suggested : mapping of str to Fraction
         The scene's example and typical values. Where one is missing both branches of each root are
         followed; if their states are singular, one is chosen that is regular and near the example.
-    signs : mapping of str to Range
     """
     start = closed_state(builder, configuration, coordinates, suggested)
     plain = Closure(tuple(configuration), tuple(rates), tuple(dependent), start)
@@ -107,12 +105,8 @@ def extended(
 
     Parameters
     ----------
-    builder : Builder
-    closure : Closure
-    forms : sequence of Node
     dependent : iterable of str
         Inputs that only the forms hold.
-    signs : mapping of str to Range
     """
     program = builder.program({"forms": forms})
     names = {builder.inputs[builder.operands[0][x.number]]: v for x, v in closure.values.items()}
@@ -204,7 +198,6 @@ def independent_at(
 
     Parameters
     ----------
-    builder : Builder
     rows : sequence of equally long sequences of Node
     state : mapping of str to Fraction
         An input that has no value counts as 1.

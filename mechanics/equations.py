@@ -34,7 +34,6 @@ class Term:
 
     Attributes
     ----------
-    value : Expr
     source : str
         The load or reaction that it comes from.
     cancels : bool
@@ -70,8 +69,6 @@ class Diagram:
 
     Attributes
     ----------
-    bodies : tuple of int
-    title : str
     centre : str
         Name of the moment centre, if there is one.
     place : Vector

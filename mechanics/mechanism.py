@@ -100,7 +100,6 @@ class Frame:
 
     Attributes
     ----------
-    name : str
     parent : int
         Index of the frame that it is oriented in; GROUND for the inertial frame itself.
     rotation : 3 x 3
@@ -133,7 +132,6 @@ class Mass:
 
     Attributes
     ----------
-    name : str
     centre : int
         Its mass centre, a point.
     frame : int or None
@@ -288,7 +286,6 @@ class Mechanism:
 
     Attributes
     ----------
-    name : str
     builder : Builder
         Holds every node below; whoever lowered the scene made it.
     q, qd, qdd : tuples of Node
@@ -303,22 +300,18 @@ class Mechanism:
         Parents first; the inertial frame is the first.
     points : tuple of Place
         Parents first; the origin is the first.
-    bodies : tuple of Mass
     parents : tuple of int
         Inboard neighbour of each body in the tree of bodies, or GROUND.
     order : tuple of int
         Bodies, parents before children.
     fields, lines, pushes, torsions, frictions : tuples
         The loads by kind.
-    reactions : tuple of Reaction
     joints : tuple of tuples of int
         Reactions between each body and its parent.
-    constraints : tuple of Constraint
     signs : mapping of str to str
         What is declared of inputs: ``"positive"``, ``"nonnegative"``.
     closure : Closure
         Where the constraints hold.
-    outputs : tuple of Output
     """
 
     name: str

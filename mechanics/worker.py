@@ -61,12 +61,7 @@ class Stopped:
 
 @dataclass(frozen=True)
 class Failed:
-    """A worker whose function raised an error of this package.
-
-    Attributes
-    ----------
-    message : str
-    """
+    """A worker whose function raised an error of this package."""
 
     message: str
 

@@ -95,7 +95,6 @@ def serial_arm(
 
     Parameters
     ----------
-    count : int
     axes, fixed : str
         Axes of the joints, and of the fixed turns before them.
     turn : Expr or sequence of Expr

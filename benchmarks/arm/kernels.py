@@ -98,7 +98,6 @@ def by_pinocchio(algorithm: str, rows: Array, gravity: float) -> Run:
 
     Parameters
     ----------
-    algorithm : str
     rows : array, shape (n, 22)
         Of each joint, which turns about z: the turn before it row by row, its place, mass, mass
         centre, and inertia xx, yy, zz, xy, yz, zx.

@@ -26,15 +26,10 @@ class Case:
 
     Attributes
     ----------
-    source, kind : str
     scene : Path
         The file of the scene, and its function.
-    function : str
-    name, input, text : str
-    right : bool
     written, mended : str
         The mistake of a wrong one.
-    origin : str
     options : dict
         For `mechanics.check`: what a person would have to say.
     """

@@ -76,10 +76,12 @@ class Truth:
         """What a statement may be about besides the motion."""
         lagrangian = self.kinetic - self.potential
         momenta = [sp.diff(lagrangian, v) for v in self.v]
+        places = range(len(self.names))
         return {
             "KE": self.kinetic, "PE": self.potential, "LAG": lagrangian,
             "HAM": sum(p * v for p, v in zip(momenta, self.v, strict=True)) - lagrangian,
             **{f"p_{name}": p for name, p in zip(self.names, momenta, strict=True)}, **self.also,
+            **{f"mass_{i + 1}{j + 1}": self.mass[i, j] for i in places for j in places},
         }  # fmt: skip
 
     def values(self, residuals: list[sp.Expr], seed: int) -> list[float]:

@@ -36,11 +36,9 @@ class Trial:
 
     Attributes
     ----------
-    case : Case
     verdict : str
         Of the whole answer; ``"not read"`` where an error was raised, ``"crashed"`` where that was
         none of ours.
-    words : str
     named : int
         At which place the true mistake is named, from 1; 0 for nowhere.
     seconds : float

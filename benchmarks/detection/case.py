@@ -34,16 +34,12 @@ class Case:
     ----------
     name : str
         ``"m17"``.
-    about : Subject
     row : Row
         The right statement that it was made from.
     trees : tuple of Tree
         As it is written.
-    form : str
-    written : Written
     kinds : tuple of str
         Of mistakes, or of rewriting.
-    mutations : tuple of Mutation
     equivalent : tuple of bool
         For each mutant that was drawn before and is right: whether the normal form proves it.
     """

@@ -41,12 +41,10 @@ class Mutation:
 
     Attributes
     ----------
-    kind : str
     side : int
         Which of the trees of a statement.
     path : Path
         Where in it.
-    was, now : Tree
     """
 
     kind: str

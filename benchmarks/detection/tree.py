@@ -28,7 +28,6 @@ class Tree:
 
     Attributes
     ----------
-    kind : str
     value : Fraction, sympy.Symbol or None
         Of a number or symbol.
     parts : tuple of Tree

@@ -21,14 +21,12 @@ class Result:
 
     Attributes
     ----------
-    name, system, row, about, form : str
     kinds, made : tuple of str
         Of mistakes, and what each changed.
     verdict : str
         Of the finding; ``"error"`` where the check ended in one.
     words : str
         Its evidence, doubt or message.
-    right_if : tuple of str
     seconds : float
         Of one core for each statement that was read, without the blame.
     text : str

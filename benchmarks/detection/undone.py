@@ -36,7 +36,6 @@ class Undone:
     ----------
     how : str
         ``"exactly"``, ``"as good"``, or why not.
-    seconds : float
     edits : tuple of str
         Of the first repair.
     repairs : int

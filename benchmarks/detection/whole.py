@@ -31,7 +31,6 @@ class Whole:
 
     Attributes
     ----------
-    about : Subject
     thing : KanesMethod, LagrangesMethod, System or BlackBox
     options : dict
     form, row, text : str

@@ -24,7 +24,6 @@ class Plan:
 
     Attributes
     ----------
-    scene : str
     calls : int
         Of Python functions, by a run without a fault.
     reached : tuple of Fault
@@ -46,7 +45,6 @@ def plans(
 
     Parameters
     ----------
-    faults : sequence of Fault
     clean : mapping of str to mapping
         Of each scene, ``"calls"``, the functions that it calls, and ``"count"``, how often.
     budget : int

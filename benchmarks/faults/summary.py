@@ -14,7 +14,6 @@ class Trial:
 
     Attributes
     ----------
-    fault : Fault
     noticed, unnoticed, harmless : tuple of str
         Scenes in which it was planted, by what became of it; harmless where no number changed.
     by : str

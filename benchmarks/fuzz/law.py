@@ -61,7 +61,6 @@ def outcome(truth: Equations, notation: str, data: bytes, *, blame: bool = True)
         Of the scene that the input is about.
     notation : str
         ``"latex"``, ``"text"`` or ``"c"``.
-    data : bytes
     blame : bool
         Whether what is wrong is looked for, too.
     """

@@ -16,9 +16,6 @@ def mutated(data: bytes, notation: str, source: random.Random, seeds: Sequence[b
 
     Parameters
     ----------
-    data : bytes
-    notation : str
-    source : random.Random
     seeds : sequence of bytes
         Documents from which parts are taken.
     """

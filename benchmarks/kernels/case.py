@@ -21,7 +21,6 @@ class Case:
 
     Attributes
     ----------
-    links : int
     model : Model
         Forward dynamics only.
     q, u : (links + 1, count)

@@ -42,7 +42,6 @@ class Entry:
 
     Attributes
     ----------
-    name : str
     seconds : float
         Median time of one motion.
     error : float
@@ -171,8 +170,6 @@ def measured(
     ----------
     count : int
         Number of motions.
-    rounds : int
-    tolerances : sequence of float
     """
     given = motions(count)
     truth = OneByOne(given, FINEST)() if not missing("heyoka") else ours(given, tolerance=FINEST)

@@ -34,14 +34,7 @@ class Goal:
 
 @dataclass(frozen=True)
 class Heat:
-    """Contenders that run in turn on one case.
-
-    Attributes
-    ----------
-    links, states : int
-    contenders : tuple of Contender
-    goals : tuple of Goal
-    """
+    """Contenders that run in turn on one case."""
 
     links: int
     states: int

@@ -26,7 +26,6 @@ class Lap:
 
     Attributes
     ----------
-    run : callable
     states : int
         How many states one run evaluates.
     result : callable
@@ -47,7 +46,6 @@ class Contender:
 
     Attributes
     ----------
-    name : str
     absent : callable
         Why it cannot run here; empty if it can.
     prepare : callable

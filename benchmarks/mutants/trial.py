@@ -223,7 +223,6 @@ def tried(
     ----------
     part : (sequence of Mutant, sequence of str)
         Mutants in functions and their test files, or others without any.
-    enough : float
     """
     found: list[tuple[str, bool]] = []
 

@@ -24,7 +24,6 @@ def crossed(loops: int, length: Callable[[str, int], Expr], start: float = 1.0) 
 
     Parameters
     ----------
-    loops : int
     length : callable
         As of `systems.four_bar_chain.scene`; numbers.
     start : float

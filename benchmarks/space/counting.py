@@ -40,7 +40,6 @@ def count(program: Program, parameters: Collection[str] = ()) -> Counts:
 
     Parameters
     ----------
-    program : Program
     parameters : collection of str
         Names of the inputs that are the same for all states.
 

@@ -56,8 +56,6 @@ class Derived:
 
     Attributes
     ----------
-    mechanism : Mechanism
-    rows : Rows
     unknowns : tuple of Node
         u', then the multipliers.
     matrix : n x n

@@ -30,7 +30,6 @@ def check_dimensions(
 
     Parameters
     ----------
-    scene : Scene
     rows : sequence of Published
         Those about other quantities than `QUANTITIES` are left out: numbers may be lengths there.
     units : mapping of Symbol to str

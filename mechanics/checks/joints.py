@@ -38,7 +38,6 @@ def check_joints(scene: Scene, states: Sequence[State]) -> Iterator[Finding]:
 
     Parameters
     ----------
-    scene : Scene
     states : sequence of State
         From `drawn_states`.
     """

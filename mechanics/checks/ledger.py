@@ -37,8 +37,6 @@ def check_row(
 
     Parameters
     ----------
-    scene : Scene
-    row : Published
     equations : Equations, optional
         Of one route; needed by rows about equations of motion and reactions along the motion.
     where : sequence of Expr

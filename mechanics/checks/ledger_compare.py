@@ -38,8 +38,6 @@ def decide_in(
 
     Parameters
     ----------
-    kinematics : Kinematics
-    subject : str
     experiment : callable
     symbols : set of Symbol
         What the statement holds; definitions of other symbols do not matter to it.
@@ -122,7 +120,6 @@ def definitions_in_full(scene: Scene, but: Collection[Symbol] = ()) -> dict[Symb
 
     Parameters
     ----------
-    scene : Scene
     but : collection of Symbol
         Those that are left.
     """

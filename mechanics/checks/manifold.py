@@ -22,8 +22,6 @@ def restrict(a: Arithmetic, kinematics: Kinematics, *, accelerations: bool = Fal
 
     Parameters
     ----------
-    a : Arithmetic
-    kinematics : Kinematics
     accelerations : bool
         Whether u', too, is only what the constraints admit.
     """
@@ -47,8 +45,6 @@ def project(a: Arithmetic, kinematics: Kinematics, *, accelerations: bool = Fals
 
     Parameters
     ----------
-    a : Arithmetic
-    kinematics : Kinematics
     accelerations : bool
         Whether dependent accelerations get theirs, too.
 

@@ -36,7 +36,6 @@ class _Wheel:
 
     Attributes
     ----------
-    contact, centre : arb_mat
     frame, hub : arb_mat
         Rotations of the child, and of what yaws and leans with it.
     directions : mapping of str to arb_mat

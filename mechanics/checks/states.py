@@ -39,7 +39,6 @@ class State:
 
     Attributes
     ----------
-    scene : Scene
     index : int
         Of the draw.
     q, u : sequence of arb

@@ -83,7 +83,6 @@ def check_virtual_power(
 
     Parameters
     ----------
-    equations : Equations
     states : sequence of State
         From `drawn_states`.
     support : Equations, optional

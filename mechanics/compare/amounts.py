@@ -29,7 +29,6 @@ class Amount:
 
     Attributes
     ----------
-    name : str
     units : callable
         From our numbers to the changes whose factors are fitted.
     told : callable

@@ -83,7 +83,6 @@ def changeable(mechanism: Mechanism, bare: Sequence[Mass] = ()) -> Mechanism:
 
     Parameters
     ----------
-    mechanism : Mechanism
     bare : sequence of Mass
         Bodies that are added.
     """

@@ -21,7 +21,6 @@ class Order:
 
     Attributes
     ----------
-    tree : tuple of Link
     q, v : mapping of str to int
         By name of the joint: where its first coordinate and its first speed stand in the engine.
     sizes : (int, int)

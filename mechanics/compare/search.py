@@ -44,8 +44,6 @@ class Seen:
 
     Attributes
     ----------
-    ours : Ours
-    states : States
     observed : mapping of str to array
         By quantity, a row for each state.
     rounding : float

@@ -43,7 +43,6 @@ class Link:
     axis : (3,)
     turn, offset : (3, 3), (3,)
         v_before = turn v, and where the joint is, in the frame of the link before.
-    mass : float
     centre : (3,)
     inertia : (3, 3)
     q, v : tuples of int
@@ -74,7 +73,6 @@ def links(ours: Ours, whole: bool = True) -> tuple[Link, ...]:
 
     Parameters
     ----------
-    ours : Ours
     whole : bool
         Whether loads and constraints are looked at: an engine that reads a file has its own.
 

@@ -47,7 +47,6 @@ class Bordered:
 
     Attributes
     ----------
-    mechanism : Mechanism
     mass : n x n
     forcing : n
     reaction_matrix : n x c

@@ -58,7 +58,6 @@ def at(
     function : casadi.Function
     values : mapping of str to sequence
         By input, for each entry a scalar graph or a number of SymPy's.
-    exact : ExactGraphs
     """
     code = read_routine(function)
     inputs = {

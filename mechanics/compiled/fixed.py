@@ -29,7 +29,6 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
 
     Parameters
     ----------
-    scene : Scene
     given : mapping of str to number or str
         By name of a parameter, or of a symbol that the definition of one uses.
 

@@ -47,7 +47,6 @@ class Graphs(Mapping[str, ca.Function]):
 
     Parameters
     ----------
-    equations : Equations
     form : str
         Of forward dynamics, one of `mechanics.compiled.FORMS`, or ``"auto"``.
     fixed : mapping of Symbol to Expr

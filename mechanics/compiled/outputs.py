@@ -235,10 +235,17 @@ class Outputs:
 
     @property
     def _from_bodies(self) -> tuple[Form, ...]:
-        """Forms to choose among; Gauss's principle is for many bodies in a plane."""
-        flat = all(body.inertia is None or body.scalar for body in self.mechanism.bodies)
-        many = len(self.mechanism.ud) + len(self.mechanism.constraints) > FEW
-        least = (RECURSIVE, SPARSE) if (flat and many) or self.form != "auto" else ()
+        """Forms to choose among.
+
+        Gauss's principle is for many bodies in a plane, and for bodies that no joints of one
+        freedom hold, where of the others elimination alone is left.
+        """
+        mechanism = self.mechanism
+        flat = all(body.inertia is None or body.scalar for body in mechanism.bodies)
+        many = len(mechanism.ud) + len(mechanism.constraints) > FEW
+        wanted = self.form != "auto" or (flat and many)
+        wanted = wanted or not joint_trees(replace(mechanism, constraints=()))
+        least = (RECURSIVE, SPARSE) if wanted else ()
         return (COMPOSITE, ARTICULATED, *least)
 
     def ways(self, form: str) -> list[Rows]:

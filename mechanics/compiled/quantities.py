@@ -41,11 +41,8 @@ class Quantity:
 
     Attributes
     ----------
-    symbol : Symbol
     unit : str
         SI; empty where it is not known.
-    meaning : str
-    positive : bool
     """
 
     symbol: Symbol
@@ -107,7 +104,6 @@ def quantities(
 
     Parameters
     ----------
-    equations : Equations
     fixed : mapping of Symbol to Expr, optional
         Values of parameters that are no longer given.
     with_reactions : bool

@@ -44,8 +44,6 @@ class Compiled:
     function : casadi.Function
     entries : mapping of str to tuple of str
         Names of the entries of its inputs.
-    compiler : str or None
-    flags : str
     """
 
     function: ca.Function
@@ -140,8 +138,6 @@ class RightHandSide:
     ----------
     model_graphs : Graphs
         Of the model: all functions, or those that were asked for.
-    compiler : str or None
-    flags : str
     """
 
     model_graphs: Graphs
@@ -261,13 +257,7 @@ class RightHandSide:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Step:
-    """One step of an explicit method, inputs held, but for time.
-
-    Attributes
-    ----------
-    of : RightHandSide
-    tableau : Tableau
-    """
+    """One step of an explicit method, inputs held, but for time."""
 
     of: RightHandSide
     tableau: Tableau

@@ -96,7 +96,6 @@ class Source:
     fixed : mapping of Symbol to Expr
     named : str
         Form of forward dynamics, or ``"auto"``.
-    arrays : Arrays
     """
 
     equations: Equations

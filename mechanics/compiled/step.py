@@ -23,8 +23,6 @@ class Tableau:
 
     Attributes
     ----------
-    name : str
-    order : int
     a : tuple of tuple
         Row i holds what stage i takes from the stages before it.
     b : tuple

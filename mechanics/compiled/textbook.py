@@ -52,7 +52,6 @@ class Textbook:
     fixed : mapping of Symbol to Expr
     named : str
         Form of forward dynamics, or ``"auto"``.
-    arrays : Arrays
     from_bodies : callable
         From the name of a form to graphs of (u', lambda) that start from the bodies.
     """

@@ -46,7 +46,6 @@ def by_sympy(
 
     Parameters
     ----------
-    scene : Scene
     programs : Programs
         Of the routes.
     routes : mapping of (str, str) to Finding

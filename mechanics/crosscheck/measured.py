@@ -42,7 +42,6 @@ def measured(
 
     Parameters
     ----------
-    scene : Scene
     models : mapping of str to Model
         By route.
     rows : sequence of Published

@@ -134,7 +134,6 @@ def compare_own(scene: Scene, model: Any, programs: Programs | None = None) -> l
 
     Parameters
     ----------
-    scene : Scene
     model : System, KanesMethod or LagrangesMethod
         What the scene was made from.
     programs : Programs, optional

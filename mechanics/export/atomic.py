@@ -66,7 +66,6 @@ def replace_in_folder(target: Path, files: Mapping[str, bytes], gone: Iterable[s
 
     Parameters
     ----------
-    target : Path
     files : mapping of file name to content
         The last one is put last.
     gone : iterable of str

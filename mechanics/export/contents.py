@@ -38,7 +38,6 @@ class Contents:
 
     Attributes
     ----------
-    scene, route : str
     arrays : mapping of str to tuple of Quantity
         Entries of the arrays that the functions read or write, in the order of `ARRAYS`.
     typical : tuple of float

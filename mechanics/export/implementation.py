@@ -15,8 +15,6 @@ def code_files(contents: Contents, part: Part, many: Sequence[str]) -> dict[str,
 
     Parameters
     ----------
-    contents : Contents
-    part : Part
     many : sequence of str
         Functions that are there for many states, too.
     """

@@ -27,7 +27,6 @@ def loader(contents: Contents, name: str, parts: Sequence[Part], many: Sequence[
 
     Parameters
     ----------
-    contents : Contents
     name : str
         Of the library.
     parts : sequence of Part

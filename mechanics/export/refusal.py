@@ -11,7 +11,6 @@ def refuse_refuted(findings: Sequence[Finding], target: str) -> None:
 
     Parameters
     ----------
-    findings : sequence of Finding
     target : str
         The file or folder that is not written.
 

@@ -64,7 +64,6 @@ def selftest(
     ----------
     scene : str
         Its name.
-    part : Part
     names : sequence of str
         Functions.
     program, states : callables

@@ -25,12 +25,10 @@ class Case:
 
     Attributes
     ----------
-    found : Enclosed
     given : bool
         Whether every value of the point is zero or a normal number of the precision.
     values : array (n,)
         As computed.
-    errors : Errors
     events : Events
         Of all points of the walk.
     index : int

@@ -30,7 +30,6 @@ def survey(judge: Truth, models: Mapping[str, Model], found: Sequence[Walk]) -> 
         Of the equations that the models were compiled from.
     models : mapping of str to Model
         By form.
-    found : sequence of Walk
     """
     points = np.vstack([walk.points for walk in found])
     parts = [_part(judge, models, points[i : i + CHUNK]) for i in range(0, len(points), CHUNK)]

@@ -174,7 +174,6 @@ def truth(equations: Equations, symbols: Sequence[sympy.Symbol]) -> Truth:
 
     Parameters
     ----------
-    equations : Equations
     symbols : sequence of Symbol
         Everything that has a value: q, u, inputs, parameters.
 

@@ -114,7 +114,6 @@ def grade(
     ----------
     reference : Reference
         The key.
-    name : str
     things : sequence
         As for `mechanics.check`.
     require : str

@@ -27,7 +27,6 @@ class Group:
     ----------
     scene : Scene
         The key.
-    grades : tuple of Grade
     """
 
     scene: Scene
@@ -65,7 +64,6 @@ def grade_files(
     ----------
     scene : Scene
         The key; its laws are verified first.
-    files : sequence of Path
     require : str
         One of `mechanics.grading.grade.REQUIRE`.
     pages : bool

@@ -15,7 +15,6 @@ def group_html(found: Group, links: Sequence[str] = ()) -> str:
 
     Parameters
     ----------
-    found : Group
     links : sequence of str
         Where the page of each submission is, where there is one.
     """

@@ -27,7 +27,6 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
 
     Parameters
     ----------
-    path : Path
     function : str, optional
         Of a Python file or notebook; its last one when not given.
     run_python : bool

@@ -37,7 +37,6 @@ def as_scene(thing: Any, name: str = "") -> Any:
 
     Parameters
     ----------
-    thing : Any
     name : str, optional
         Of the scene.
     """

@@ -30,7 +30,6 @@ def assemble(
 
     Parameters
     ----------
-    robot : Robot
     root : str
         What holds its first link: ``"fixed"`` to the ground, ``"free"`` or ``"planar"`` (in the
         plane of x and y).

@@ -86,7 +86,6 @@ def angle(text: str, where: str, notes: Notes, multiples: bool = True) -> Expr:
 
     Parameters
     ----------
-    text, where : str
     notes : Notes
         Told of each that is read so.
     multiples : bool

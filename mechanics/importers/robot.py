@@ -87,7 +87,6 @@ class Connection:
         Of a turn or a slide, or the normal of the plane, in the joint frame.
     offset : three Expr
         From the joint to the origin of the child, in the frame of the child.
-    limits : Limits
     driven : bool
         Whether an input drives it.
     zero : Expr
@@ -167,7 +166,6 @@ class Closure:
 
     Attributes
     ----------
-    name : str
     first, second : (str, Column)
         Link and place on it.
     turn : ImmutableMatrix or None

@@ -30,7 +30,6 @@ class Copy:
     ----------
     root : ReferenceFrame
         Inertial, of the model.
-    moved : Moved
     positive : set of Expr
         Symbols that are masses or moments of inertia.
     """

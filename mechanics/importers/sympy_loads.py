@@ -33,8 +33,6 @@ def bring(parts: Parts, copy: Copy, scene: Scene) -> tuple[tuple[Load, ...], tup
 
     Parameters
     ----------
-    parts : Parts
-    copy : Copy
     scene : Scene
         With everything but the loads.
 

@@ -98,8 +98,6 @@ class Finder:
     ----------
     scene : Scene
         With loads and constraints; the reactions that these name stand for those that are found.
-    joints : sequence of Joined
-    named : sequence of Named
     """
 
     def __init__(

@@ -33,8 +33,6 @@ def at_rest(truth: Equations, statement: Statement, table: Table = NO_TABLE) -> 
 
     Parameters
     ----------
-    truth : Equations
-    statement : Statement
     table : mapping of Symbol to Expr
         The person's symbols in the scene's, where they count otherwise.
     """

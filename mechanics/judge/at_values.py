@@ -94,8 +94,6 @@ def small_angles_at(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts as written, where parameters have values.
     values : mapping of Symbol to Expr

@@ -39,9 +39,6 @@ def check_box(
 
     Parameters
     ----------
-    truth : Equations
-    box : BlackBox
-    names : mapping of str to str, optional
     seed : int
         Of the states.
 

@@ -43,8 +43,6 @@ def blamed(
 
     Parameters
     ----------
-    reference : Reference
-    judged : sequence of Judged
     put : mapping of Symbol to Expr, optional
         What stands for the person's symbols, by a convention or as values of parameters; then no
         known mistakes are looked for, which are those of the scene's own derivation.

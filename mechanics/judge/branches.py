@@ -26,8 +26,6 @@ def blame_by_branch(
 
     Parameters
     ----------
-    truth : Equations
-    statement : Statement
     finding : Finding
         That refutes it.
     search : callable

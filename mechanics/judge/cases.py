@@ -64,7 +64,6 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
 
     Parameters
     ----------
-    truth : Equations
     row : Published
         About an equation of motion, in a scene without constraints.
     demands : sequence of Demand
@@ -150,7 +149,6 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         Of a scene without constraints.
     row : Published
         About an equation of motion, or an identity.
-    conditions : tuple of Relational
 
     Raises
     ------

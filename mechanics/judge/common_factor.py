@@ -18,13 +18,7 @@ from mechanics.scene.quantities import EquationOfMotion
 
 
 def demands_of_factors(truth: Equations, statement: Statement) -> tuple[Demand, ...]:
-    """What an equation of motion asks for to say something of accelerations.
-
-    Parameters
-    ----------
-    truth : Equations
-    statement : Statement
-    """
+    """What an equation of motion asks for to say something of accelerations."""
     row = statement.row
     if row is None or not isinstance(row.quantity, EquationOfMotion):
         return ()

@@ -49,13 +49,7 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
 
 
 def complete_residuals(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
-    """The entries; residuals of one function that say the same twice determine no motion.
-
-    Parameters
-    ----------
-    truth : Equations
-    judged : sequence of Judged
-    """
+    """The entries; residuals of one function that say the same twice determine no motion."""
     found = list(judged)
     titles: dict[str, list[int]] = {}
     for k, entry in enumerate(judged):

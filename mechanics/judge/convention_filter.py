@@ -37,7 +37,6 @@ def glance(truth: Equations, rows: Sequence[Published], tables: Sequence[Table])
 
     Parameters
     ----------
-    truth : Equations
     rows : sequence of Published
         With sides in plain symbols.
     tables : sequence of mapping of Symbol to Expr

@@ -41,7 +41,6 @@ def moved(scene: Scene, row: Published, table: Table) -> Published:
 
     Parameters
     ----------
-    scene : Scene
     row : Published
         As the person counts.
     table : dict of Symbol to Expr
@@ -80,7 +79,6 @@ def slopes_of(scene: Scene, table: Table) -> Matrix:
 
     Parameters
     ----------
-    scene : Scene
     table : dict of Symbol to Expr
         The person's symbols in the scene's.
     """

@@ -64,8 +64,6 @@ def where_defined(
 
     Parameters
     ----------
-    truth : Equations
-    statement : Statement
     finding : Finding
         Of its formulas, as far as these have values.
     region : sequence of Expr

@@ -74,7 +74,6 @@ def denoted_otherwise(scene: Scene, name: str, own: str, behind: str) -> Iterato
 
     Parameters
     ----------
-    scene : Scene
     name, own : str
         As the text has it, and as the scene has.
     behind : str

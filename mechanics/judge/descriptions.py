@@ -70,8 +70,6 @@ def described(scene: Scene, text: str, known: Sequence[Match]) -> Iterator[str]:
 
     Parameters
     ----------
-    scene : Scene
-    text : str
     known : sequence of Match
         What names of the person were taken for.
     """
@@ -102,14 +100,7 @@ def senses(scene: Scene, text: str, known: Sequence[Match]) -> Iterator[str]:
 def contradictions(
     scene: Scene, statements: Sequence[Statement], known: Sequence[Match]
 ) -> tuple[str, ...]:
-    """What texts say that the scene has otherwise, and no convention mends; in words.
-
-    Parameters
-    ----------
-    scene : Scene
-    statements : sequence of Statement
-    known : sequence of Match
-    """
+    """What texts say that the scene has otherwise, and no convention mends; in words."""
     texts = sorted({s.written.text for s in statements if s.written is not None})
     return tuple(
         dict.fromkeys(one for text in texts for one in _contradictions(scene, text, known))

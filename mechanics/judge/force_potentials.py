@@ -33,8 +33,6 @@ def right_with_potentials(
 
     Parameters
     ----------
-    scene : Scene
-    row : Published
     check : callable
         The finding of another row.
     """

@@ -37,8 +37,6 @@ def one_root_each(
 
     Parameters
     ----------
-    truth : Equations
-    judged : sequence of Judged
     statements : sequence of Statement
         As they were read.
     """

@@ -103,7 +103,6 @@ def inside(
 
     Parameters
     ----------
-    truth : Equations
     conditions : sequence of Relational
         Of the case.
     experiment : callable

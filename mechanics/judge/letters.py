@@ -43,7 +43,6 @@ class Settled:
 
     Attributes
     ----------
-    statement : Statement
     finding : Finding or None
         Where its dimension alone refutes it.
     right_if : str
@@ -63,8 +62,6 @@ def settle(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     shown : callable
         Whether a statement is right as it is judged.
     table : mapping of Symbol to Expr
@@ -140,8 +137,6 @@ def has_meaning(truth: Equations, letter: Letter, known: Mapping[Symbol, Dimensi
 
     Parameters
     ----------
-    truth : Equations
-    letter : Letter
     known : mapping
         Dimensions of symbols.
     """

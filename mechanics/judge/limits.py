@@ -36,7 +36,6 @@ def limited(truth: Equations, row: Published) -> Finding | None:
 
     Parameters
     ----------
-    truth : Equations
     row : Published
         In plain symbols.
     """

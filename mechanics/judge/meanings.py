@@ -54,8 +54,6 @@ class Candidate:
 
     Attributes
     ----------
-    words : str
-    quantity : Quantity
     before : tuple of Expr
         Sides that come before those that are written.
     directed : bool
@@ -90,7 +88,6 @@ def candidates(truth: Equations, words: str, table: Table = NO_TABLE) -> Iterato
 
     Parameters
     ----------
-    truth : Equations
     words : str
         One of `mechanics.claims.about.WORDS`.
     table : mapping of Symbol to Expr

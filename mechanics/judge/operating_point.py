@@ -76,13 +76,7 @@ class OperatingPoint:
 
 
 def operating_point(scene: Scene, written: Written) -> OperatingPoint | None:
-    """What the last sentence up to a statement says that speaks of it; None where none does.
-
-    Parameters
-    ----------
-    scene : Scene
-    written : Written
-    """
+    """What the last sentence up to a statement says that speaks of it; None where none does."""
     for sentence in reversed(_sentences(written)):
         if SAID.search(sentence) and not DENIED.search(sentence):
             hedge = HEDGED.search(sentence)

@@ -41,8 +41,6 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
 
     Parameters
     ----------
-    truth : Equations
-    reading : Reading
     again : callable
         Reads the text with these names given, besides those of the person.
     """

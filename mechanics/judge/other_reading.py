@@ -37,13 +37,7 @@ from mechanics.scene.unit_names import Dimension
 
 
 def of_one_dimension(truth: Equations, statement: Statement) -> Statement:
-    """The statement, in the first way to read it whose terms have one dimension.
-
-    Parameters
-    ----------
-    truth : Equations
-    statement : Statement
-    """
+    """The statement, in the first way to read it whose terms have one dimension."""
     row, written = statement.row, statement.written
     if not statement.others or row is None or written is None or statement.doubt:
         return statement

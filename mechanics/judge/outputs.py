@@ -27,13 +27,7 @@ Known = Mapping[Symbol, Dimension | None]
 
 
 def of_one_order(truth: Equations, statements: Sequence[Statement]) -> list[Statement]:
-    """Statements of code in the only order of its outputs that has the right dimensions.
-
-    Parameters
-    ----------
-    truth : Equations
-    statements : sequence of Statement
-    """
+    """Statements of code in the only order of its outputs that has the right dimensions."""
     found = list(statements)
     known = known_dimensions(truth) if any(s.taken for s in statements) else {}
     for words, places in _groups(statements).items():
@@ -70,7 +64,6 @@ def right_otherwise(
 
     Parameters
     ----------
-    judged : sequence of Judged
     shown : callable
         Whether a statement is right as it is judged.
     """
@@ -93,7 +86,6 @@ def under_guessed_orders(
 
     Parameters
     ----------
-    judged : sequence of Judged
     counts : sequence of int
         How many of them each reading has.
     names : sequence of sequence of Match

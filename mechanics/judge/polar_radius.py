@@ -16,12 +16,7 @@ from mechanics.symbolic import is_zero
 
 
 def with_positive_radii(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
-    """The scene with springs along their radius, and what is to be said of each.
-
-    Parameters
-    ----------
-    scene : Scene
-    """
+    """The scene with springs along their radius, and what is to be said of each."""
     loads: list[Load] = []
     told: list[str] = []
     for load in scene.loads:

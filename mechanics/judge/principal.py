@@ -39,7 +39,6 @@ def on_principal_range(
 
     Parameters
     ----------
-    row : Published
     found : Finding
         That refutes it.
     check : callable

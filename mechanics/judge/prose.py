@@ -84,7 +84,6 @@ def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) 
 
     Parameters
     ----------
-    entry : Judged
     statement : Statement
         As it was read.
     contradictions : sequence of str
@@ -129,8 +128,6 @@ def said_conventions(
 
     Parameters
     ----------
-    scene : Scene
-    statements : sequence of Statement
     known : sequence of Match
         What names of the person were taken for.
     """

@@ -60,7 +60,6 @@ def read(
 
     Parameters
     ----------
-    scene : Scene
     thing : str, bytes, Path, SymPy object, CasADi Function or callable
     names, notation, about
         As for `mechanics.check`.

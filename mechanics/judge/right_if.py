@@ -33,7 +33,6 @@ def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
 
     Parameters
     ----------
-    truth : Equations
     statements : sequence of Statement
         With a row each; at least one of them is refuted as it is written.
     """

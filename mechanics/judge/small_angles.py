@@ -44,8 +44,6 @@ def right_for_small_angles(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts as written.
     """
@@ -64,8 +62,6 @@ def as_said(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts as written.
     table : mapping of Symbol to Expr
@@ -134,8 +130,6 @@ def to_first_order(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     place : mapping of Symbol to Expr
         About which angles; zero for those that it does not hold.
     """

@@ -35,13 +35,7 @@ IDLE = re.compile(
 
 
 def in_special_case(truth: Equations, entries: Sequence[Judged]) -> tuple[Judged, ...]:
-    """The entries; a refuted one is open where it is right in the case that its text gives.
-
-    Parameters
-    ----------
-    truth : Equations
-    entries : sequence of Judged
-    """
+    """The entries; a refuted one is open where it is right in the case that its text gives."""
     return tuple(_open(truth, entry) for entry in entries)
 
 

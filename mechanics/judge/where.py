@@ -62,7 +62,6 @@ def read_where(
 
     Parameters
     ----------
-    truth : Equations
     texts : sequence of str
         ``"cos(phi) > 0"``; several in one are parted by ``and``.
     names : sequence of Match
@@ -96,8 +95,6 @@ def judge_where(truth: Equations, statement: Statement, where: Sequence[Where]) 
 
     Parameters
     ----------
-    truth : Equations
-    statement : Statement
     where : sequence of Where
         At least one, which hold together at some state.
     """
@@ -129,8 +126,6 @@ def right_where(
 
     Parameters
     ----------
-    truth : Equations
-    statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts as written.
     """

@@ -49,8 +49,6 @@ class Forms:
 
     Attributes
     ----------
-    nodes : Program or Builder
-    made : dict of int to Form
     most : int
         Terms beyond which a node is a monomial of its own.
     cut : bool

@@ -87,7 +87,6 @@ def is_thin(program: Program, output: str, states: Sequence[Mapping[str, Fractio
 
     Parameters
     ----------
-    program : Program
     output : str
         Name of an output of one entry.
     states : sequence of mappings of str to Fraction or arb

@@ -64,8 +64,6 @@ class Gap:
 
     Attributes
     ----------
-    obligation : Obligation
-    kind : Kind
     at_rest : bool
         Whether a reference state is in it; strictly inside for open sets.
     state : tuple of (str, Fraction or arb)
@@ -122,8 +120,6 @@ def unmet(builder: Builder, written: Sequence[Obligation], space: Space) -> tupl
     ----------
     builder : Builder
         With the nodes of all obligations.
-    written : sequence of Obligation
-    space : Space
     """
     forms = _forms(builder, written, space)
     return tuple(o for o, _ in _left(forms, written, space))
@@ -134,7 +130,6 @@ def excludes(builder: Builder, conditions: Sequence[Condition], positive: frozen
 
     Parameters
     ----------
-    builder : Builder
     conditions : sequence of (int, bool)
         Nodes, and the truth values that are asked for.
     positive : frozenset of str
@@ -155,8 +150,6 @@ def gaps(builder: Builder, written: Sequence[Obligation], space: Space) -> tuple
     ----------
     builder : Builder
         With the nodes of all obligations.
-    written : sequence of Obligation
-    space : Space
     """
     forms = _forms(builder, written, space)
     left = _left(forms, written, space)

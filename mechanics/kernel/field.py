@@ -48,7 +48,6 @@ class Residues:
     ----------
     prime : int
         As `primes.draw_prime` gives it for `modulus`.
-    modulus : int
     draws : Draws
         Where the point comes from.
     turns : sequence of Fraction

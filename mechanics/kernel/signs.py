@@ -96,7 +96,6 @@ class Forms:
 
     Parameters
     ----------
-    builder : Builder
     roots : sequence of int
         Nodes that are asked for.
     positive : callable

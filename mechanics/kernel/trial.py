@@ -93,9 +93,6 @@ class Trial:
 
     Attributes
     ----------
-    answer : Answer
-    log2_bound : float
-    words : str
     unknown : tuple of str
         Operations that are known by congruence only.
     off_boundaries : bool
@@ -314,7 +311,6 @@ def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
 
     Parameters
     ----------
-    statement : Statement
     is_proved : callable
         Asked once the first point is zero; if it says yes, no more points are needed.
 

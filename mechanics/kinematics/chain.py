@@ -25,7 +25,6 @@ def motions(mechanism: Mechanism, rates: Mapping[Node, Node] | None = None) -> M
 
     Parameters
     ----------
-    mechanism : Mechanism
     rates : mapping of Node to Node, optional
         Rate of each node that changes; by default those of q, u and what is given.
     """

@@ -24,7 +24,6 @@ def kinetic_energies(
 
     Parameters
     ----------
-    mechanism : Mechanism
     rates : mapping of Node to Node
         Those of the mechanism for energies in q and u; its coordinate rates for q and q'.
     factor : Fraction

@@ -23,7 +23,6 @@ def singular_angles(scene: Scene, coordinates: Mapping[str, float | Expr]) -> st
 
     Parameters
     ----------
-    scene : Scene
     coordinates : mapping of str to float or Expr
         By plain name; an angle that is missing, or no number, is not blamed.
     """

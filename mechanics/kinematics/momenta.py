@@ -15,7 +15,6 @@ def momenta_written_out(kinematics: Kinematics, expression: Expr) -> Expr:
 
     Parameters
     ----------
-    kinematics : Kinematics
     expression : Expr
         In plain symbols, or with p_phi1 and p_phi1' as functions of time.
     """

@@ -42,10 +42,8 @@ def output_matrix(
 
     Parameters
     ----------
-    mechanism : Mechanism
     motions : Motions
         In q and u.
-    output : Output
     slope : bool
         Whether the Jacobian is wanted.
     """

@@ -19,7 +19,6 @@ class Printer:
 
     Parameters
     ----------
-    scene : Scene
     mechanism : Mechanism
         Of that scene.
     """

@@ -44,8 +44,6 @@ class BodyMotion:
 
     Attributes
     ----------
-    body : Body
-    centre : PointMotion
     rotation : Matrix
         3 x 3, v_inertial = R v_body; the identity for a particle.
     angular_velocity : Matrix
@@ -76,7 +74,6 @@ class Kinematics:
 
     Attributes
     ----------
-    scene : Scene
     lowered : Mechanism or None
         Of that scene, where it is at hand.
     """

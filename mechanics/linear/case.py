@@ -34,8 +34,6 @@ class Case:
 
     Attributes
     ----------
-    subject : str
-    row : Published
     linear : Linear
         About the operating point of the row's quantity.
     names : mapping of Symbol to Expr

@@ -47,7 +47,6 @@ def check_linear(
 
     Parameters
     ----------
-    linear : Linear
     derived : Derived
         Of any route: its accelerations are those that are compared with.
     rates : mapping of str to Expr, optional

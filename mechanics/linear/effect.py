@@ -29,7 +29,6 @@ def effective(reduction: Reduction, parameters: Mapping[Symbol, Expr]) -> frozen
 
     Parameters
     ----------
-    reduction : Reduction
     parameters : mapping of Symbol to Expr
         Relations under which it is asked.
     """
@@ -99,12 +98,10 @@ def depends(
 
     Parameters
     ----------
-    place : Place
     nodes : sequence of Node
         Of its builder.
     on : Node
         The input.
-    signs : mapping of str to Range
     solved : mapping of Node to Node
         What takes the place of other inputs in the derivatives.
     """

@@ -46,7 +46,6 @@ def check_linear_row(
 
     Parameters
     ----------
-    scene : Scene
     row : Published
         About a quantity of `mechanics.scene.linear_quantities`.
     equations : Equations

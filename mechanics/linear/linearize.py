@@ -129,9 +129,6 @@ class Expansion:
 
     Attributes
     ----------
-    equations : Equations
-    point : OperatingPoint
-    reduction : Reduction
     place : Place
         Where all values are put in.
     kept : tuple of int

@@ -119,7 +119,6 @@ class Place:
         Where the nodes come from.
     values : mapping of str to Expr
         By the name of the input; what is not listed stays an input.
-    builder : Builder
     """
 
     source: Builder

@@ -52,7 +52,6 @@ def not_linear(
 
     Parameters
     ----------
-    moving : Reduction
     plain : Place
         With relations of parameters, but without the operating point.
     nodes, names : sequences

@@ -88,7 +88,6 @@ def reduction(equations: Equations, derived: Derived, place: Place, given: set[s
 
     Parameters
     ----------
-    equations : Equations
     derived : Derived
         Their rows.
     place : Place

@@ -63,7 +63,6 @@ def check_rounded(
 
     Parameters
     ----------
-    case : Case
     columns : sequence of sequence of Expr
         Columns of the exact matrix, numbers; or all of its entries, row by row, as one.
     free_signs : bool

@@ -56,7 +56,6 @@ def build(
 
     Parameters
     ----------
-    builder : Builder
     expressions : sequence
         Anything hashable but callables made by `functools.partial`.
     expand : callable

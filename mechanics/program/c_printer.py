@@ -21,8 +21,6 @@ class _Template(NamedTuple):
 
     Attributes
     ----------
-    text : str
-    precedence : int
     needed : tuple of int
         Precedence below which an operand is put into parentheses.
     """

@@ -97,7 +97,6 @@ def print_graphs(
 
     Parameters
     ----------
-    program : Program
     entries : mapping of str to casadi.SX
         For each input a scalar.
     shapes : mapping of str to (int, int), optional

@@ -41,7 +41,6 @@ def read(
 
     Parameters
     ----------
-    builder : Builder
     function : casadi.Function
         A graph of scalars (SX), or what expands to one.
     arguments : mapping of str to sequence of Node, optional
@@ -89,7 +88,6 @@ def read_routine(
 
     Parameters
     ----------
-    function : casadi.Function
     numbers : sequence of Fraction or None, optional
         What the entries of the last input are; it keeps those of which none is given.
 
@@ -132,8 +130,6 @@ def nodes_of(
 
     Parameters
     ----------
-    builder : Builder
-    instructions : sequence of Instruction
     inputs : sequence of sequence of Node
         Entries of each input.
     wanted : sequence of int

@@ -39,7 +39,6 @@ def expand_solves(program: Program, pivots: Mapping[int, Sequence[int]] | None =
 
     Parameters
     ----------
-    program : Program
     pivots : mapping of int to sequence of int, optional
         For a system, by its place in `program.systems`: the row that holds the pivot of each
         column. The caller knows that these pivots are not 0.

@@ -20,7 +20,6 @@ def tangent(outputs: Sequence[Node], directions: Mapping[Node, Node]) -> list[No
 
     Parameters
     ----------
-    outputs : sequence of Node
     directions : mapping of Node to Node
         x_k' for each x_k that changes; any node may be one of them, and is then not looked into.
     """

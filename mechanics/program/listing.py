@@ -29,7 +29,6 @@ class Listing:
     Attributes
     ----------
     lines : tuple of (Symbol, Expr)
-    outputs : mapping of str to tuple of Expr
     """
 
     lines: tuple[tuple[sympy.Symbol, sympy.Expr], ...]

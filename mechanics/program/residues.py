@@ -157,7 +157,6 @@ class Residues:
 
     Parameters
     ----------
-    builder : Builder
     replaced : mapping of Node to Node, optional
         What takes the place of inputs: what constraints give.
     begin : Choice, optional

@@ -41,7 +41,6 @@ class Routine:
 
     Attributes
     ----------
-    name : str
     program : Program
         Its inputs are the entries of all arrays, one after the other; its outputs stand by name.
     inputs : tuple of (str, int)

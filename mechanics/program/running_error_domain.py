@@ -110,7 +110,6 @@ class RunningErrors:
 
     Attributes
     ----------
-    precision : type
     normal : bool
         Whether the caller sees to it that nothing underflows: errors are then relative as long as
         there are products only. Otherwise each rounding counts the smallest normal number, too.

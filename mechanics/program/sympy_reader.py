@@ -35,7 +35,6 @@ def read(
 
     Parameters
     ----------
-    builder : Builder
     expressions : sequence of sympy.Basic
         Numbers, symbols, elementary functions, cases and relations.
     symbols : mapping of sympy.Basic to Node, optional
@@ -69,7 +68,6 @@ class Reader:
 
     Parameters
     ----------
-    builder : Builder
     symbols : mapping of sympy.Basic to Node
         As for `read`.
     rules : mapping of type to callable, optional

@@ -61,12 +61,10 @@ class Step(NamedTuple):
 
     Attributes
     ----------
-    kind : Kind
     out : int
         Number of the series.
     a, b : int
         Numbers of series; -1 - k for the k-th constant.
-    sign : int
     """
 
     kind: Kind
@@ -323,8 +321,6 @@ def expand(
 
     Parameters
     ----------
-    rules : Recurrences
-    numbers : Domain
     first, constants : sequence of values of the domain
         Outputs of the programs of the rules.
     step : value of the domain

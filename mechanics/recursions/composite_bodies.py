@@ -25,7 +25,6 @@ def mass_matrix(mechanism: Mechanism, links: Sequence[Link]) -> tuple[tuple[Node
 
     Parameters
     ----------
-    mechanism : Mechanism
     links : sequence of Link
         Of `joint_tree`.
     """

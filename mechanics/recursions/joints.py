@@ -74,7 +74,6 @@ class JointTree:
 
     Attributes
     ----------
-    links : tuple of Link
     carriers : mapping of int to int
         Link of each frame that turns by a coordinate, GROUND for the inertial one.
     roots : mapping of int to Spot
@@ -97,7 +96,6 @@ def joint_tree(mechanism: Mechanism, moments: Moments) -> tuple[Link, ...] | Non
 
     Parameters
     ----------
-    mechanism : Mechanism
     moments : Moments
         Of its masses: as they are, or grouped.
     """
@@ -110,7 +108,6 @@ def placed_joint_tree(mechanism: Mechanism, moments: Moments) -> JointTree | Non
 
     Parameters
     ----------
-    mechanism : Mechanism
     moments : Moments
         Of its masses: as they are, or grouped.
     """

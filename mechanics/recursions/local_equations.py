@@ -37,10 +37,8 @@ def jacobian(
 
     Parameters
     ----------
-    mechanism : Mechanism
     links : sequence of Link
         Of `joint_tree`.
-    variables : sequence of Node
     """
     equations = _LocalEquations(mechanism, links)
     columns = [equations.column(variable) for variable in variables]

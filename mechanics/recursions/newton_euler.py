@@ -53,7 +53,6 @@ def rows(mechanism: Mechanism, moments: Moments) -> tuple[Node, ...]:
 
     Parameters
     ----------
-    mechanism : Mechanism
     moments : Moments
         Of its masses: as they are, or grouped.
 

@@ -31,7 +31,6 @@ class FreeBodyRow:
 
     Attributes
     ----------
-    body : int
     kind : str
         ``"linear"``, or ``"angular"`` about the mass centre.
     along : Vector

@@ -126,7 +126,6 @@ def with_dependent_speeds(mechanism: Mechanism, rows: Rows) -> Rows:
 
     Parameters
     ----------
-    mechanism : Mechanism
     rows : Rows
         As `derive` gives them.
     """

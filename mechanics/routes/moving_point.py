@@ -108,12 +108,10 @@ class Balance:
 
     Attributes
     ----------
-    principle : Principle
     words : str
         What was chosen, for people.
     spin, spin_rate : Vector
         H_B about the moment centre, and its rate.
-    momentum, momentum_rate : Vector
     velocity : Vector
         Of the moment centre as a geometric point.
     torque, force : Vector

@@ -22,7 +22,6 @@ class BodyTerms:
 
     Attributes
     ----------
-    body : int
     turning, moving, linear : Node
         Of dH_B/dt, of v_B x P, and of dP/dt.
     carried : Node

@@ -114,7 +114,6 @@ def independent_beside(mechanism: Mechanism, forms: Sequence[Sequence[Node]]) ->
 
     Parameters
     ----------
-    mechanism : Mechanism
     forms : rows of nodes
         A of A u + a = 0.
     """

@@ -52,7 +52,6 @@ class SympyModel:
 
     Parameters
     ----------
-    scene : Scene
     replaced : mapping of Expr to Expr
         What stands for some symbols of the scene.
     openings : sequence of Opening

@@ -29,10 +29,8 @@ def moved_by(scene: Declaration, body: str | None, point: Point) -> str:
 
     Parameters
     ----------
-    scene : Declaration
     body : str or None
         None for the ground, which inputs may move.
-    point : Point
     """
     start, frame = scene.origin, frame_of(scene, body)
     if body is not None:
@@ -50,10 +48,8 @@ def turned_by(scene: Declaration, body: str | None, direction: Vector) -> str:
 
     Parameters
     ----------
-    scene : Declaration
     body : str or None
         None for the ground, which inputs may turn.
-    direction : Vector
     """
     frame, counted = frame_of(scene, body), set(scene.coordinates)
     found: set[Symbol] = set()

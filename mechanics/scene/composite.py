@@ -40,7 +40,6 @@ class Part:
 
     Attributes
     ----------
-    shape : Shape
     mass : Expr
         In kg.
     at : ImmutableMatrix
@@ -122,12 +121,9 @@ def part(
 
     Parameters
     ----------
-    shape : Shape
     density, mass : Expr
         One of them: the mass in kg, or the density per size: in kg/m^2 for an area (rho h), in
         kg/m for a rod or ring.
-    at : sequence of 2 Expr
-    angle : Expr
 
     Raises
     ------

@@ -63,8 +63,6 @@ def dimension_of(scene: Scene, e: Expr, known: Mapping[Symbol, Any]) -> Dimensio
 
     Parameters
     ----------
-    scene : Scene
-    e : Expr
     known : mapping of Symbol to Dimension or None
 
     Raises

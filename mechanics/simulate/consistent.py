@@ -40,8 +40,8 @@ class Suggestion:
     given : tuple of bool
         Whether the value was asked for, and has to be kept.
     kept : tuple of bool
-        Those, and parts of quaternions: an orientation stays where the others close the loops.
-        Empty: those alone.
+        Those, parts of quaternions, and speeds of the scene's example: what stays where the others
+        can satisfy the constraints. Empty: those alone.
     """
 
     names: tuple[str, ...]
@@ -68,7 +68,7 @@ def consistent_coordinates(
     off, _ = manifold.position(t, suggestion.values)
     if not off.size:
         return suggestion.values, ""
-    for given in dict.fromkeys((suggestion.kept or suggestion.given, suggestion.given)):
+    for given in _flags(suggestion):
         held = replace(suggestion, given=given)
         dependent = _dependent(_generic_jacobian(manifold, t, held), held, len(off))
         found = _Loops(manifold, t, held.values, dependent, np.array(periodic)).branches()
@@ -100,26 +100,31 @@ def consistent_speeds(manifold: Manifold, t: float, q: Array, suggestion: Sugges
     SingularError
         When the constraints depend on each other at q.
     """
-    u = suggestion.values.copy()
-    off, matrix = manifold.speed(t, q, u)
+    off, matrix = manifold.speed(t, q, suggestion.values)
     if not off.size:
-        return u
+        return suggestion.values
     if np.linalg.matrix_rank(matrix, rtol=DEGENERATE) < len(off):
         raise SingularError(
             f"the initial configuration is singular: there {_listed(manifold.names[-len(off) :])}"
             " depend on each other, and do not determine the motion: start beside it"
         )
-    dependent = _dependent(matrix, suggestion, len(off))
-    if dependent:
-        u[dependent] -= np.linalg.lstsq(matrix[:, dependent], off, rcond=None)[0]
-    off, matrix = manifold.speed(t, q, u)
-    if not _vanishes(off, matrix, u):
-        given = [n for n, kept in zip(suggestion.names, suggestion.given, strict=True) if kept]
-        raise InputError(
-            f"the initial speeds {_listed(given) or '(none given)'} contradict the constraints,"
-            f" which leave {len(u) - len(off)} free: give fewer speeds, or another configuration"
-        )
-    return u
+    for held in _flags(suggestion):
+        u = suggestion.values.copy()
+        dependent = _dependent(matrix, replace(suggestion, given=held), len(off))
+        if dependent:
+            u[dependent] -= np.linalg.lstsq(matrix[:, dependent], off, rcond=None)[0]
+        if _vanishes(*manifold.speed(t, q, u), u):
+            return u
+    given = [n for n, kept in zip(suggestion.names, suggestion.given, strict=True) if kept]
+    raise InputError(
+        f"the initial speeds {_listed(given) or '(none given)'} contradict the constraints,"
+        f" which leave {len(u) - len(off)} free: give fewer speeds, or another configuration"
+    )
+
+
+def _flags(suggestion: Suggestion) -> dict[tuple[bool, ...], None]:
+    """What is held, first with what is better kept, then without; in this order."""
+    return dict.fromkeys((suggestion.kept or suggestion.given, suggestion.given))
 
 
 def _dependent(jacobian: Array, suggestion: Suggestion, count: int) -> list[int]:

@@ -4,7 +4,7 @@
 
 Errors of a method that controls its steps are about proportional to its tolerance, so that the
 coarse run, which costs less than a third, shows how a motion makes errors grow. Where it has lost
-the motion, at t1, the growth before is gone on with, by the law that fits it better:
+the motion, at t1, it ends, and the growth before is gone on with, by the law that fits it better:
 
     e(t) = e(t1) exp(k (t - t1)),    e(t) = e(t1) (t / t1)^n
 
@@ -93,24 +93,29 @@ def error_estimate(
     first = None
     if coarse and by.method in COARSER:
         first = LONGER * float(times[rows[-1]] - times[0]) / found.steps
-    states = sample(flow, start, times[rows], other, first=first).states
-    if len(states) < len(rows):
+    right = found.states[rows]
+    scale = np.maximum(np.max(np.abs(right), axis=0), NOISE * by.atol)
+
+    def lost(row: int, state: Array) -> bool:
+        """Whether the coarse run shows nothing more: what follows is another motion."""
+        return coarse and bool(np.max(np.abs(right[row] - state) / scale) >= LOST)
+
+    states = sample(flow, start, times[rows], other, first=first, enough=lost).states
+    count = len(states)
+    if count < len(rows) and not lost(count - 1, states[-1]):
         return None
-    gaps = _gaps(found.states[rows], states, NOISE * by.atol)
+    gaps = np.maximum.accumulate(np.max(np.abs(right[:count] - states) / scale, axis=1))
     if not coarse:
         return ErrorEstimate(min(1.0, float(gaps[-1])))
     ratio = max(by.rtol, ROUNDINGS) / other.rtol
     return _extrapolated(times[rows], gaps, ratio)
 
 
-def _gaps(states: Array, others: Array, least: float) -> Array:
-    """The largest relative difference so far, shape (K,)."""
-    scale = np.maximum(np.max(np.abs(states), axis=0), least)
-    return np.maximum.accumulate(np.max(np.abs(states - others) / scale, axis=1))
-
-
 def _extrapolated(times: Array, gaps: Array, ratio: float) -> ErrorEstimate:
-    """The error at the end; growth is followed from where the coarse run has lost the motion."""
+    """The error at the end; growth is followed from where the coarse run has lost the motion.
+
+    There the gaps end, before the times do.
+    """
     end = float(times[-1])
     if gaps[-1] < LOST:
         return ErrorEstimate(ratio * float(gaps[-1]))

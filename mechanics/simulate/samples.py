@@ -57,6 +57,7 @@ def sample(
     progress: Callable[[float], None] | None = None,
     watch: Watching = Watching(),
     first: float | None = None,
+    enough: Callable[[int, Array], bool] = lambda index, state: False,
 ) -> Samples:
     """Integrate from ``times[0]`` to ``times[-1]`` and sample the motion.
 
@@ -74,6 +75,8 @@ def sample(
         The domain of the model, and whether to go on outside of it.
     first : float, optional
         The first step, in s, where it is not the integrator's to find.
+    enough : callable
+        Of the index of a sample and its state: whether no later one is needed.
     """
     states = [start]
     drift = flow.manifold.residual(times[0], start)
@@ -87,6 +90,8 @@ def sample(
         due = times[len(states) :]
         for time in due[due <= stretch.end]:
             states.append(flow.manifold.project(time, stretch.state(time)))
+            if enough(len(states) - 1, states[-1]):
+                return Samples(np.array(states), drift, ending, time, tuple(crossed), taken)
         end = stretch.end
         if progress is not None:
             progress(end / float(times[-1]))

@@ -40,6 +40,8 @@ def read_initial(scene: Scene, given: Given) -> tuple[Suggestion, Suggestion]:
 
     values = {name: float(value) for name, value in scene.example.items()} | numbers
     asked, kept = {*numbers}, {*numbers, *(s.name for s in scene.quaternions)}
+    # A wheel whose example rolls does not stand still because its road is named before its turn.
+    kept |= {*u} & {*scene.example}
     for rotation in scene.rotations:
         own = [name_of(coordinate) for coordinate in rotation.coordinates]
         told = numbers if numbers.keys() & set(own) else values

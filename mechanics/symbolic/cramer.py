@@ -17,7 +17,6 @@ def cramer(forms: Sequence[Expr], unknowns: Sequence[Symbol]) -> tuple[list[Expr
     ----------
     forms : sequence of Expr
         Expressions that are zero, linear in the unknowns and as many as they.
-    unknowns : sequence of Symbol
 
     Returns
     -------

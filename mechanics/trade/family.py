@@ -4,8 +4,8 @@
 
 `scale_i` is the largest magnitude that the coordinate or speed reaches along the motion from the
 example, so coordinates and speeds all vary by the same share of what the motion runs through, and
-energies vary with them. In a scene with constraints the varied values are made consistent, as
-initial values are; a draw that no configuration satisfies is drawn again.
+energies vary with them. In a scene with constraints the nearest state that satisfies them is taken;
+a draw beside which there is none is drawn again.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,8 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.errors import InputError, SingularError
-from mechanics.simulate.consistent import Suggestion
+from mechanics.errors import InputError
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.measure import prepared
@@ -123,23 +122,15 @@ def family(
 
 
 def _drawn(case: Case, scale: Array, spread: float, random: np.random.Generator) -> Array:
-    size = len(case.equations.scene.q)
-    q, u = case.suggested
     for _ in range(DRAWS):
         varied = case.start + spread * random.uniform(-1, 1, len(scale)) * scale
-        try:
-            return case.consistent(_suggest(q, varied[:size]), _suggest(u, varied[size:]))
-        except (InputError, SingularError):
-            continue
+        state = case.manifold.project(0.0, varied)
+        if np.all(np.isfinite(state)):
+            return state
     raise InputError(
         f"{case.equations.scene.name}: none of {DRAWS} states around the start satisfies the"
         f" constraints: vary them by less than {spread:g} of the motion"
     )
-
-
-def _suggest(group: Suggestion, values: Array) -> Suggestion:
-    """Values of which none has to be kept."""
-    return replace(group, values=values, given=(False,) * len(values))
 
 
 def solutions(case: Case, starts: Array, first: Choice, second: Choice) -> list[Solution]:

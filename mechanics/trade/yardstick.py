@@ -4,9 +4,10 @@ Doubles round at every operation. Where that has grown to 1 % of the motion, two
 longer give the same motion, and the horizon is shortened to that time.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechanics.clock import timed
 from mechanics.errors import InputError
@@ -19,11 +20,15 @@ from mechanics.trade.family import SPREAD, family
 from mechanics.trade.measure import prepared
 from mechanics.trade.truth import NORM, Truth, from_reference, from_states
 
+Array = NDArray[np.float64]
+
 DIGITS = 30
 # A first look at the motion, for its scales.
 LOOK = Choice(Variant(), Setting("SciPy DOP853", tolerance=1e-9))
 EXACT = 1e-12
 """An error, in the stated norm, that is nothing but rounding."""
+ROUNDED = 1e-9
+"""Share of what is largest in the same unit, below which an entry moves by rounding alone."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,8 +77,9 @@ def with_informative_start(case: Case) -> tuple[Case, tuple[str, ...]]:
     the same system may oscillate fast.
     """
     truth = from_states(_look(case).states)
+    moved = _moved(case, truth.scale)
     outcome = prepared(case, Choice(Variant(), Setting("C RK4", step=case.horizon)))()
-    errors = truth.errors(outcome.states)
+    errors = replace(truth, scale=np.where(moved, truth.scale, np.inf)).errors(outcome.states)
     if len(errors) < len(case.times) or np.max(errors) > EXACT:
         return case, ()
     note = (
@@ -81,7 +87,15 @@ def with_informative_start(case: Case) -> tuple[Case, tuple[str, ...]]:
         f" told from another: what is measured starts beside it, off by up to {SPREAD:.0%} of what"
         " this motion runs through"
     )
-    return case.starting(family(case, truth.scale, 1)[0]), (note,)
+    scale = np.where(moved, truth.scale, 1.0)
+    return case.starting(family(case, scale, 1)[0]), (note,)
+
+
+def _moved(case: Case, scale: Array) -> NDArray[np.bool_]:
+    """Entries that move by more than rounding beside what is largest in the same unit."""
+    units = np.array(case.units)
+    like = np.array([np.max(scale[units == unit]) for unit in units])
+    return np.asarray(scale > ROUNDED * like)
 
 
 def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[str, ...]]:

@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 
 from mechanics.compiled.model import Model
+from mechanics.compiled.quantities import typical_value
 from mechanics.errors import InputError, SingularError
 from mechanics.simulate import Ending, Trajectory, simulate
+from mechanics.simulate.consistent import consistent_speeds
+from mechanics.simulate.constraints import manifold
+from mechanics.simulate.values import read_initial
+from systems import bicycle
 
 ModelOf = Callable[[str], Model]
 PARALLELOGRAM = {"l1": 0.1, "l2": 0.3, "l3": 0.1, "d": 0.3}
@@ -134,6 +139,25 @@ def test_coordinates_that_close_by_themselves_are_taken(linkage: Model) -> None:
     given = {name: column[0] for name, column in first.coordinates.items()}
     again = simulate(linkage, 0.1, initial=given, samples=2)
     assert again.coordinates["q2"][-1] == pytest.approx(first.coordinates["q2"][-1], abs=1e-9)
+
+
+def test_speeds_of_the_example_stay_where_the_others_can_follow() -> None:
+    """Whatever the order in which speeds are named: a bicycle whose wheel turns moves."""
+    scene = bicycle.scene()
+    numbers = {p: typical_value(p, {}) for p in bicycle.bicycle_parameters().values()}
+    moving, q = manifold(scene, numbers, {}), np.zeros(len(scene.q))
+    names = [u.name for u in scene.u]
+
+    def start(**given: float) -> dict[str, float]:
+        u = consistent_speeds(moving, 0.0, q, read_initial(scene, given)[1])
+        assert np.max(np.abs(moving.speed(0.0, q, u)[0])) < 1e-13
+        return dict(zip(names, u.tolist(), strict=True))
+
+    radius, turn = 0.3, scene.example["tR_dot"]
+    assert start()["tR_dot"] == turn
+    assert start()["x_dot"] == pytest.approx(-radius * turn)
+    assert start(x_dot=6.0)["x_dot"] == 6.0
+    assert start(x_dot=6.0)["tR_dot"] == pytest.approx(-6.0 / radius)
 
 
 def test_speeds_that_contradict_the_closure_are_refused(linkage: Model) -> None:

@@ -15,8 +15,8 @@ ModelOf = Callable[[str], Model]
 FINEST = {"rtol": 3e-14, "atol": 1e-16, "estimate": False}
 ROUNDING = 1e-12
 SECONDS = {"pendulum_chain": 4.0, "four_bar": 2.0, "andrews": 0.03}
-SHARE = 0.31
-"""Evaluations that an estimate may add: 0.23 to 0.29, and 0.302 for a chaotic motion of 10 s."""
+SHARE = 0.3
+"""Evaluations that an estimate may add: 0.23 to 0.29, and less where the motion is lost before."""
 
 
 def states(motion: Trajectory) -> np.ndarray:

@@ -191,6 +191,19 @@ def test_choices_are_measured_beside_a_motion_on_which_any_step_is_exact() -> No
     assert np.max(truth.errors(prepared(moved, step)().states)) > 1e-3
 
 
+@pytest.mark.campaign
+def test_a_bicycle_that_rides_straight_is_measured_as_it_leans_and_steers() -> None:
+    """Lean and steer of its example move by rounding alone; beside it both have a size."""
+    asked = Case(derive(load("bicycle").scene(), "kane"), 1.0, compiler=None)
+    moved, (note,) = with_informative_start(asked)
+    assert "starts beside it" in note
+    start = dict(zip(moved.names, moved.start.tolist(), strict=True))
+    assert 0.01 < abs(start["lean"]) < 0.15
+    assert abs(start["steer"]) < 0.15
+    assert start["tR_dot"] == pytest.approx(-10, rel=0.1)
+    assert np.max(moved.manifold.residual(0.0, moved.start)) < 1e-12
+
+
 def test_start_of_other_motions_is_kept() -> None:
     asked = Case(derive(load("rod_pendulum").scene(), "kane"), 1.0)
     assert with_informative_start(asked) == (asked, ())

@@ -28,7 +28,6 @@ class Notation:
 
     Attributes
     ----------
-    times, divide, power : str
     names : dict of Symbol to str
         Other symbols are typed by their names.
     prefix : str

@@ -64,7 +64,6 @@ class Quotient:
 
     Attributes
     ----------
-    negative : bool
     above, below : tuple of Tree
         Factors; numbers in front, 1 left out.
     """

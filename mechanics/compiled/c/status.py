@@ -105,7 +105,6 @@ def status_lines(
     ----------
     name : str
         Of the variable.
-    codes : Codes
     inputs, values, divisors : sequences of str
         Locals; divisors are among the values.
     """

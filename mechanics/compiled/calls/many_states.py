@@ -39,7 +39,6 @@ def run(
     ----------
     kernel : BatchKernel
         Made for the inputs that `shared` names.
-    code : Routine
     given : mapping of str to array
         (size,) or (batch, size) by input.
     count : int
@@ -47,7 +46,6 @@ def run(
     out : mapping of str to array
         Where outputs may be written, (batch, entries), if that is possible; the others are made
         here, in the layout that the inputs have.
-    threads : int
     """
     common = shared(given)
     arguments = {g: _readable(given[g]) for g, _ in code.inputs}

@@ -50,7 +50,6 @@ def quotients(
     ----------
     left, right : Matrix
         K, n x n, and k, n x 1.
-    unknowns : sequence of Symbol
     definite : bool
         Whether K is positive definite, so that every det K_j is positive.
 

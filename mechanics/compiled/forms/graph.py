@@ -98,7 +98,6 @@ def search(write: Callable[[Decide], Written], seed: int, patience: int, most: i
     ----------
     write : callable
         Writes the values down as it is decided.
-    seed : int
     patience : int
         Trials without success after which the search ends.
     most : int

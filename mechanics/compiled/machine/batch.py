@@ -31,10 +31,8 @@ class BatchKernel:
 
     Parameters
     ----------
-    code : Routine
     entries : names of the entries of each input
     kind : numpy.float64 or numpy.float32
-    compiler : str
     shared : sequence of str
         Inputs that all states have in common.
     checked : bool

@@ -40,10 +40,8 @@ class NativeKernel:
 
     Parameters
     ----------
-    code : Routine
     entries : names of the entries of each input
     kind : numpy.float64 or numpy.float32
-    compiler : str
     flags : str
         Settings such as ``"-O2"``.
 

@@ -23,7 +23,6 @@ def started(command: Sequence[str], folder: Path) -> Iterator[subprocess.Popen[s
 
     Parameters
     ----------
-    command : sequence of str
     folder : Path
         Where it keeps its own files.
 

@@ -89,7 +89,6 @@ def vectorised(remarks: str, compiler: str, line: int, size: int, code: Routine)
     ----------
     remarks : str
         What the compiler said with `TELL`.
-    compiler : str
     line : int
         Of the loop.
     size : int

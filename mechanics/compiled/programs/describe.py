@@ -16,8 +16,6 @@ def describe(code: Routine, node: int, entries: Mapping[str, tuple[str, ...]]) -
 
     Parameters
     ----------
-    code : Routine
-    node : int
     entries : names of the entries of each input
     """
     return _text(code, node, entries, DEPTH).code

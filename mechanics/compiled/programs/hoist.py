@@ -48,7 +48,6 @@ def hoisted(code: Routine, entries: Mapping[str, Sequence[str]]) -> Hoisted:
 
     Parameters
     ----------
-    code : Routine
     entries : mapping of str to sequence of str
         For each input the names of its entries.
     """

@@ -30,7 +30,6 @@ class Programs:
 
     Parameters
     ----------
-    graphs : Graphs
     reciprocals : bool
         Whether quotients by one divisor are gathered where they are added, and several are
         products with its reciprocal.

@@ -30,8 +30,6 @@ class Built:
     ----------
     compiler : str
         First line of what it says about itself.
-    flags : str
-    library : ctypes.CDLL or None
     refusal : str
         Words of the compiler; empty where there is a library.
     """

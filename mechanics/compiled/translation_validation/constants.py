@@ -25,7 +25,6 @@ class Rounded:
 
     Attributes
     ----------
-    builder : Builder
     kind : str
         ``"double"`` or ``"float"``.
     unknowns : mapping of Fraction to Node

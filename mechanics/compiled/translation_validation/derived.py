@@ -45,7 +45,6 @@ class Derived:
 
     Attributes
     ----------
-    scene, route : str
     symbols : mapping of str to tuple of Symbol
         By group, in the order of the arrays.
     fixed : mapping of Symbol to Expr

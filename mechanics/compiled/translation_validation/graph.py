@@ -33,7 +33,6 @@ def prove_derived(
         What the function should be.
     code : Code
         Of the graph, with named constants as inputs.
-    known : Derived
     rates : Code, optional
         For the step: the graph of (q', u'), which is a function of its own to decide about.
     **options

@@ -19,7 +19,6 @@ class Kernel:
         Name in the model.
     symbol : str
         Name in C.
-    file : str
     kind : str
         ``"double"`` or ``"float"``.
     shared : tuple of str or None

@@ -157,7 +157,6 @@ def law_of(name: str, wanted: Iterable[str]) -> Law | None:
 
     Parameters
     ----------
-    name : str
     wanted : iterable of str
         Outputs of the program of what was derived.
     """

@@ -24,11 +24,8 @@ class Physics:
 
     Attributes
     ----------
-    known : Derived
-    builder : Builder
     inputs : dict of str to list of Node
         By group.
-    leaves : dict of Symbol to Node
     constants : dict of str to Fraction
         Positive inputs that stand for numbers, see `constant`.
     """

@@ -75,7 +75,6 @@ def prove_text(
         The function as it was written, see `read_text`.
     source : Source
         Of its file, with those that it calls.
-    graphs : mapping of str to Graph
     known : Derived
         For the names and signs of the inputs.
     prepare : Kernel, optional

@@ -31,7 +31,6 @@ def cut_at_slopes(
 
     Parameters
     ----------
-    physics : Physics
     outputs : mapping of str to sequence of Node
         Of the graph of the step.
     rates : Code

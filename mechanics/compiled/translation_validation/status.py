@@ -65,7 +65,6 @@ def prove_status(kernel: Kernel, source: Source, graph: Graph, known: Derived) -
         Whose outputs are the graph's.
     source : Source
         Of its file.
-    graph : Graph
     known : Derived
         For the signs of the inputs.
     """

@@ -24,7 +24,6 @@ def composed(
 
     Parameters
     ----------
-    builder : Builder
     rates : Code
         From q, u, inputs, p (and constants) to qd and ud.
     time : int or None

@@ -32,7 +32,6 @@ class Signature:
 
     Attributes
     ----------
-    kernel : Kernel
     groups : tuple of (str, int)
         Inputs in the order of the arguments, with their sizes; the integers left out.
     outputs : tuple of (str, int)
@@ -61,8 +60,6 @@ class Reading:
 
     Attributes
     ----------
-    signature : Signature
-    builder : Builder
     function : Function
         Its nodes are those of the builder.
     """
@@ -107,8 +104,6 @@ def read_into(
 
     Parameters
     ----------
-    builder : Builder
-    kernel : Kernel
     source : Source
         Of its file, with those that it calls.
     groups, outputs : sequences of (str, int)

@@ -34,8 +34,6 @@ class Truth:
 
     Attributes
     ----------
-    text : Text
-    given : States
     exact : list of (int, bool, list of (str, arb, arb))
         By state: whether all numbers are normal; for every entry of the outputs its name, the exact
         value and everything that may be computed.
@@ -59,7 +57,6 @@ def truth(text: Text, symbols: Mapping[str, Sequence[Symbol]], written: Program)
 
     Parameters
     ----------
-    text : Text
     symbols : mapping of str to sequence of Symbol
         Of the inputs.
     written : Program

@@ -26,10 +26,8 @@ def third_step(
 
     Parameters
     ----------
-    evidence : Evidence
     read : sequence of Read
         From the second step; nothing is run unless every kernel is among them.
-    libraries : sequence of Built
     """
     findings: list[Finding] = []
     measured: list[Measured] = []

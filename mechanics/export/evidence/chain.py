@@ -50,12 +50,10 @@ class Evidence:
 
     Attributes
     ----------
-    known : Derived
     graphs : mapping of str to Graph
         By function.
     rates : Code or None
         The graph that the step is made of.
-    kernels : tuple of Kernel
     texts : mapping of str to str
         C files and headers by name.
     """

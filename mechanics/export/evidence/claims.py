@@ -26,7 +26,6 @@ def prove_claims(
 
     Parameters
     ----------
-    file : str
     stored, again : mapping
         What it says, and what it should say.
     source : str

@@ -4,18 +4,25 @@
      "inputs": ["q1", ...], "operations": [...], "outputs": {"rows": [41, 57], ...}}
 
 Numbers in the groups are places among the symbols. What was derived stands as a program in the
-format of `mechanics.program.json_format`, values of fixed parameters as `nodes`.
+format of `mechanics.program.json_format`, values of fixed parameters as another one.
 """
 
 import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Symbol
 
 from mechanics.compiled.translation_validation.derived import GROUPS, Derived
-from mechanics.errors import ExpressionError, InputError
-from mechanics.export.evidence.expressions import Writer, index, read_nodes, read_symbols
+from mechanics.errors import ExpressionError
+from mechanics.export.evidence.values import (
+    index,
+    read_symbols,
+    read_values,
+    reading,
+    symbol_record,
+    values_record,
+)
 from mechanics.program import Program
 from mechanics.program.json_format import FORMAT, read, write
 
@@ -24,17 +31,20 @@ FILE = "equations.json"
 
 def equations_text(known: Derived) -> str:
     """Text of the file."""
-    writer = Writer()
-    groups = {g: [writer.symbol(s) for s in known.symbols[g]] for g in GROUPS}
+    fixed = dict(sorted(known.fixed.items(), key=lambda pair: pair[0].name))
+    places: dict[Symbol, int] = {}
+    for symbol in (*(s for g in GROUPS for s in known.symbols[g]), *fixed):
+        places.setdefault(symbol, len(places))
     content: dict[str, Any] = {
         "scene": known.scene,
         "route": known.route,
-        "groups": groups,
+        "groups": {g: [places[s] for s in known.symbols[g]] for g in GROUPS},
         "time": known.time,
-        "fixed": _pairs(writer, sorted(known.fixed.items(), key=lambda pair: pair[0].name)),
+        "fixed": [places[symbol] for symbol in fixed],
+        "values": values_record(list(fixed.values())),
     }
     content |= _program(known.program)
-    return lines({**content, "symbols": writer.symbols, "nodes": writer.nodes})
+    return lines({**content, "symbols": [symbol_record(symbol) for symbol in places]})
 
 
 def _program(program: Program) -> dict[str, Any]:
@@ -42,10 +52,6 @@ def _program(program: Program) -> dict[str, Any]:
     return {
         "inputs": whole["inputs"], "operations": whole["nodes"], "outputs": whole["outputs"],
     }  # fmt: skip
-
-
-def _pairs(writer: Writer, pairs: Sequence[tuple[Symbol, Expr]]) -> list[list[int]]:
-    return [[writer.symbol(symbol), writer.add(value)] for symbol, value in pairs]
 
 
 def lines(content: dict[str, Any]) -> str:
@@ -74,32 +80,15 @@ def read_equations(content: Any) -> Derived:
     ExpressionError
         If it is not what `equations_text` writes; what is odd is named.
     """
-    try:
+    with reading("it is not what was derived"):
         return _read(content)
-    except InputError as error:
-        raise ExpressionError(str(error)) from None
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-        if isinstance(error, ExpressionError):
-            raise
-        words = f"{type(error).__name__} {error}"
-        raise ExpressionError(f"it is not what was derived: {words}") from None
 
 
 def _read(content: Any) -> Derived:
     symbols = read_symbols(content["symbols"])
-    nodes = read_nodes(content["nodes"], symbols)
 
     def symbol(place: Any) -> Symbol:
         return symbols[index(place, len(symbols))]
-
-    def expression(place: Any) -> Expr:
-        found = nodes[index(place, len(nodes))]
-        if not isinstance(found, Expr):
-            raise ExpressionError(f"node {place} is no expression")
-        return found
-
-    def pairs(records: Any) -> tuple[tuple[Symbol, Expr], ...]:
-        return tuple((symbol(one), expression(two)) for one, two in records)
 
     time = content["time"]
     groups = {g: tuple(symbol(place) for place in content["groups"][g]) for g in GROUPS}
@@ -109,7 +98,7 @@ def _read(content: Any) -> Derived:
         scene=str(content["scene"]),
         route=str(content["route"]),
         symbols=groups,
-        fixed=dict(pairs(content["fixed"])),
+        fixed=dict(zip(map(symbol, content["fixed"]), read_values(content["values"]), strict=True)),
         time=time,
         program=_read_program(content, groups),
     )

@@ -52,7 +52,6 @@ def prove_form(folder: Folder, graphs: Graphs) -> Iterator[Finding]:
 
     Parameters
     ----------
-    folder : Folder
     graphs : Graphs
         Of the scene that was derived again, with what is fixed.
     """

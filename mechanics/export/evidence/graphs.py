@@ -1,11 +1,10 @@
 """graphs.json: the functions as they were before they became C, operation by operation.
 
-    {"functions": [["energy", 0, {...}], ...], "rates": 1, "exact": [...],
-     "symbols": [...], "nodes": [...]}
+    {"functions": [["energy", 0, {...}], ...], "rates": 1, "exact": [...]}
 
     functions  what the C is printed from: its constants are doubles
     exact      the graphs that are proved, by number: constants are exact, or entries of the input
-               ``constants``, whose values are places among the nodes of the file
+               ``constants``, whose values stand as a program
 
 An operation is ["multiply", 3, 5], of earlier ones, by its name in the table of operations; a
 constant is ["constant", "1/3"], entry 1 of the first input ["input", 0, 1].
@@ -19,13 +18,7 @@ from mechanics.compiled.translation_validation.code import Code
 from mechanics.compiled.translation_validation.prove import Graph
 from mechanics.errors import ExpressionError
 from mechanics.export.evidence.equations import lines
-from mechanics.export.evidence.expressions import (
-    NUMBER,
-    Writer,
-    index,
-    read_nodes,
-    read_symbols,
-)
+from mechanics.export.evidence.values import NUMBER, index, read_values, reading, values_record
 from mechanics.program.constants import is_double
 from mechanics.program.operations import BY_NAME, CONSTANT, INPUT, OPERATIONS
 from mechanics.program.routine import Node, Routine, routine
@@ -39,7 +32,6 @@ MOST = 100_000
 
 def graphs_text(graphs: Mapping[str, Graph], rates: Code | None) -> str:
     """Text of the file."""
-    writer = Writer()
     # Parts of one function share its graph.
     codes = {id(graph.code): graph.code for graph in graphs.values()}
     if rates is not None:
@@ -51,11 +43,9 @@ def graphs_text(graphs: Mapping[str, Graph], rates: Code | None) -> str:
         ],
         "rates": None if rates is None else place[id(rates)],
         "exact": [
-            [{**_routine(c.routine), "constants": [writer.add(value) for value in c.constants]}]
+            [{**_routine(c.routine), "constants": values_record(c.constants)}]
             for c in codes.values()
         ],
-        "symbols": writer.symbols,
-        "nodes": writer.nodes,
     }
     return lines(content)
 
@@ -83,25 +73,18 @@ def read_graphs(content: Any) -> tuple[dict[str, Graph], Code | None]:
     ExpressionError
         If it is not what `graphs_text` writes; what is odd is named.
     """
-    try:
-        constants = read_nodes(content["nodes"], read_symbols(content["symbols"]))
-        codes = [_read_code(record, constants) for (record,) in content["exact"]]
+    with reading("it does not hold the graphs"):
+        codes = [_read_code(record) for (record,) in content["exact"]]
         found = {
             str(name): Graph(codes[index(place, len(codes))], _read_written(record))
             for name, place, record in content["functions"]
         }
         rates = content["rates"]
         return found, None if rates is None else codes[index(rates, len(codes))]
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-        if isinstance(error, ExpressionError):
-            raise
-        words = f"{type(error).__name__} {error}"
-        raise ExpressionError(f"it does not hold the graphs: {words}") from None
 
 
-def _read_code(record: Any, expressions: list[Any]) -> Code:
-    found = _read(record)
-    constants = tuple(expressions[index(i, len(expressions))] for i in record["constants"])
+def _read_code(record: Any) -> Code:
+    found, constants = _read(record), read_values(record["constants"])
     if not found.inputs or found.inputs[-1][1] != len(constants):
         raise ExpressionError(f"{found.name}: its last input are {len(constants)} constants")
     return Code(found, constants)

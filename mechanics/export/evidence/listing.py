@@ -52,7 +52,7 @@ TABLE = r"    static const \w+ {name}\[\d+\]\[\d+\] = \{{\n(.*?)\n    \}};"
 TOLD = ("system", "form", "reciprocals", "kernels", "chain", "files", "versions")
 """Of a manifest, beside what scene and graphs give again: other steps look at form, reciprocals and
 hashes, none at versions."""
-PROGRAM = ("inputs", "operations", "outputs", "nodes")
+PROGRAM = ("values", "inputs", "operations", "outputs")
 """Of what was derived, as operations."""
 ODD = (KeyError, TypeError, ValueError, IndexError, AttributeError, SyntaxError, ExpressionError)
 """What reading a text raises that is not as it was written."""
@@ -67,7 +67,6 @@ def prove_files(
 
     Parameters
     ----------
-    folder : Folder
     again : Contents or None
         What a scene that was derived again says of the functions; without it, the manifest does.
     found : Chain

@@ -35,9 +35,7 @@ class Folder:
 
     Attributes
     ----------
-    path : Path
     manifest : mapping
-    evidence : Evidence
     changed : tuple of str
         Files whose hash is not the one that the manifest has.
     missing : tuple of str

@@ -59,7 +59,6 @@ def evidence_of(
 
     Parameters
     ----------
-    model : Model
     parts : sequence of Part
         Precisions.
     names, many : sequences of str
@@ -141,7 +140,6 @@ def record_again(
         What it says, see `by_subject`: of binaries, evidence and figures are taken from it.
     found : Chain
         What was found again.
-    kernels : sequence of Kernel
     """
     again = by_subject(chain_record(found))
     steps = {title: again["steps"][title] for title in WRITTEN if title in again["steps"]}

@@ -32,7 +32,6 @@ def sources(
 
     Parameters
     ----------
-    kernels : sequence of Kernel
     texts : mapping of str to str
         Every ``.c`` and ``.h`` file of the folder.
     """

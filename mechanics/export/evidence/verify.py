@@ -65,7 +65,6 @@ class Again:
 
     Attributes
     ----------
-    graphs : Graphs
     findings : tuple of Finding
         That its bound holds, and that the record says so.
     """
@@ -88,8 +87,6 @@ class Verification:
 
     Attributes
     ----------
-    folder : Folder
-    chain : Chain
     physics : bool
         Whether the equations were derived again from a scene.
     unvouched : tuple of str
@@ -123,7 +120,6 @@ def chain(
 
     Parameters
     ----------
-    evidence : Evidence
     again : Derived, optional
         What was derived anew, to be compared with the graphs, too.
     measure : bool

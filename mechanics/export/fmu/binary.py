@@ -69,7 +69,6 @@ def compiled_library(sources: Mapping[str, str], compiler: str, flags: str) -> b
     ----------
     sources : mapping of str to str
         Text by file name.
-    compiler : str
     flags : str
         Settings after `OPTIONS`, such as ``"-O2"``.
 

@@ -31,7 +31,6 @@ def model_description(
         Name of the library.
     words : mapping of str to str
         Further attributes of the root: modelName, instantiationToken, description and so on.
-    variables : Variables
     known : Functions
         Whose sparsity tells what depends on what.
     experiment : mapping of str to float

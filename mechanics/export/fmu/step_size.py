@@ -42,7 +42,6 @@ def step_size(rates: Rates, start: Array, states: int, tableau: Tableau, duratio
         All that is given, at the start.
     states : int
         Number of states, which stand behind time.
-    tableau : Tableau
     duration : float
         In s; the motion is followed so long, or as long as it is regular.
 

@@ -25,7 +25,6 @@ class Variable:
     ----------
     reference : int
         Its value reference.
-    name, unit, description : str
     causality, variability, initial : str
         In the words of the standard; `initial` is empty for inputs and time.
     start : float or None
@@ -81,7 +80,6 @@ def variables(model: Model, known: Functions, start: Mapping[str, float], step: 
 
     Parameters
     ----------
-    model : Model
     known : Functions
         Of the model.
     start : mapping of str to float

@@ -26,7 +26,6 @@ class Asked:
 
     Attributes
     ----------
-    name : str
     line : int
         Of the directive.
     """
@@ -49,7 +48,6 @@ def asked_names(text: str, file: str, guard: str = "") -> tuple[Asked, ...]:
 
     Parameters
     ----------
-    text : str
     file : str
         Name for messages.
     guard : str

@@ -48,7 +48,6 @@ class Function:
 
     Attributes
     ----------
-    name : str
     outputs : mapping of (place, entry) to tuple of (Condition, node)
         What was written, in the order in which it was: each is what stands there at last where its
         condition holds and those after it do not.

@@ -18,7 +18,6 @@ class Nodes:
 
     Parameters
     ----------
-    builder : Builder
     arguments : sequence of sequence of Node
         Entries of each argument, in order; empty for integers and outputs.
     meaning : mapping of Fraction to Node, optional

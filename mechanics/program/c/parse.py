@@ -25,13 +25,11 @@ class Source:
 
     Attributes
     ----------
-    file : str
     functions : mapping of str to pycparser.c_ast.FuncDef
     prototypes : mapping of str to tuple of pycparser.c_ast.FuncDecl
         Every declaration of a function, that of its definition included.
     structs : mapping of str to pycparser.c_ast.Struct
         By tag.
-    macros : mapping of str to str
     asked : tuple of str
         Names that a condition asked for and nothing defines.
     """

@@ -99,8 +99,6 @@ def read_function(
 
     Parameters
     ----------
-    source : Source
-    name : str
     given : sequence of Parameter
         What its arguments are, in order.
     target : Target
@@ -143,8 +141,6 @@ class Reader:
 
     Attributes
     ----------
-    source : Source
-    target : Target
     unsigned : bool
         Whether the text has unsigned integers.
     scopes : list of dict of str to Variable or Array

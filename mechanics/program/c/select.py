@@ -36,13 +36,10 @@ def latest(
 
     Parameters
     ----------
-    target : Target
     written : sequence of Written
         In order.
     under : Condition
         What holds where it is read.
-    kind : str
-    where : Any
     """
     node: int | None = None
     unset = under

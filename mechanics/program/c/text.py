@@ -235,7 +235,6 @@ class Preprocessed:
 
     Attributes
     ----------
-    text : str
     macros : mapping of str to str
         What the text defines.
     asked : tuple of str
@@ -257,7 +256,6 @@ def preprocess(
 
     Parameters
     ----------
-    text : str
     file : str
         Name for messages.
     includes : mapping of str to str

@@ -35,12 +35,8 @@ class Array:
     ----------
     name : str
         As messages call it.
-    kind : str
-    size : int
     place : int or None
         Of the argument among the parameters; None for a local array.
-    stride : str
-    constant : bool
     guards : int
         Conditions under which it was declared.
     entries : dict of int to list of Written

@@ -83,8 +83,6 @@ def taken_inwards(
 
     Parameters
     ----------
-    tree : Tree
-    waiting : mapping of int to Load
     steady : (Vector, int), optional
         The force, where it is one alone, in a frame in which it is short.
     """

@@ -29,7 +29,6 @@ class Rotor:
 
     Attributes
     ----------
-    coordinate : int
     carrier : int
         A link that is no rotor.
     place : int
@@ -56,7 +55,6 @@ class Tree:
 
     Attributes
     ----------
-    mechanism : Mechanism
     joints : JointTree
         As it was found; its links still have the masses of their rotors.
     links : tuple of Link
@@ -106,7 +104,6 @@ class Tree:
 
         Parameters
         ----------
-        y : sequence of Node
         bias : callable
             e . alpha of the carrier of a rotor where y = 0.
         """
@@ -144,7 +141,6 @@ def build_tree(mechanism: Mechanism, moments: Moments) -> Tree | None:
 
     Parameters
     ----------
-    mechanism : Mechanism
     moments : Moments
         Of its masses: as they are, or grouped.
     """

@@ -52,7 +52,6 @@ def eliminated(
         Free ones, and those that G defines, the latter in order.
     nonzero : callable
         Whether a node is known not to vanish.
-    rule : Rule
     multipliers : sequence
         Those of the unknowns that have no square in G.
     """

@@ -62,8 +62,6 @@ class Writer:
 
     Attributes
     ----------
-    printer : Printer
-    mechanism : Mechanism
     goal : tuple of Line
         The equations in the common form, numbered, or in the route's own form.
     pressed : mapping of Symbol to Expr

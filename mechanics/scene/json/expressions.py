@@ -127,7 +127,6 @@ def read(tree: Any, names: Names, path: str, depth: int = 0) -> Expr:
     Parameters
     ----------
     tree : number, str or list
-    names : Names
     path : str
         For messages.
 

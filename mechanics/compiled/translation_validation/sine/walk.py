@@ -49,9 +49,6 @@ class Function:
 
     Parameters
     ----------
-    source : Source
-    name : str
-    domain : Domain
     known : mapping of str to Any
         Values of parameters, and of local variables that are not to be followed further back.
 

@@ -1,0 +1,179 @@
+"""Arms of two links, a rotary pendulum, a ball on a beam."""
+
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from mechanics.scene import Particle, RigidBody, Scene, gravity, parameters, pin, reaction, torque
+
+
+def P(text, **more):
+    """Parameters, "m:kg l:m"."""
+    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
+    return parameters(" ".join(names), units=" ".join(units), **more)
+
+
+def _arm(angles, length, first, second, g, moments, inputs):
+    """Two links from the horizontal, the second angle from the first link; each (mass, reach,
+    inertia)."""
+    a, b = angles
+    N, O = ReferenceFrame("N"), Point("O")
+    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
+    A = shoulder.frame
+    elbow = pin(
+        "elbow", "one", "two", at=shoulder.point.locatenew("E", length * A.x), axis=A.z, angle=b
+    )
+    (m1, c1, I1), (m2, c2, I2) = first, second
+    loads = [gravity(-g * N.y)] if g != 0 else []
+    loads += [
+        torque("shoulder moment", moments[0] * N.z, on="one"),
+        torque("elbow moment", moments[1] * N.z, on="two", by="one"),
+    ]
+    return Scene(
+        "arm",
+        N,
+        O,
+        plane=N.z,
+        joints=(shoulder, elbow),
+        loads=loads,
+        inputs=inputs,
+        bodies=(
+            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
+            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
+        ),
+    )
+
+
+def double_link():
+    """The weight's acceleration is GRAVITY; torques tau1, tau2."""
+    q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
+    m1, m2, l1, c1, c2, I1, I2, g = P(
+        "m1:kg m2:kg l1:m lc1:m lc2:m I1:kg*m^2 I2:kg*m^2 GRAVITY:m/s^2"
+    )
+    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (u, v), (u, v))
+
+
+def swinging():
+    """Without torques, mass centres at r1, r2."""
+    q1, q2 = dynamicsymbols("theta_a theta_b")
+    m1, m2, l1, c1, c2, I1, I2, g = P("m1:kg m2:kg l1:m r1:m r2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2")
+    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (0, 0), ())
+
+
+def swinging_lc():
+    """Without torques, mass centres at lc1, lc2."""
+    q1, q2 = dynamicsymbols("q1 q2")
+    m1, m2, c1, l1, c2, I1, I2, g = P("m1:kg m2:kg lc1:m l1:m lc2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2")
+    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (0, 0), ())
+
+
+def horizontal():
+    """In a horizontal plane, with torques."""
+    q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
+    m1, m2, l1, c1, c2, I1, I2 = P("m1:kg m2:kg l1:m lc1:m lc2:m I1:kg*m^2 I2:kg*m^2")
+    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), 0, (u, v), (u, v))
+
+
+def about_joints():
+    """In a horizontal plane; I1, I2 about the joints, mass centres at Lg1, Lg2."""
+    q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
+    m1, m2, l1, c1, c2, I1, I2 = P("M1:kg M2:kg L1:m Lg1:m Lg2:m I1:kg*m^2 I2:kg*m^2")
+    return _arm(
+        (q1, q2), l1, (m1, c1, I1 - m1 * c1**2), (m2, c2, I2 - m2 * c2**2), 0, (u, v), (u, v)
+    )
+
+
+def ends():
+    """In a horizontal plane, the masses at the ends."""
+    q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
+    m1, m2, l1, l2 = P("M1:kg M2:kg L1:m L2:m")
+    return _arm((q1, q2), l1, (m1, l1, 0), (m2, l2, 0), 0, (u, v), (u, v))
+
+
+def chemnitz():
+    """x is up: q_1 from the upward vertical; torques."""
+    q1, q2, u, v = dynamicsymbols("q_1 q_2 tau_1 tau_2")
+    m1, m2, l1, c1, c2, I1, I2, g = P(
+        "m_1:kg m_2:kg l_1:m l_c_1:m l_c_2:m I_zz_1:kg*m^2 I_zz_2:kg*m^2 g:m/s^2"
+    )
+    N, O = ReferenceFrame("N"), Point("O")
+    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=q1)
+    A = shoulder.frame
+    elbow = pin(
+        "elbow", "one", "two", at=shoulder.point.locatenew("E", l1 * A.x), axis=A.z, angle=q2
+    )
+    return Scene(
+        "arm",
+        N,
+        O,
+        plane=N.z,
+        joints=(shoulder, elbow),
+        inputs=(u, v),
+        loads=(
+            gravity(-g * N.x),
+            torque("shoulder moment", u * N.z, on="one"),
+            torque("elbow moment", v * N.z, on="two", by="one"),
+        ),
+        bodies=(
+            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
+            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
+        ),
+    )
+
+
+def pendubot():
+    """A motor tau_1 at the shoulder only."""
+    q1, q2, u = dynamicsymbols("q_1 q_2 tau_1")
+    m1, m2, l1, c1, c2, I1, I2, g = P(
+        "m_1:kg m_2:kg l_1:m l_c1:m l_c2:m I_1:kg*m^2 I_2:kg*m^2 g:m/s^2"
+    )
+    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (u, 0), (u,))
+
+
+def furuta():
+    """Arm J_arm about its shaft, slender rod J_pend about its mass centre at l_pend, theta_pend
+    from below; torque tau."""
+    theta, alpha, tau = dynamicsymbols("theta_arm theta_pend tau")
+    J1, Jp, mp, Lr, lp, g = P("J_arm:kg*m^2 J_pend:kg*m^2 m_pend:kg L_arm:m l_pend:m g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=theta)
+    A = shaft.frame
+    hinge = pin(
+        "hinge", "arm", "rod", at=shaft.point.locatenew("E", Lr * A.x), axis=A.x, angle=alpha
+    )
+    B = hinge.frame
+    return Scene(
+        "rotary pendulum",
+        N,
+        O,
+        joints=(shaft, hinge),
+        inputs=(tau,),
+        loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
+        bodies=(
+            RigidBody("arm", O, A, 0, inertia(A, 0, 0, J1)),
+            RigidBody("rod", hinge.point.locatenew("C", -lp * B.z), B, mp, inertia(B, Jp, Jp, 0)),
+        ),
+    )
+
+
+def ball_beam():
+    """A ball, a point mass m, at r from the pivot of a beam with the inertia J about it; torque
+    tau."""
+    r, theta, tau = dynamicsymbols("r theta tau")
+    m, J, g = P("m:kg J:kg*m^2 g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (theta, N.z))
+    ball = O.locatenew("B", r * A.x)
+    return Scene(
+        "ball on beam",
+        N,
+        O,
+        coordinates=(r, theta),
+        inputs=(tau,),
+        example={"r": 0.2, "theta": 0.1},
+        bodies=(Particle("ball", ball, m), RigidBody("beam", O, A, 0, J)),
+        loads=(gravity(-g * N.y), torque("motor", tau * N.z, on="beam")),
+        reactions=(
+            reaction("X", at=O, on="beam", by=None, along=N.x),
+            reaction("Y", at=O, on="beam", by=None, along=N.y),
+            reaction("P", at=ball, on="ball", by="beam", along=A.y),
+        ),
+    )
