@@ -15,7 +15,7 @@ line for each difference, ``system | what | before | now``, and exits with 1 whe
 import argparse
 import json
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html.parser import HTMLParser
 from math import floor, log2
 from pathlib import Path
@@ -215,11 +215,11 @@ def _texts() -> dict[str, dict[str, tuple[Any, dict[str, Any]]]]:
     }  # fmt: skip
 
 
-def campaign() -> Record:
-    """Verdicts and first edits of the sample of the detection campaign, by system."""
+def campaign(cases: Sequence[str] = CASES) -> Record:
+    """Verdicts and first edits of cases of the detection campaign, by system."""
     every = [system.name for system in ALL]
     found: Record = {name: {} for name in every}
-    for case in run(CASES, 1, every, len(CASES)):
+    for case in run(cases, 1, every, len(CASES)):
         found[case.system][f"case {case.name}"] = _case(case)
     return found
 

@@ -37,7 +37,7 @@ def lowered(name: str) -> Mechanism:
     return lower(SCENES[name](), Builder())
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_the_start_is_closed(name: str) -> None:
     mechanism = lowered(name)
@@ -48,7 +48,7 @@ def test_the_start_is_closed(name: str) -> None:
     assert all(abs(entry) < 2.0**-190 for entry in off)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_constraints_vanish_at_the_point_of_the_closed_filter(name: str) -> None:
     mechanism = lowered(name)
@@ -69,7 +69,7 @@ def test_filters_begin_with_the_point_of_the_closure(monkeypatch: pytest.MonkeyP
     assert any(fresh.values([*mechanism.closure.configuration]))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_values_of_dependent_inputs_close_real_states_too(name: str) -> None:
     mechanism = lowered(name)

@@ -27,7 +27,7 @@ SAMPLE = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.what)
 def test_each_fault_is_a_change_of_one_function(fault: Fault) -> None:
     function, code = planted(fault)

@@ -31,7 +31,7 @@ def fixed(peer: Peer, suffix: str) -> dict[str, str]:
     return dict(peer.fixed) if suffix else {}
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @by_peer
 @by_suffix
 @pytest.mark.parametrize("route", ROUTES)
@@ -63,7 +63,7 @@ def test_the_kernel_by_hand_is_exact(peer: Peer, suffix: str) -> None:
     assert decide(f"{kernel.name} by hand", rows).verdict.name == "PROVED"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @by_peer
 @by_suffix
 def test_the_kernel_by_hand_gives_the_same_numbers(peer: Peer, suffix: str) -> None:

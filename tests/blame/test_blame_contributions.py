@@ -29,7 +29,7 @@ def along(truth: Equations, expressions: list) -> Finding:
     return decide("pieces", experiment, try_normal=False)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_pieces_of_every_row_sum_to_zero_along_the_motion(reference: Reference) -> None:
     truth, derivation = reference.truth, reference.derivation
     rows = [*derivation.generalized_rows, *derivation.free_rows]
@@ -38,7 +38,7 @@ def test_pieces_of_every_row_sum_to_zero_along_the_motion(reference: Reference) 
     assert along(truth, [row.value for row in rows]).shown
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 def test_every_route_is_taken_apart_into_pieces_that_add_up(
     reference: Reference, route: str
@@ -53,7 +53,7 @@ def test_every_route_is_taken_apart_into_pieces_that_add_up(
         assert all(words for words in found.values())
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_pieces_are_those_of_kane_term_by_term(reference: Reference) -> None:
     scene = reference.truth.scene
     kane = by_route("kane", scene)
@@ -67,7 +67,7 @@ def test_pieces_are_those_of_kane_term_by_term(reference: Reference) -> None:
     assert compared or not kane.conjugate
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_a_sum_without_one_of_its_pieces_is_no_equation(reference: Reference) -> None:
     truth = reference.truth
     missing = [
@@ -80,14 +80,14 @@ def test_a_sum_without_one_of_its_pieces_is_no_equation(reference: Reference) ->
     assert not any(holds(truth, rest) for rest in missing)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_candidates_hold_along_the_motion(reference: Reference) -> None:
     candidates = list(reference.in_speeds.implicit())
     assert candidates
     assert all(holds(reference.truth, written(candidate.terms)) for candidate in candidates)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_candidates_in_other_unknowns_hold_along_the_motion(reference: Reference) -> None:
     """With the constraints put in, with reactions, and solved for each acceleration."""
     truth = reference.truth
@@ -100,7 +100,7 @@ def test_candidates_in_other_unknowns_hold_along_the_motion(reference: Reference
     assert all(holds(truth, written(candidate.terms)) for candidate in found)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_no_reaction_of_a_constraint_is_left_where_it_is_put_in(reference: Reference) -> None:
     forces = {reaction.symbol for reaction in reference.truth.scene.reactions}
     for candidate in reference.in_speeds.constrained(frozenset()):

@@ -35,7 +35,7 @@ DECLARED = [
 ]  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("declared", "right"), DECLARED)
 @pytest.mark.parametrize(("one", "other"), [("/3*", "/12*"), ("cos(", "sin("), ("x''", "2*x''")])
 def test_one_mistake_is_found_beside_what_is_declared(

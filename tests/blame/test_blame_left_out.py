@@ -27,7 +27,7 @@ def test_a_bracket_is_left_out_whole(wrong: str, right: str) -> None:
     assert right.replace(" ", "") in repaired
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("term", ["+ (x)", "- ((x - Abs(theta)))", "+ (mc)"])
 @pytest.mark.parametrize("place", [" = F", " + mp*l*", "(mc+mp)"])
 def test_a_term_in_brackets_goes_with_them_and_with_its_sign(term: str, place: str) -> None:

@@ -51,7 +51,7 @@ def signs(text: str) -> list[int]:
     return [match.start() for match in re.finditer(r"[+-]", text)]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "at"), [(name, at) for name, (_, text) in SEEDS.items() for at in signs(text)]
 )
@@ -98,7 +98,7 @@ ONE = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "right", "wrong", "mistake"), ONE)
 def test_one_mistake_is_named(name: str, right: str, wrong: str, mistake: Mistake) -> None:
     """One edit of the same kind mends it."""
@@ -121,7 +121,7 @@ TWO = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "changes"), TWO)
 def test_two_independent_mistakes_are_both_named(
     name: str, changes: tuple[tuple[str, str], ...]

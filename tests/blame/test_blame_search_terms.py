@@ -90,7 +90,7 @@ def repairs(name: str, text: str) -> tuple[Repair, ...]:
     return entry.blame.repairs
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "name, text", {(name, text): None for name, text, *_ in CASES}, ids=lambda value: value[:20]
 )
@@ -99,7 +99,7 @@ def test_the_right_texts_are_right(name: str, text: str) -> None:
     assert entry.finding.shown, entry.finding
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name, text, old, new, mistake", CASES)
 def test_one_edit_undoes_it(name: str, text: str, old: str, new: str, mistake: Mistake) -> None:
     assert text.count(old) >= 1
@@ -107,7 +107,7 @@ def test_one_edit_undoes_it(name: str, text: str, old: str, new: str, mistake: M
     assert [edit.mistake for edit in found[0].edits] == [mistake], found[0].edits
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name, text, old, new, mistake", CASES)
 def test_what_is_told_is_right_when_it_is_read(
     name: str, text: str, old: str, new: str, mistake: Mistake

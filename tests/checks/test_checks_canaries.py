@@ -30,6 +30,7 @@ def test_all_are_alive() -> None:
     assert {finding.verdict for finding in found} == {Verdict.SUPPORTED}
 
 
+@pytest.mark.campaign
 def test_a_scene_whose_equations_stay_programs_asks_them_too() -> None:
     result = crosscheck(quaternion_top(), CrossCheck(("free_body",), states=0))
     assert result.routes["free_body"].equations is None
@@ -37,7 +38,7 @@ def test_a_scene_whose_equations_stay_programs_asks_them_too() -> None:
     assert asked == [finding.subject for finding in check_canaries()]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("verdict", list(Verdict))
 def test_a_checker_that_always_says_the_same_is_seen(
     monkeypatch: pytest.MonkeyPatch, verdict: Verdict

@@ -139,7 +139,7 @@ SIGNS = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("sign", SIGNS)
 def test_signs_as_people_write_them_in_c(truth: Equations, tmp_path: Path, sign: str) -> None:
     file = tmp_path / "friction.c"

@@ -64,7 +64,7 @@ CROSSED = {"q1": -1.02, "q2": -2.11, "q3": 0.03, "q4": -2.23, "q5": 0.05, "q6": 
 """The other branch of every loop of `shared` and `numbers`."""
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("count", "length", "example"),
     [

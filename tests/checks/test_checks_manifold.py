@@ -86,7 +86,7 @@ def forms_of(a: Arithmetic, kinematics: Kinematics) -> list[Node]:
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_constraints_and_their_derivatives_vanish(scene: Scene) -> None:
     kinematics = Kinematics(scene)

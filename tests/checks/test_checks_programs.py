@@ -52,7 +52,7 @@ def assert_refuted(finding: Finding) -> None:
     assert finding.witness.state
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_all_pairs_are_shown(system) -> None:
     routes = derived(lower(system.scene(), Builder()))
@@ -72,7 +72,7 @@ CHANGES = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", CHANGES)
 @pytest.mark.parametrize("make", [elastic_pendulum.scene, rolling_disc.scene])
 def test_a_changed_row_is_refuted(name: str, make) -> None:
@@ -137,7 +137,7 @@ def test_a_reaction_that_does_work_is_refuted() -> None:
     assert findings[-1].witness is not None and findings[-1].witness.left.startswith("1.0")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_laws_hold(system) -> None:
     mechanism = check_scene(system.scene())
@@ -230,7 +230,7 @@ W, A, L = parameters("u v l", "m m m", "0.2 0.3 0.4")
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "turns",
     [

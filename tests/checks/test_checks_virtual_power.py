@@ -85,7 +85,7 @@ def witnesses(scene: Scene) -> list[Finding]:
     ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", (*ALL, *VARIANTS), ids=lambda system: system.name)
 def test_every_route_satisfies_it_in_every_system(system: Any) -> None:
     found = witnesses(system.scene())
@@ -141,7 +141,7 @@ def test_a_wrong_rotation_that_all_routes_share_is_noticed_here(
     assert {"x", "theta", "x_dot", "theta_dot", "L"} <= set(dict(wrong[0].witness.state))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("make", (elastic_pendulum.scene, rolling_disc.scene, four_bar.scene))
 @pytest.mark.parametrize("name", [route.name for route in ROUTES])
 def test_a_wrong_force_is_refuted_with_its_state(make: Callable[[], Scene], name: str) -> None:

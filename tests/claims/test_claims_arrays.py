@@ -24,7 +24,7 @@ PENDULUM = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", PENDULUM)
 def test_states_in_arrays(text: str) -> None:
     assert set(verdicts("pendulum", text)) == {"PROVED"}
@@ -86,6 +86,7 @@ end
 """
 
 
+@pytest.mark.campaign
 def test_a_state_taken_apart_by_names_and_a_column_stacked_under_speeds() -> None:
     truth = derived(cartpole.scene())
     assert check(truth, UNPACKED, blame=False).ok

@@ -17,7 +17,7 @@ def verdicts(text: str) -> list[str]:
     return [entry.finding.verdict.name for entry in found.judged]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "told",
     [
@@ -81,7 +81,7 @@ def test_sentences_in_plain_text(told: str) -> None:
     assert verdicts(TYPED + told.replace("mc", "2*mc")) == ["REFUTED"]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "text",
     [

@@ -116,6 +116,7 @@ def test_definitions_of_the_scene_have_their_values() -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.campaign
 def test_a_density_that_stands_in_a_definition_only_has_a_value_too() -> None:
     truth = derived(rocker.scene())
     (theta_ddot,) = truth.scene.ud

@@ -59,7 +59,7 @@ ACCEPTED = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", ACCEPTED.values(), ids=ACCEPTED.keys())
 def test_what_every_compiler_reads_alike_is_proved(text: str) -> None:
     assert verdict(text) == "PROVED"
@@ -145,7 +145,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_a_compiler_may_read_otherwise_is_refused_by_line_and_column(text: str) -> None:
     with pytest.raises(InputError, match=r"^code\.c, line \d+, column \d+: [^\n]+$"):

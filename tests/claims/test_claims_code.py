@@ -165,7 +165,7 @@ def endless(state, M, m, L, k, g):
     return [x, x]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("function", "words"),
     [

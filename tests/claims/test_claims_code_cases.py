@@ -93,7 +93,7 @@ def or_far(theta, theta_dot, u, m, l, g):
     return 0 * u if far else right(theta, u, m, l, g)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("function", "inside"),
     [
@@ -148,7 +148,7 @@ CONDITIONS = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("condition", CONDITIONS)
 def test_conditions_of_all_kinds(condition: Callable) -> None:
     def both(theta, u, m, l, g):

@@ -138,7 +138,7 @@ LASTING = [
 ]  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("function", LASTING)
 def test_what_outlives_a_call_is_doubted(function: Callable) -> None:
     found = check(SCENE, function)

@@ -44,7 +44,7 @@ double theta_ddot({kind}p, double x, double theta, double theta_dot)
 """
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("kind", "dot"),
     [("const par_t *", "->"), ("par_t *", "->"), ("par_t ", "."), ("const par_t * const ", "->")],

@@ -84,7 +84,7 @@ def of_fields_in_order(y, u):  # type: ignore[no-untyped-def]
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "function",
     [of_slots, of_frozen_slots, of_fields, of_fields_in_order, Slots().rates, Slots().inside,

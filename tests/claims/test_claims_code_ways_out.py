@@ -57,7 +57,7 @@ SOLVERS = [
 ]  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("solved", SOLVERS)
 def test_linear_systems(solved: Callable) -> None:
     def rates(t, y):  # type: ignore[no-untyped-def]

@@ -107,7 +107,7 @@ RIGHT = [
 ]  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("function", RIGHT)
 def test_what_is_inside_is_proved(function: Callable) -> None:
     assert check(SCENE, function, blame=False).verdict is Verdict.PROVED

@@ -67,7 +67,7 @@ def test_what_a_letter_is_taken_for_is_told() -> None:
     assert any(note.startswith("C(...) is read as C") for note in notes)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("old", "new", "rows"),
     [
@@ -119,6 +119,7 @@ def test_an_entry_that_is_nought_can_lack_a_term() -> None:
     assert {edit.definition for edit in blame.repairs[0].edits} == {"C_12"}
 
 
+@pytest.mark.campaign
 def test_energies_as_quadratic_forms() -> None:
     kinetic = r"$T = \frac12 \dot q^T M(q) \dot q$"
     assert verdicts(kinetic, PARTS[0]) == ["PROVED"]

@@ -31,7 +31,7 @@ def about_the_pivot(inertia: str, arm: str) -> str:
     return f"M*{arm}*x''*cos(theta) + M*{inertia}*theta'' + M*g*{arm}*sin(theta) = 0"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("scene", "text", "words", "declared"),
     [

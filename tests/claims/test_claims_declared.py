@@ -126,7 +126,7 @@ def pendulum(angle: Expr, *, right: Expr = S.Zero, up: Expr = -g, wind: Expr = S
     )  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("declared", "angle"),
     [

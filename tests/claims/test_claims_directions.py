@@ -123,7 +123,7 @@ def test_a_convention_may_be_the_scene_s_own_or_make_no_difference() -> None:
     assert any("makes no difference" in remark for remark in found.remarks)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("declared", "words"),
     [
@@ -170,7 +170,7 @@ def pointing(quarter: int, sense: int) -> Scene:
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("place", range(8))
 def test_a_direction_is_what_it_says(place: int) -> None:
     """Equations of a scene that is built so are right under that name, and under no other."""

@@ -7,7 +7,7 @@ from tests.notation_scenes import judged, verdicts
 ROOT = r"\ddot\theta + \omega_0^2\sin\theta = 0"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [

@@ -22,7 +22,7 @@ def turned(text: str) -> str:
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["mod", "Mod", "rem", "fmod"])
 def test_a_wrap_by_the_period_is_the_angle_to_its_sine_and_no_other_period_is(name: str) -> None:
     assert verdict(turned(f"sin({name}(theta, 2*pi))")) == "PROVED"

@@ -104,7 +104,7 @@ def test_any_text(text: str, notation: str) -> None:
     assert_read_or_refused(text, notation)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("notation", ["latex", "text"])
 @pytest.mark.parametrize(
     "text",

@@ -34,7 +34,7 @@ def test_lagrange_s_equations_and_the_lagrangian_are_judged() -> None:
     assert type(found.judged[0].statement.row.quantity).__name__ == "Lagrangian"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [

@@ -52,7 +52,7 @@ def test_declared_speeds_change(text: str, expected: str) -> None:
     assert verdict(BALL, text) == expected
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

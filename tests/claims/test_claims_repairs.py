@@ -11,7 +11,7 @@ RAIL = r"\ddot x + A l\ddot\theta\cos\theta = F/M + A l\dot\theta^2\sin\theta"
 TYPED = "x'' + A*l*theta''*cos(theta) = F/M + A*l*theta'^2*sin(theta)"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "beside"),
     [

@@ -30,7 +30,7 @@ GLUED = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "old", "new"),
     [

@@ -12,7 +12,7 @@ FIRST = "((M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta) - theta'^2*sin(theta))
 SECOND = "(M*L^2/3*theta'' + M*L/2*x''*cos(theta) + M*g*L/2*sin(theta))"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "text",
     [

@@ -63,6 +63,7 @@ def test_names_are_matched_and_told() -> None:
     assert entry.finding.evidence.startswith("mc, mp: the scene has no such name")
 
 
+@pytest.mark.campaign
 def test_rates_of_declared_speeds() -> None:
     text = "u2' = -2*u1*u3/3\nu3.diff() = (u3*tan(lean) - 2*u2)*u1\nu2' = 2*u1*u3/3"
     found = mechanics.check(DISC, text)

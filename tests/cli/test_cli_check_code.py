@@ -101,6 +101,7 @@ def test_bad_options_of_a_black_box(simulator: str, options: tuple, words: str) 
     assert "\n" not in str(found.exception)
 
 
+@pytest.mark.campaign
 def test_a_scene_of_ones_own(tmp_path: Path) -> None:
     scene, file = tmp_path / "my_scene.py", tmp_path / "equations.tex"
     scene.write_text(SCENE)

@@ -22,7 +22,7 @@ from mechanics.symbolic import is_zero
 LISTED = {name: line for commands in COMMANDS.values() for name, line in commands.items()}
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", systems.ALL, ids=lambda system: system.name)
 @pytest.mark.parametrize("route", [route.name for route in ROUTES])
 def test_derived_python_builds_the_same_matrices(run: Any, system: Any, route: str) -> None:
@@ -116,6 +116,7 @@ def test_linearize_and_modes(run: Any) -> None:
     assert "K = " in ran.out
 
 
+@pytest.mark.campaign
 def test_linearize_and_modes_about_a_steady_motion(run: Any) -> None:
     ran = run("linearize", "rolling_disc", "--speeds", "u2=v/R")
     assert ran.code == 0

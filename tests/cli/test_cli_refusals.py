@@ -76,7 +76,7 @@ ROWS = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("command", "words"), ROWS, ids=[command for command, _ in ROWS])
 def test_bad_input_is_one_line(run: Any, tmp_path: Path, command: str, words: str) -> None:
     ran = run(*(part.format(tmp=tmp_path) for part in command.split()))

@@ -86,6 +86,7 @@ def test_a_last_digit_is_refuted_whatever_the_hash(run: Any, folder: Path) -> No
     assert "left" in ran.out and "theta = " in ran.out and "changed" not in ran.out
 
 
+@pytest.mark.campaign
 def test_derived_equations_that_were_changed_are_refuted(run: Any, folder: Path) -> None:
     path = folder / "equations.json"
     text = path.read_text(encoding="utf-8")
@@ -95,6 +96,7 @@ def test_derived_equations_that_were_changed_are_refuted(run: Any, folder: Path)
     assert ran.code == 1 and "derived, free_body" in ran.out
 
 
+@pytest.mark.campaign
 def test_a_file_that_no_step_looks_at(run: Any, folder: Path) -> None:
     (folder / "CMakeLists.txt").write_text("project(other)", encoding="utf-8")
     ran = run("verify", folder, "--no-compile")
@@ -234,7 +236,7 @@ def put(folder: Path, name: str) -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["math.h", "cmath", "bits/x.h", "own/deep/a.hpp", "numpy.py",
                                   "numpy/__init__.py", "CMakePresets.json"])  # fmt: skip
 def test_what_a_build_may_read_is_no_part_of_what_is_shown(

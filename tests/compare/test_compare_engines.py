@@ -22,7 +22,7 @@ TREES = {"arm": small_trees.arm, "lift": small_trees.lift, "floating": small_tre
 SLOW = ("sympy", "drake", "pybullet", "roboticstoolbox")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("model", TREES)
 @pytest.mark.parametrize("name", [name for name, _, _ in ENGINES if name not in SLOW])
 def test_an_engine_agrees_with_a_scene(name: str, model: str) -> None:

@@ -97,7 +97,7 @@ def test_functions_are_differentiable(model: Model) -> None:
         assert np.max(np.abs(difference - np.array(along)), initial=0.0) <= 1e-5 * size + 9 * noise
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_second_derivatives_exist(model: Model) -> None:
     """What Newton's method in an optimiser needs: a symmetric Hessian of the accelerations, by
     parameters too, in which even a linear oscillator is not linear.
@@ -112,7 +112,7 @@ def test_second_derivatives_exist(model: Model) -> None:
     assert_close(found, found.T)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_functions_map(model: Model) -> None:
     for function in model.casadi.values():
         columns = points(model, function)
@@ -125,7 +125,7 @@ def test_functions_map(model: Model) -> None:
                 assert_close(many[:, i * width : (i + 1) * width], one, rtol=1e-14)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
     for name, function in model.casadi.items():
         point = at(points(model, function), 1)
@@ -141,7 +141,7 @@ def test_functions_survive_serialisation(model: Model, tmp_path: Path) -> None:
                 np.testing.assert_array_equal(np.array(one), np.array(other))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("model", SMOOTH, indirect=True)
 def test_functions_stand_in_opti(model: Model) -> None:
     """Find the inverse dynamics by IPOPT: u' is given, the generalized forces are wanted."""

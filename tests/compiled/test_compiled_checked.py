@@ -15,7 +15,7 @@ def pendulum(request, derived):
     return compile_model(derived("elastic_pendulum", "kane"), compiler=request.param)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("q", "u", "p", "error", "words"),
     [

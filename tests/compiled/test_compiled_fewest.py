@@ -87,7 +87,7 @@ def test_the_cheapest_comes_first() -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("seed", range(6))
 def test_random_systems(seed: int) -> None:
     random = Random(seed)
@@ -146,7 +146,7 @@ def test_what_is_left_to_elimination(left: Matrix, right: Matrix, why: str) -> N
 SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", SEEDS)
 @pytest.mark.parametrize("route", ["free_body", "moving_point", "kane", "lagrange"])
 def test_the_form_is_proved_and_no_dearer(derived, system: str, route: str) -> None:

@@ -105,7 +105,7 @@ def test_typical_values_follow_what_is_fixed() -> None:
     assert ratio == pytest.approx({"I_C": 0.5, "M": 0.5, "R": 1, "g": 1})
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiler", ["auto", None])
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_every_backend_holds_the_fixed_model(derived: Any, compiler: Any, kind: Any) -> None:
@@ -174,7 +174,7 @@ def watched(calls: tuple[Counter, Spy], route: str) -> tuple[Counter, Any]:
     return counts, equations
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ["free_body", "moving_point", "kane", "lagrange"])
 def test_what_is_not_asked_for_is_not_derived(calls: Any, route: str) -> None:
     counts, equations = watched(calls, route)

@@ -22,7 +22,7 @@ def inputs_of(code: Routine) -> set[int]:
     return {node.operands[0] for node in code.nodes if node.operation == INPUT}
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @by_system
 def test_the_parts_one_after_the_other_are_the_whole(modelled, system: str, route: str) -> None:
     model = modelled(system, route)

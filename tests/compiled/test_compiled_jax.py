@@ -33,7 +33,7 @@ def model() -> mechanics.Model:
     return mechanics.compile(mechanics.derive(cartpole.scene(), "kane"))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["forward_dynamics", "mass_matrix", "energy", "inverse_dynamics"])
 def test_compiled_and_mapped_it_gives_what_numpy_gives(model: mechanics.Model, name: str) -> None:
     sizes = dict(model.program(name).inputs)
@@ -69,7 +69,7 @@ def test_a_loop_has_its_multipliers() -> None:
     assert near(found["multipliers"], np.array(right[1])[:, 0])
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("row", [row for row in OPERATIONS if row.arity and row.name != "entry"],
                          ids=lambda row: row.name)  # fmt: skip
 def test_every_operation_of_the_table_is_what_numpy_has(row: Any) -> None:

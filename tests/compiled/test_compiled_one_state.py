@@ -180,7 +180,7 @@ WRONG: tuple[tuple[type[MechanicsError], str, tuple[Any, ...]], ...] = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("kind", "words", "arrays"), WRONG)
 def test_errors_are_those_of_the_way_that_checks(
     pendulum: Model, modelled, derived, kind: type[MechanicsError], words: str, arrays: tuple

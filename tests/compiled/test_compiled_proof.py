@@ -16,7 +16,7 @@ SEEDS = ("elastic_pendulum", "rocker", "two_mass_chain")
 ROUTES = ("free_body", "moving_point", "kane", "lagrange")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SEEDS)
 def test_every_function_of_the_seeds_systems_is_proved(modelled, system: str, route: str) -> None:

@@ -85,7 +85,7 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
 SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(built(system.scene))]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("system", SMOOTH, ids=lambda system: system.name)
 def test_from_the_bodies_it_is_what_every_route_derived(system: Any, route: str) -> None:

@@ -81,7 +81,7 @@ def test_calls_stand_between_the_rest_and_a_sine_beside_its_cosine(chain: Routin
     assert divisions[0] < calls[-1]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["gcc", "clang"])
 @pytest.mark.parametrize("level", ["-O2", "-O3"])
 def test_each_pair_of_sine_and_cosine_is_one_call(

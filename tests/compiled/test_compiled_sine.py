@@ -85,7 +85,7 @@ def angles(kind: type) -> np.ndarray:
     return x[np.abs(x) <= LIMIT]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("flags", FUSED.values(), ids=FUSED)
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_errors_are_as_proved(each: str, flags: str, kind: type) -> None:
@@ -99,7 +99,7 @@ def test_errors_are_as_proved(each: str, flags: str, kind: type) -> None:
         assert ulps.max() <= MOST
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("flags", FUSED.values(), ids=FUSED)
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_odd_and_even_to_the_last_bit(each: str, flags: str, kind: type) -> None:

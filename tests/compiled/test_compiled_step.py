@@ -31,7 +31,7 @@ def balls(function: ca.Function, inputs: list[list[arb]]) -> list[list[arb]]:
     return [list(found[name]) for name, _ in written.shapes]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("system", "route"), SYSTEMS)
 def test_step_is_the_classical_formula_in_balls(modelled, system: str, route: str) -> None:
     """k1 to k4 one after the other, each by the functions themselves, at 300 bits."""

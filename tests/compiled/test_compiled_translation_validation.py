@@ -105,7 +105,7 @@ BODIES = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("body", BODIES)
 @pytest.mark.parametrize("kind", ["double", "float"])
 def test_a_binary_is_within_what_roundings_can_give(gcc: str, body: str, kind: str) -> None:

@@ -49,6 +49,7 @@ def test_no_name_is_a_word_of_coqs_and_none_stands_for_two() -> None:
     assert names.of(names.pi) != names.of(Symbol("pi"))
 
 
+@pytest.mark.campaign
 def test_a_file_has_the_balance_laws_with_their_bodies_and_reactions(tmp_path: Path) -> None:
     found = write_coq(SYSTEMS["elastic_pendulum"], tmp_path)
     assert {"laws_give_kane", "kane_is_lagrange", "energy_of_kane"} <= {one.name for one in found}

@@ -117,7 +117,7 @@ def test_routes_agree(name):
 SPHERE, FLOOR = '<geom size="0.1"/>', '<body><geom type="plane" size="1 1 1"/></body>'
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("parts", "kind"),
     [

@@ -50,7 +50,7 @@ FORMS = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("form", FORMS)
 def test_what_has_a_value_in_a_half_is_shown_there(form):
     assert outcome(FORMS[form]()) == ("UNDECIDED", "PROVED WHERE theta >= 0")

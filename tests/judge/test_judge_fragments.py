@@ -174,7 +174,7 @@ WRONG = {
 }  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", RIGHT)
 def test_right_fragments_pass(name):
     found = RIGHT[name]()
@@ -188,7 +188,7 @@ def test_what_is_nan_at_rest_is_told(name):
     assert entry.finding.domain.startswith("NOT SHOWN: NaN at rest")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", WRONG)
 def test_wrong_fragments_are_stopped(name):
     assert not WRONG[name]().ok

@@ -23,7 +23,7 @@ RIGHT = (
 """Cranks and rockers of parallelograms turn equally, and couplers do not turn."""
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", RIGHT)
 def test_what_holds_on_the_component_is_shown(parallelograms: Equations, text: str) -> None:
     (judged,) = check(parallelograms, text, blame=False).judged

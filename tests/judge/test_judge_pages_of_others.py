@@ -167,6 +167,7 @@ MASSES = r"""$$ M = \begin{bmatrix} (m_1+m_2) l_1^2 + m_2 l_2^2 + 2 m_2 l_1 l_2 
 & m_2 l_2^2 + m_2 l_1 l_2 c_2 \\ m_2 l_2^2 + m_2 l_1 l_2 c_2 & FACTOR m_2 l_2^2 \end{bmatrix} $$"""
 
 
+@pytest.mark.campaign
 def test_a_mass_matrix_holds_cosines_alone() -> None:
     assert verdict("arm", MASSES.replace("FACTOR", "")) == "PROVED"
     assert verdict("arm", MASSES.replace("FACTOR", "2")) == "REFUTED"

@@ -39,7 +39,7 @@ SAID: dict[str, tuple[Said, str]] = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("about", SAID)
 @pytest.mark.parametrize("name", WITH_RODS)
 def test_point_masses_are_told_where_they_make_it_right(name: str, about: str) -> None:

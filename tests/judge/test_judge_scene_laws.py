@@ -10,7 +10,7 @@ from mechanics.judge.scene_laws import verify
 from systems import elastic_pendulum, four_bar, pendulum_chain, rolling_disc
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "scene", [elastic_pendulum.scene, rolling_disc.scene, four_bar.scene, pendulum_chain.scene]
 )

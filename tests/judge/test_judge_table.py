@@ -159,7 +159,7 @@ LIMITED = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("form", LIMITED)
 def test_an_input_may_be_limited_before_it_is_used(form):
     verdict, domain = outcome(LIMITED[form]())
@@ -192,7 +192,7 @@ NOT_LIMITS = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NOT_LIMITS)
 def test_anything_else_is_refuted(name):
     assert NOT_LIMITS[name]().verdict.name == "REFUTED"
@@ -220,7 +220,7 @@ GUARDED = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("form", GUARDED)
 def test_within_a_small_guard_what_is_near_the_truth_will_do(form):
     found = GUARDED[form]()
@@ -242,7 +242,7 @@ NO_GUARDS = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NO_GUARDS)
 def test_other_guards_are_refuted(name):
     assert NO_GUARDS[name]().verdict.name == "REFUTED"
@@ -349,7 +349,7 @@ EMPTY = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", BRANCHES)
 def test_branches_are_reached_at_all_scales(name):
     condition, words = BRANCHES[name]

@@ -214,6 +214,7 @@ def four_bar(b: Builder) -> list[Node]:
 BARS = {name: Range.POSITIVE for name in "acde"}
 
 
+@pytest.mark.campaign
 def test_a_four_bar_linkage_closes_by_its_lengths_or_by_its_angles() -> None:
     """Freudenstein's equation: what is left when the coupler's angle is taken out."""
     b = Builder()

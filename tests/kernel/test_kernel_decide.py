@@ -160,7 +160,7 @@ def test_true_statements_are_shown(name: str) -> None:
     assert finding.shown, finding
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", TRUE)
 def test_without_the_normal_form_nothing_true_is_refuted(name: str) -> None:
     finding = decide(statement(TRUE[name]), try_normal=False)
@@ -388,6 +388,7 @@ def test_angles_add_by_the_group_law(m: Fraction, n: Fraction) -> None:
     assert decide(Statement("cos of a sum", program)).shown
 
 
+@pytest.mark.campaign
 @settings(max_examples=30, deadline=None)
 @given(st.lists(st.lists(st.integers(-3, 3), min_size=3, max_size=3), min_size=3, max_size=3))
 def test_solutions_solve(numbers: list[list[int]]) -> None:

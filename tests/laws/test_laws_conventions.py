@@ -75,7 +75,7 @@ def verdict(name: str, row: Expr, *names: str) -> str:
     return entry.finding.verdict.name
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", PENDULUMS)
 def test_each_wrong_sign_is_refuted_under_each_definite_direction(name: str) -> None:
     level = 0

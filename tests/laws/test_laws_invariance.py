@@ -98,7 +98,7 @@ def chain(relative: bool) -> Scene:
     )  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", NAMES)
 def test_relative_angles(route: str) -> None:
     old, new = derive(chain(relative=False), route), derive(chain(relative=True), route)
@@ -117,7 +117,7 @@ TURNS = {
 }  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("route", NAMES)
 @pytest.mark.parametrize("turn", TURNS)
 def test_inertial_axes(route: str, turn: str) -> None:
@@ -188,7 +188,7 @@ FREE = [system for system in systems.ALL if not built(system.scene).constraints]
 """Multipliers of Lagrange's method have units of their own."""
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", FREE, ids=lambda system: system.name)
 @pytest.mark.parametrize("route", NAMES)
 def test_units(derived: Any, system: Any, route: str) -> None:

@@ -104,7 +104,7 @@ def test_all_routes_agree_and_all_laws_hold(kind: str) -> None:
     assert all(finding.shown for finding in check_laws(programs))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", JOINTS)
 def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
     freedoms, make = JOINTS[kind]
@@ -117,7 +117,7 @@ def test_what_a_joint_does_not_move_it_holds(kind: str) -> None:
         assert sum(entry**2 for entry in along) == 1
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", [k for k in JOINTS if not {"quaternion", "roll,"} & {*k.split()}])
 def test_the_recursions_know_it_as_a_tree_of_single_joints(kind: str) -> None:
     mechanism = lower(two_bodies(JOINTS[kind][1](None)), Builder())
@@ -182,7 +182,7 @@ def free_and_closed(kind: str) -> Scene:
                  loads=(gravity(-g * N.y),), example={"y": -0.5})  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", CLOSING)
 def test_a_joint_that_closes_a_loop_leaves_its_freedoms(kind: str) -> None:
     """Its reactions are complete, do no work, and each maintains its constraint."""

@@ -36,7 +36,7 @@ FREE = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_momenta_times_rates_are_twice_the_kinetic_energy(derived: Any, name: str) -> None:
     scene = derived(name)["kane"].scene
@@ -47,7 +47,7 @@ def test_momenta_times_rates_are_twice_the_kinetic_energy(derived: Any, name: st
     assert not check_row(scene, wrong).shown
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_each_is_the_slope_of_the_kinetic_energy(derived: Any, name: str) -> None:
     scene = derived(name)["kane"].scene

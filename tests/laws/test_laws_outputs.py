@@ -279,7 +279,7 @@ REFUSED: Mapping[str, tuple[Callable[[Any], Any], str]] = {
 }  # fmt: skip
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("make", "words"), REFUSED.values(), ids=REFUSED)
 def test_outputs_that_cannot_be_are_refused(make: Callable[[Any], Any], words: str) -> None:
     scene = arm()

@@ -18,6 +18,7 @@ from systems import ALL, SEED
 CONSTRAINED = [system for system in ALL if built(system.scene).constraints]
 
 
+@pytest.mark.campaign
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
 @pytest.mark.parametrize("system", CONSTRAINED, ids=lambda system: system.name)

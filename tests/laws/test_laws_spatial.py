@@ -162,6 +162,7 @@ def test_rotating_frame(assert_laws: Any, prescribed: Expr) -> None:
     )
 
 
+@pytest.mark.campaign
 def test_bead_on_a_turning_rod(assert_laws: Any) -> None:
     """r'' = Omega^2 r: the rod does work on the bead, and the energy law counts it."""
     N, O = ReferenceFrame("N"), Point("O")

@@ -41,7 +41,7 @@ def accelerations(linear) -> list:
     return list(linear.mass.LUsolve(right))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "route",
     ROUTES,
@@ -56,7 +56,7 @@ def test_routes_agree_on_the_linear_equations(system: ModuleType, route: ModuleT
     assert finding.verdict is Verdict.PROVED
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", POINTS, ids=lambda system: system.__name__)
 def test_conjugate_rows_are_symmetric(system: ModuleType) -> None:
     linear = linearize(derived(system, "lagrange"), *POINTS[system])

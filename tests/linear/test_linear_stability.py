@@ -96,6 +96,7 @@ def test_hurwitz_finds_what_positive_coefficients_hide(row, constants) -> None:
     assert numeric_poles(loop).real.max() > 0
 
 
+@pytest.mark.campaign
 @settings(
     max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

@@ -35,6 +35,7 @@ def distance(near: Near, true: Any) -> tuple[Any, float]:
     return away / exactly(near.error) if away else 0, float(near.error)
 
 
+@pytest.mark.campaign
 @settings(max_examples=100, deadline=None)
 @given(data=st.data(), precision=st.sampled_from(PRECISIONS))
 def test_bounds_of_random_programs_hold(

@@ -38,6 +38,7 @@ def text(rotation: str) -> str:
     return r"\begin{align}" + EQUATIONS + energies + r"\end{align}"
 
 
+@pytest.mark.campaign
 def test_the_energy_is_blamed_and_not_the_equations(truth, edits) -> None:
     found = mechanics.check(truth("double_inverted_pendulum"), text(WRONG))
     verdicts = {entry.statement.tag: entry.finding.verdict.name for entry in found.judged}

@@ -43,6 +43,7 @@ def test_the_cart_pole_is_supported(truth, integrator: str) -> None:
     assert verdicts(truth("cartpole"), box, CART_NAMES) == ["SUPPORTED"] * 4
 
 
+@pytest.mark.campaign
 def test_a_cart_pole_of_another_mass_or_integrator_is_refuted(truth) -> None:
     env, step = cart_pole("euler")
     heavier = BlackBox(step, CART | {"mp": 0.2}, step=env.tau)

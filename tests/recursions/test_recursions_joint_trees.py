@@ -71,7 +71,7 @@ def assert_recursions_agree(mechanism: Mechanism, masses, *, derivatives: bool) 
         assert all(filter_.is_zero(a - b) for a, b in zip(column, wanted_column, strict=True))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_every_system_that_is_a_tree_of_joints(system, masses) -> None:

@@ -30,7 +30,7 @@ PHASES = (Phase.explicit, Phase.generate)
 MOMENTS = (moments, grouped)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_the_rows_are_kanes(system, masses) -> None:

@@ -64,6 +64,7 @@ def test_what_is_divided_by_and_signs_are_told_by_less() -> None:
     assert (told.written, told.right, told.span) == ("k*x", "(-k*x)", (4, 7))
 
 
+@pytest.mark.campaign
 def test_wrong_code_is_told_as_a_formula(found: Check) -> None:
     entry, right = found.told
     assert right is found.judged[1]

@@ -73,6 +73,7 @@ def wrong(source: str, written: str, right: str) -> Edit:
     return Edit(Mistake.TERM, written, right, (at, at + len(written)))
 
 
+@pytest.mark.campaign
 def test_elements_are_nested_and_headings_skip_no_level(answered: Check) -> None:
     page = Nesting(check_html(answered))
     assert page.wrong == []
@@ -88,6 +89,7 @@ def test_nothing_is_fetched_and_nothing_runs(answered: Check) -> None:
     assert not re.search(r"url\(|@import|<script|https?:|javascript:", page)
 
 
+@pytest.mark.campaign
 def test_the_page_says_what_the_terminal_says(answered: Check) -> None:
     words = " ".join("".join(Nesting(check_html(answered)).words).split())
     for sentence in (
@@ -148,6 +150,7 @@ def test_it_says_how_many_equations_of_motion_there_are_to_give(answered: Check)
     )
 
 
+@pytest.mark.campaign
 def test_the_summary_follows_the_verdict(answered: Check) -> None:
     (right, *_, numbers) = answered.judged
     assert "Everything is right" in check_html(replace(answered, judged=(right,)))

@@ -60,7 +60,7 @@ NAMES = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     scene = scenes()[name]
@@ -181,7 +181,7 @@ def test_a_spring_and_a_damper_stand_side_by_side_and_end_at_what_they_hold() ->
     assert any(np.allclose(end, np.array(dots[-1], dtype=float), atol=0.1) for end in ends)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NAMES)
 def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
     drawn, corner, _ = re.split(

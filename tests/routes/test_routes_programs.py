@@ -51,7 +51,7 @@ def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[
     return tuple(values[i] % filter_.prime for i in range(len(mechanism.u)))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("scene", SCENES, ids=lambda make: built(make).name)
 def test_all_routes_give_the_same_accelerations(scene) -> None:
     built: Scene = scene()
@@ -64,7 +64,7 @@ def test_all_routes_give_the_same_accelerations(scene) -> None:
     assert len(set(found.values())) == 1
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("scene", SCENES, ids=lambda make: built(make).name)
 def test_kane_and_lagrange_have_the_same_rows(scene) -> None:
     """Both are power-conjugate to u, so that not only their solutions agree."""
@@ -124,7 +124,7 @@ def test_every_row_annihilates_the_null_space(numbers: str, rank: int) -> None:
     assert len(filter_.eliminate([filter_.values(vector) for vector in basis], width)) == len(basis)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
 def test_what_bodies_and_loads_contribute_adds_up_to_each_principle(system: System) -> None:
     mechanism = lower(system.scene(), Builder())

@@ -20,7 +20,7 @@ from mechanics.routes.loads import balanced, unit_reactions
 from mechanics.scene import Scene
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("make", [thrown_body, ball_top, sliding_top, rolling_ball])
 def test_all_routes_agree_and_all_laws_hold(make: Callable[[], Scene]) -> None:
     programs = derive_rows(check_scene(make()), [route.name for route in ROUTES])

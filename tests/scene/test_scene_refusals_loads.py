@@ -213,7 +213,7 @@ TABLE = {
 }
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("change", "words"), TABLE.values(), ids=TABLE.keys())
 def test_what_cannot_be_right_is_refused(make: Any, change: Any, words: str) -> None:
     with pytest.raises(SceneError) as caught:

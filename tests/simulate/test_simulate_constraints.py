@@ -32,6 +32,7 @@ def closure(motion: Trajectory) -> float:
     return float(np.max(np.hypot(x, y)))
 
 
+@pytest.mark.campaign
 def test_given_coordinate_is_kept_and_the_others_close_the_loop(linkage: Model) -> None:
     motion = simulate(linkage, 0.5, initial={"q1": 0.3})
     assert motion.coordinates["q1"][0] == 0.3

@@ -52,6 +52,7 @@ def test_so_it_is_by_every_method(method: str, rtol: float, model_of: ModelOf) -
     assert error / 20 <= motion.error_estimate <= 50 * error
 
 
+@pytest.mark.campaign
 def test_where_a_motion_is_chaotic_it_says_from_when_nothing_is_right(model_of: ModelOf) -> None:
     model = model_of("double_pendulum")
     motion = simulate(model, 30)

@@ -79,6 +79,7 @@ def test_a_row_of_gains_gives_an_array_with_one_entry(free: Model) -> None:
     assert motion.ending is Ending.COMPLETE
 
 
+@pytest.mark.campaign
 def test_an_accuracy_can_be_asked_for(free: Model) -> None:
     motion = simulate_accurately(
         free, 0.5, initial={"theta": 0.05}, inputs={"f": Feedback(law)}, accuracy=1e-6, samples=11
@@ -90,7 +91,7 @@ def test_an_accuracy_can_be_asked_for(free: Model) -> None:
     )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("member", MEMBERS, ids=lambda member: member.name)
 def test_every_integrator_that_takes_functions_takes_feedback(free: Model, member) -> None:
     inputs = {"f": Feedback(law)}

@@ -60,6 +60,7 @@ def test_other_suffixes_and_missing_folders_are_refused(motion: Trajectory, tmp_
         write_table(motion, tmp_path / "nowhere" / "motion.csv")
 
 
+@pytest.mark.campaign
 def test_plot_is_a_self_contained_drawing(motion: Trajectory, tmp_path: Path) -> None:
     first = write_plot(motion, tmp_path / "a.svg").read_bytes()
     drawing = ElementTree.fromstring(first)

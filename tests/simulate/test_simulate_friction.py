@@ -111,6 +111,7 @@ def test_other_accelerations_have_no_inverse_dynamics(rolling: Model) -> None:
         rolling.inverse_dynamics([0, 0], [1, 0], [0, 0])
 
 
+@pytest.mark.campaign
 def test_the_cart_slows_down_and_stops() -> None:
     model = compile(derive(cartpole_friction.scene(), "kane"))
     found = simulate(model, 5.0, samples=501)

@@ -89,7 +89,7 @@ def test_error_of_fixed_steps_falls_with_the_order(name: str, order: int) -> Non
     assert math.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.75)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "member", [m for m in INTEGRATORS if m.adaptive], ids=lambda member: member.name
 )
@@ -158,7 +158,7 @@ def test_a_setting_without_tolerance_and_step_is_refused(member: Integrator) -> 
     assert "found" in member.suits(posed("rocker"), Setting(member.name))
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "member", [m for m in INTEGRATORS if m.adaptive], ids=lambda member: member.name
 )
@@ -217,6 +217,7 @@ def stiff_reference(stiff: Problem) -> Reference:
     return reference(stiff)
 
 
+@pytest.mark.campaign
 def test_stiff_problems_are_refused_by_explicit_methods_and_solved_by_implicit(
     stiff, stiff_reference
 ) -> None:

@@ -106,6 +106,7 @@ def test_momentum_along_the_rail_stays_without_springs(model_of: ModelOf) -> Non
     assert np.ptp(momentum[:, 1]) > 1.0
 
 
+@pytest.mark.campaign
 def test_momentum_along_the_rail_is_the_impulse(model_of: ModelOf) -> None:
     model = model_of("pendulum_chain")
     motion = simulate(model, 2.0, inputs={"F": np.cos}, samples=21, **FINE)
@@ -114,6 +115,7 @@ def test_momentum_along_the_rail_is_the_impulse(model_of: ModelOf) -> None:
     assert np.allclose(momentum[:, 0] - momentum[0, 0], np.sin(motion.times), rtol=0, atol=1e-10)
 
 
+@pytest.mark.campaign
 def test_energy_grows_by_the_work_of_a_constant_torque(model_of: ModelOf) -> None:
     motion = simulate(model_of("four_bar"), 1.0, inputs={"tau": 0.3}, samples=21, **FINE)
     turned = motion.coordinates["q1"] - motion.coordinates["q1"][0]

@@ -133,6 +133,7 @@ def test_simple_pendulum_returns_after_its_period(
     assert abs(motion.coordinates["th1"][1]) < 1e-9
 
 
+@pytest.mark.campaign
 def test_double_pendulum_follows_the_reference() -> None:
     model = compile(by_route("lagrange", chain(2)), compiler=None)
     start = {"th1": np.pi / 2, "th2": np.pi / 2}

@@ -73,7 +73,7 @@ def test_what_was_written_is_shown(folder: Path, judge: Judge) -> None:
     assert judge(folder) == []
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("old", "new"),
     [
@@ -134,7 +134,7 @@ def manifest(folder: Path, change: Callable[[Any], Any]) -> None:
     path.write_text(json.dumps(content), encoding="utf-8")
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("change", "verdict", "subject"),
     [

@@ -137,7 +137,7 @@ CLAIMS: Sequence[tuple[str, Change, str]] = [
 ]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("change", "words"), [c[1:] for c in CLAIMS], ids=[c[0] for c in CLAIMS])
 def test_a_claim_of_the_manifest_that_was_edited_is_named(
     made: Made, folder: Path, change: Change, words: str
