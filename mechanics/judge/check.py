@@ -26,7 +26,6 @@ from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import judge_under, only_change
 from mechanics.judge.definedness import at_the_bound
-from mechanics.judge.descriptions import contradictions
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
@@ -34,8 +33,8 @@ from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.outputs import of_one_order, right_otherwise, under_guessed_orders
 from mechanics.judge.polar_radius import with_positive_radii
-from mechanics.judge.prose import as_told, said_conventions, seen_from_one_side
-from mechanics.judge.readers import read, spread
+from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
+from mechanics.judge.readers import read, source_of, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
@@ -144,7 +143,8 @@ def check(
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
     counted = read_declared([convention] if isinstance(convention, str) else convention, known)
-    said = () if counted or values or where else said_conventions(truth.scene, statements, known)
+    prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
+    said = () if counted or values or where else prose.conventions
     counted = (*counted, *said)
     held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
@@ -161,7 +161,7 @@ def check(
         judged, told = _judged(truth, [s.statement for s in settled], held, region)
         judged = tuple(map(_by_letter, judged, settled))
     judged = complete_residuals(truth, one_root_each(truth, judged, statements))
-    untold = () if convention else contradictions(truth.scene, statements, known)
+    untold = () if convention else prose.against
     judged = tuple(
         of_a_part(truth.scene, as_told(entry, statement, untold))
         for entry, statement in zip(judged, statements, strict=True)

@@ -8,8 +8,8 @@ listed here.
 """
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from sympy import Symbol
 
@@ -20,63 +20,15 @@ from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
-from mechanics.judge.descriptions import BARE, NAME, described, senses
+from mechanics.judge.phrases import DENIAL
+from mechanics.judge.sentences import Said, against, conventions, described, senses, sentences
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 
-DENIAL = re.compile(
-    r"\b(?:is|are|was|were|be) (?:\w+ly )?"
-    r"(?:wrong|false|incorrect|erroneous|not (?:true|correct|right))\b"
-    r"|\bnot (?:true|correct|right|the case) that\b"
-    r"|\b(?:wrong|incorrect|erroneous|false|mistaken) "
-    r"(?:equation|result|expression|formula|answer)s?\b"
-    r"|\b(?:incorrectly|wrongly|mistakenly|erroneously|falsely)\b"
-    r"|\b(?:do(?:es)?|did) not (?:hold|apply)\b|\b(?:fails? to hold|is invalid|cannot be right)\b"
-    r"|\\text\w*\s*\{\W*(?:wrong|false|incorrect|not true)\W*\}",
-    re.IGNORECASE,
-)
-SENSE = r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise)\s+)?"
-DIRECTION = re.compile(
-    rf"{NAME}\s*(?:is|be|being|denotes|,)?\s*(?:the angle\s+(?:of (?:the )?\w+\s+)?)?"
-    rf"(?:(?:measured|counted|taken|reckoned)\s+)?{SENSE}from\s+(?:the\s+)?"
-    r"(?P<way>(?:downward|upward)s?\s+vertical|upright|hanging|horizontal)\b",
-    re.IGNORECASE,
-)
-MAKES = re.compile(
-    rf"{NAME}\s*(?:is|be|being|denotes|,)?\s*the angle\s+(?:(?!from\b)[\w']+\s+){{0,6}}?"
-    r"(?:with|and|to)\s+(?:the\s+)?(?P<way>(?:downward|upward)s?\s+vertical|horizontal)\b",
-    re.IGNORECASE,
-)
-END = re.compile(
-    rf"{NAME}\s*(?:is|be|being|,)?\s*(?:measured|counted|taken|reckoned)\s+from\s+(?:the\s+)?"
-    r"(?P<way>top|highest|bottom|lowest)\b",
-    re.IGNORECASE,
-)
-ZERO = re.compile(
-    rf"\$\s*{BARE}\s*=\s*0\s*\$\s*(?:is|corresponds to|denotes|means|describes|in|at|being)\s+"
-    r"(?:the\s+)?(?P<way>downward|upward|upright|inverted|hanging|horizontal)\b",
-    re.IGNORECASE,
-)
-SIZE = re.compile(
-    rf"{NAME}\s*(?:is|be|being|denotes|,)?\s*(?:the\s+)?(?P<size>half|twice)[\s-]+(?:of\s+)?"
-    r"(?:(?:the|its)\s+)?(?:total |full |whole )?length\b",
-    re.IGNORECASE,
-)
-DOUBLE = re.compile(
-    rf"\$\s*2\s*{BARE}\s*\$\s*(?:is|be|being|denotes|,)\s*(?:the|its)\s+(?:\w+\s+)?length\b",
-    re.IGNORECASE,
-)
-PLAIN = {
-    "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
-    "highest": "upright", "bottom": "hanging", "lowest": "hanging",
-}  # fmt: skip
-DEGREES = re.compile(
-    rf"{NAME}\s*(?:is|are|be|being|,)\s*(?:measured|given|taken|expressed)?\s*in\s+degrees\b"
-    r"|\b(?P<declared>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg",
-    re.IGNORECASE,
-)
-"""In prose, and in a declaration of Modelica's."""
+UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
+"""Degrees in a declaration of Modelica's."""
+COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -113,30 +65,60 @@ def undenied(entry: Judged, statement: Statement) -> Judged:
 
 def in_radians(entry: Judged, statement: Statement) -> Judged:
     """The entry; what holds for radians is not shown where the text says degrees."""
-    if entry.finding.shown and statement.written is not None:
-        for degrees in DEGREES.finditer(statement.written.text):
-            name = degrees["name"] or degrees["declared"]
-            words = f"it is right in radians, but the text says {name} in degrees"
-            return replace(entry, finding=undecided(entry.finding.subject, words))
+    written = statement.written
+    if not entry.finding.shown or written is None:
+        return entry
+    for degrees in UNITS.finditer(written.text):
+        words = f"it is right in radians, but the text says {degrees['name']} in degrees"
+        return replace(entry, finding=undecided(entry.finding.subject, words))
     return entry
 
 
-def said_conventions(
-    scene: Scene, statements: Sequence[Statement], known: Sequence[Match]
-) -> tuple[Declared, ...]:
-    """How a text says that it counts, where the scene counts otherwise.
+@dataclass(frozen=True)
+class Prose:
+    """What texts say beside their statements.
+
+    Attributes
+    ----------
+    conventions : tuple of Declared
+        How a text says that it counts, where the scene counts otherwise.
+    against : tuple of str
+        What it says that the scene has otherwise, and what of it was not read; in words.
+    """
+
+    conventions: tuple[Declared, ...]
+    against: tuple[str, ...]
+
+
+def prose_of(
+    scene: Scene, statements: Sequence[Statement], known: Sequence[Match], code: Sequence[str] = ()
+) -> Prose:
+    """What the texts of statements say of a scene.
 
     Parameters
     ----------
     known : sequence of Match
         What names of the person were taken for.
+    code : sequence of str
+        Source of functions, of which comments and documentation are prose.
     """
-    texts = sorted({s.written.text for s in statements if s.written is not None})
-    said = dict.fromkeys(one for text in texts for one in _said(text))
+    about = Said(scene, known)
+    names = {*(match.name for match in known), *about.parameters, *about.coordinates, *about.inputs}
+    written = {s.written.text: s.written.notation for s in statements if s.written is not None}
     held = frozenset({*scene.q, *scene.input_symbols, *scene.parameters})
-    own = dict.fromkeys(one for text in texts for one in described(scene, text, known))
-    counted = (d for one in said for d in _another(scene, one, held, known))
-    return (*counted, *(d for one in own if one not in said for d in read_declared([one], known)))
+    texts = [one for text in sorted(written) for one in sentences(text, written[text], names)]
+    told = dict.fromkeys(one for text in texts for one in conventions(about, text))
+    own = dict.fromkeys(one for text in texts for one in described(about, text))
+    counted = [d for one in told for d in _another(scene, one, held, known)]
+    counted += [d for one in own if one not in told for d in read_declared([one], known)]
+    contrary = [one for text in texts for one in against(about, text)]
+    for comment in (m[0] for text in code for m in COMMENT.finditer(text)):
+        for text in sentences(comment, "code", names):
+            ways = (*conventions(about, text), *described(about, text))
+            counts = (one for one in ways if _another(scene, one, held, known))
+            contrary += [f"a comment says that it counts otherwise: {one}" for one in counts]
+            contrary += against(about, text, whole=False)
+    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)))
 
 
 def seen_from_one_side(
@@ -146,31 +128,10 @@ def seen_from_one_side(
     written = statement.written
     if written is None or entry.finding.verdict is not Verdict.REFUTED or not entry.right_if:
         return entry
-    told = any(True for _ in senses(scene, written.text, known))
+    about = Said(scene, known)
+    texts = sentences(written.text, written.notation, [match.name for match in known])
+    told = any(True for text in texts for _ in senses(about, text))
     return replace(entry, open=True) if told else entry
-
-
-def _said(text: str) -> Iterator[str]:
-    plain = " ".join(text.split())
-    for match in DIRECTION.finditer(plain):
-        way = re.sub(r"wards\b", "ward", match["way"].lower())
-        sense = f" {match['sense'].lower()}" if match["sense"] else ""
-        yield f"{way}{sense} of {_name(match)}"
-    for match in MAKES.finditer(plain):
-        way = re.sub(r"wards\b", "ward", match["way"].lower())
-        yield f"{way} of {_name(match)}"
-    for match in (*ZERO.finditer(plain), *END.finditer(plain)):
-        way = match["way"].lower()
-        yield f"{PLAIN.get(way, way)} of {_name(match)}"
-    for match in SIZE.finditer(plain):
-        size = {"half": "half-length", "twice": "twice the length"}[match["size"].lower()]
-        yield f"{size} of {_name(match)}"
-    for match in DOUBLE.finditer(plain):
-        yield f"half-length of {_name(match)}"
-
-
-def _name(match: re.Match[str]) -> str:
-    return match["name"].replace("{", "").replace("}", "")
 
 
 def _other_vertical(scene: Scene, said: str, known: Sequence[Match]) -> str:

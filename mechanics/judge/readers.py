@@ -1,5 +1,6 @@
 """Whatever a person has, as statements: text, files, SymPy's objects, code."""
 
+import inspect
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -94,6 +95,16 @@ def read(
             " CasADi Function or a Python function"
         )
     return read_function(scene, thing, names, about)
+
+
+def source_of(thing: Any) -> tuple[str, ...]:
+    """The source of code, where there is one."""
+    if isinstance(thing, Path):
+        return () if thing.suffix == ".tex" else (file_text(thing),)
+    try:
+        return (inspect.getsource(thing),) if inspect.isfunction(thing) else ()
+    except OSError:
+        return ((thing.__doc__ or ""),)
 
 
 def _no_path(text: str) -> None:

@@ -17,10 +17,10 @@ from mechanics.claims.prose import sentence_around
 from mechanics.equations import Equations
 from mechanics.judge.at_values import as_identity, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
-from mechanics.judge.descriptions import BARE
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
 
+BARE = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
 UNIT = r"(?:\\[,;:! ]|~|\s|\\?(?:mathrm|text|textrm|si|unit)\s*\{[^{}$]*\})*"
 GIVEN = re.compile(rf"\$\s*{BARE}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
 PLAIN = r"[A-Za-z]\w*(?:_\{\w+\})?"

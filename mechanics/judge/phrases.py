@@ -1,0 +1,209 @@
+"""What sentences say of a scene, as data: words, and what is said by them.
+
+NAME IS THE half|twice THE length        how long the scene's name is: a convention
+FEATURES: friction, gravity, springs     there are some, or none
+
+Texts come here with ⟨l⟩ for a name by itself and ⟨= ...⟩ for any other formula. In patterns words
+in capitals stand for what `SLOTS` has.
+"""
+
+import re
+
+SLOTS = {
+    "NAME": r"⟨(?P<name>[A-Za-z]\w*)⟩",
+    "IS": r"(?: ?(?:is|are|be|being|denotes?|means?|stands? for|,|:))?",
+    "THE": r"(?:(?:the|an?|its) )?",
+    "COUNTED": r"(?:measured|counted|taken|reckoned)",
+    "SENSE": r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise) )?",
+    "VERTICAL": r"(?:downward|upward)s? vertical",
+    "FIXED": (
+        r"(?:the )?(?!(?:the|vertical|horizontal|upright|downward|upward|equilibrium|static|rest"
+        r"|wall|ground|inertial|fixed|its|origin|earth|undeformed|position)\b)"
+    ),
+    "CENTRE": (
+        r"(?:cent(?:re|er) of (?:mass|gravity|inertia)|mass cent(?:re|er)|centroid|CoM)"
+    ),
+    "LINK": r"(?:rod|pole|link|bar|stick|arm|beam|pendulum|string)s?",
+    "MASSLESS": r"(?:mass-?less|weightless|of negligible mass|without mass)",
+    "ACTS": (
+        r"(?: ?(?:,|is|acts?|acting|applied|measured|counted|taken|positive|turns?|increases|grows"
+        r"|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force))+"
+    ),
+    "SOLID": r"(?:mass(?:es)?|lengths?|springs?|stiffness(?:es)?|rods?|links?|bodies)",
+}  # fmt: skip
+
+
+def phrase(pattern: str) -> re.Pattern[str]:
+    """A pattern with its slots filled."""
+    for name, words in SLOTS.items():
+        pattern = pattern.replace(name, words)
+    return re.compile(pattern, re.IGNORECASE)
+
+
+DIRECTIONS = (
+    phrase(
+        r"NAMEIS (?:(?:the )?angle (?:of (?:the )?\w+ )?)?(?:COUNTED )?SENSEfrom THE"
+        r"(?P<way>VERTICAL|upright|hanging|horizontal)\b"
+    ),
+    phrase(
+        r"NAMEIS (?:the )?angle (?:(?!from\b)[\w']+ ){0,6}?(?:with|and|to) THE"
+        r"(?P<way>VERTICAL|horizontal)\b"
+    ),
+    phrase(r"NAMEIS COUNTED from THE(?P<way>top|highest|bottom|lowest)\b"),
+    phrase(
+        r"⟨=\s?\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)\s?=\s?0\s?⟩ "
+        r"(?:is|corresponds to|denotes|means|describes|in|at|being) THE"
+        r"(?P<way>downward|upward|upright|inverted|hanging|horizontal)\b"
+    ),
+)
+"""From where an angle is counted."""
+WAYS = {
+    "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
+    "highest": "upright", "bottom": "hanging", "lowest": "hanging",
+    "downwards vertical": "downward vertical", "upwards vertical": "upward vertical",
+}  # fmt: skip
+"""Ways as conventions call them."""
+HALF = phrase(r"NAMEIS THE?half[ -](?:of )?THE(?:total |full |whole )?length\b")
+TWICE = phrase(r"NAMEIS THE?twice (?:of )?THE(?:total |full |whole )?length\b")
+DOUBLE = phrase(r"⟨=\s?2\s?\\?(?P<name>[A-Za-z]\w*)\s?⟩IS THE(?:\w+ )?length\b")
+WHOLE = phrase(r"NAMEIS (?:the|its) (?:(?:full|total|whole|entire) length\b|length of the\b)")
+TO_CENTRE = phrase(
+    r"NAMEIS THE(?:distance|length) (?:(?:from (?:(?!and\b)[\w']+ ){1,6})?to"
+    r"|between (?:(?!and\b)[\w']+ ){1,6}and|of) (?:the|its) (?:\w+(?:'s)? )?CENTRE\b"
+)
+NEGATIVE = phrase(
+    r"NAMEIS (?:minus|the (?:negative|opposite)(?: of)?|opposite to) THE"
+    r"(?:\w+ ){0,2}(?:torque|moment|force|input|control)\b"
+)
+TURNS = phrase(r"NAMEACTS (?P<way>(?:counter|anti)-?clockwise|clockwise)\b(?! from)")
+PUSHES = phrase(r"NAMEACTS (?:to the )?(?P<way>left|right|leftwards?|rightwards?)\b")
+
+DEGREES = phrase(
+    r"NAME(?: is| are| be| being|,|:)? ?(?:measured |given |taken |expressed )?in degrees\b"
+)
+FACTOR = phrase(
+    r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
+    r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
+)
+DENOTED = phrase(r"NAMEIS (?:(?:the|an?|its) )(?P<words>[^⟨.;:,()]{3,80})(?P<formula>⟨?)")
+PER = phrase(
+    r"NAME[^⟨.;]{0,60}?\b(?P<words>(?:revolutions?|turns|cycles|rotations|degrees) (?:per|a) "
+    r"(?:second|minute)|in (?:rpm|hertz|Hz|rev/s))\b"
+)
+AGAINST = phrase(
+    r"NAME[^⟨.;]{0,40}?\b(?P<words>(?:of|towards) decreasing|opposite (?:to|in)|opposing|opposes"
+    r"|against (?:the )?(?:motion|rotation|direction))\b"
+)
+RELATIVE = phrase(
+    r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b))(?P<to>\w+)"
+)
+ABSOLUTE = phrase(
+    r"NAME[^⟨.;]{0,40}?\b(?:from|with) (?:the )?(?:(?:down|up)wards? )?"
+    r"(?P<to>vertical|horizontal)\b"
+)
+PLACE = phrase(
+    r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
+    r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
+)
+ON_BODY = phrase(r"NAMEIS THE(?:\w+ ){0,2}force (?:\w+ ){0,1}(?:on|to) (?:the )?(?P<body>\w+)")
+DOTS = phrase(
+    r"\b(?:over)?(?:dots?|primes?)\b[^.;⟨]{0,50}\b(?:with respect to|by) (?:the )?"
+    r"(?P<by>(?:dimensionless|non-?dimensional|scaled|normali[sz]ed|rescaled|proper) time"
+    r"|⟨(?!t⟩)[^⟩]*⟩)"
+)
+NO_MASS = (
+    phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),
+    phrase(r"\b(?P<body>\w+) (?:is|are) (?:\w+ )?MASSLESS"),
+    phrase(r"\b(?P<body>\w+) (?:has|have) (?:no|negligible|zero) (?:mass|inertia)\b"),
+    phrase(r"\bmass(?:es)? of (?:the )?(?P<body>\w+) (?:is|are) (?:neglected|negligible|zero)"),
+    phrase(r"\b(?:neglect|ignor)\w+ (?:the )?mass(?:es)? of (?:the )?(?P<body>\w+)"),
+)
+EQUAL = (
+    phrase(r"\b(?P<how>identical|equal|same|different|unequal) (?P<what>SOLID)\b(?! cent)"),
+    phrase(
+        r"\b(?P<what>SOLID)(?: \w+){0,2}? are (?:all |both )?(?P<how>equal|identical|different)"
+    ),
+)
+VALUE = phrase(
+    r"\b(?P<what>mass|length|stiffness|radius|spring constant)(?:es)? (?:of )?"
+    r"⟨=\s?(?P<factor>\d+)\s?\\?(?P<name>[A-Za-z]\w*)\s?⟩"
+)
+FLAT = phrase(r"\b(?:in|on) a horizontal (?:plane|table)\b")
+STILL = phrase(r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?(?:fixed|clamped|locked|at rest)\b")
+DRIVEN = phrase(
+    r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]*?"
+    r" (?:moves|oscillates|vibrates|accelerates|(?:is|being) (?:moved|accelerated|shaken|driven))\b"
+)
+MODE = phrase(r"\b(?:mode|eigenvector|mode shape)\b[^.;]*? is ⟨=[^=⟩]*⟩")
+
+FEATURES = (
+    ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|air resistance|dissipat"),
+    ("gravity", r"(?<!cent\w\w of )(?<!acceleration of )(?:gravity|gravitational)"),
+    ("springs", r"\bsprings?\b"),
+)
+"""What a scene has or has not, and words of it."""
+ABSENT = re.compile(
+    r"\b(?:no|not|without|neglect\w*|ignor\w+|negligible|absen\w+|disregard\w*|free of|never|nor)\b"
+    r"|frictionless|undamped|gravity-free|-free\b",
+    re.IGNORECASE,
+)
+DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
+MARKED = phrase(
+    r"\b(?:(?:is|are|does|do|has|have|with|there is) (?:no|not)\b(?! (?:hard|difficult|surprising"
+    r"|only|necessary|needed|occur|appear|depend|enter|contain))|without|neglect\w*|ignor\w+"
+    r"|negligibl\w+|half|twice|thrice|third|equal|same|identical|different|opposite|negative|minus"
+    r"|relative to FIXED|instead|clamped|held|locked|freely|accelerat\w+ (?:up|down|side)\w*"
+    r"|heavier|heavy|lighter|longer|shorter|per unit|degrees"
+    r"|horizontal(?! (?:track|force|surface|position|distance|displacement|direction|component"
+    r"|motion|speed|velocity|line|rail|axis of|and vertical)))"
+)
+"""What a scene may be said to be otherwise by."""
+THINGS = re.compile(
+    r"\b(?:mass(?:es)?|rods?|poles?|pendulums?|bars?|links?|arms?|carts?|carriage|trolley|springs?"
+    r"|strings?|pivots?|hinges?|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?"
+    r"|bodies|body|particles?|pulleys?|ladder|top|gyroscope|block|wedge|cords?|ropes?|threads?)\b",
+    re.IGNORECASE,
+)
+"""What scenes are made of; beside these the names of their bodies."""
+ALIKE = (
+    frozenset(("rod", "pole", "pendulum", "bar", "stick", "beam", "link", "arm")),
+    frozenset(("cart", "carriage", "trolley", "car", "wagon")),
+    frozenset(("bead", "bob", "particle", "ball")),
+    frozenset(("hoop", "ring", "circle")),
+)
+"""Words for one thing, in a scene that uses no two of them."""
+OTHERS = (
+    (r"\bradius\b", r"\bdiameter\b"),
+    (r"\beach\b", r"\b(?:total|combined|together|both|equivalent)\b"),
+    (r"\bdiameter\b", r"\bradius\b"),
+    (r"\b(?:length|radius|distance)\b", r"\bgyration\b"),
+)
+"""What the scene says, and what is something else."""
+SCALED = re.compile(
+    r"\b(?:per unit (?:length|area|volume|mass|inertia)|divided by|multiplied by"
+    r"|(?:square|inverse|reciprocal|logarithm) of)\b",
+    re.IGNORECASE,
+)
+BREAK = re.compile(r"\b(?:and|which|that|where|with|while|but|when|if)\b", re.IGNORECASE)
+"""Behind it something else is spoken of."""
+ENDPOINTS = frozenset((
+    "pivot", "hinge", "end", "ends", "joint", "pin", "axis", "support", "tip", "mass", "origin",
+    "hole", "suspension", "top", "bottom", "point", "centre", "center", "attachment", "hinged",
+    "upper", "lower", "two",
+))  # fmt: skip
+"""Between which a length may be a distance."""
+SMALL = re.compile(
+    r"of|the|an?|its|from|to|in|at|on|for|about|by|this|that|each|our|is|are|total|whole|between"
+)
+DENIAL = re.compile(
+    r"\b(?:is|are|was|were|be) (?:\w+ly )?"
+    r"(?:wrong|false|incorrect|erroneous|not (?:true|correct|right))\b"
+    r"|\bnot (?:true|correct|right|the case) that\b"
+    r"|\b(?:wrong|incorrect|erroneous|false|mistaken) "
+    r"(?:equation|result|expression|formula|answer)s?\b"
+    r"|\b(?:incorrectly|wrongly|mistakenly|erroneously|falsely)\b"
+    r"|\b(?:do(?:es)?|did) not (?:hold|apply)\b|\b(?:fails? to hold|is invalid|cannot be right)\b"
+    r"|\\text\w*\s*\{\W*(?:wrong|false|incorrect|not true)\W*\}",
+    re.IGNORECASE,
+)
+"""What a sentence says of its own equation."""

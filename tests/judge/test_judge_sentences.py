@@ -1,0 +1,156 @@
+"""What sentences around a right equation say of the scene: against it, as it is, or not read."""
+
+import importlib
+import importlib.util
+
+import pytest
+
+from mechanics import check
+from mechanics.equations import Equations
+from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
+
+EQUATIONS = {
+    "rod_pendulum": r"\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3u}{ml^2}",
+    "cartpole": (
+        r"(m_c+m_p)\ddot x + m_pl\cos\theta\,\ddot\theta - m_pl\sin\theta\,\dot\theta^2 = F"
+    ),
+    "double_pendulum": (
+        r"l_2\ddot\varphi_2+l_1\ddot\varphi_1\cos(\varphi_1-\varphi_2)"
+        r"-l_1\dot\varphi_1^2\sin(\varphi_1-\varphi_2)+g\sin\varphi_2=0"
+    ),
+    "two_mass_chain": r"3m\ddot x_1 + 2kx_1 - kx_2 = 0",
+    "bead_on_hoop": r"\ddot\theta=(\omega^2\cos\theta-g/R)\sin\theta",
+    "elastic_pendulum": (
+        r"(M+m)\ddot x + 2kx + "
+        r"\frac{ML}{2}(\ddot\theta\cos\theta - \dot\theta^2\sin\theta)=0"
+    ),
+}
+"""Right ones, by their system."""
+
+AGAINST = [
+    ("rod_pendulum", r"The rod is massless and carries a bob of mass $m$ at its end."),
+    ("rod_pendulum", r"There is viscous damping in the pivot."),
+    ("rod_pendulum", r"The rod lies on a horizontal table, so that gravity does no work."),
+    ("rod_pendulum", r"The motion takes place in a horizontal plane."),
+    ("rod_pendulum", r"Gravity is neglected."),
+    ("rod_pendulum", r"where $l$ denotes the radius of gyration of the rod,"),
+    ("rod_pendulum", r"The pivot is accelerated upwards with $a$."),
+    ("cartpole", r"The pole has no mass."),
+    ("cartpole", r"Both bodies have the same mass."),
+    ("cartpole", r"The cart is held fixed."),
+    ("cartpole", r"The cart experiences Coulomb friction."),
+    ("cartpole", r"where $F$ is the force on the pole,"),
+    ("double_pendulum", r"The two rods have equal length."),
+    ("double_pendulum", r"where $\varphi_2$ is the angle between the two rods,"),
+    ("double_pendulum", r"The masses are connected by a spring."),
+    ("two_mass_chain", r"The first mass is twice as heavy as the second."),
+    ("two_mass_chain", r"Each spring is damped by a dashpot."),
+    ("bead_on_hoop", r"The bead slides with friction."),
+    ("bead_on_hoop", r"The hoop turns freely."),
+    ("bead_on_hoop", r"where $\omega$ is the angular velocity of the bead along the hoop,"),
+    ("two_mass_chain", r"The mode of $\omega=\sqrt{k/m}$ is $\begin{pmatrix}1\\1\end{pmatrix}$."),
+    ("two_mass_chain", r"Springs have stiffness $2k$ each."),
+    ("two_mass_chain", r"Both masses are equal to $m$."),
+    (
+        "elastic_pendulum",
+        r"where $m$ is the mass of the rod, $M$ the mass of the cart, $L$ its length:",
+    ),
+    ("elastic_pendulum", r"$L$ is the distance from $B$ to $C$."),
+    ("elastic_pendulum", r"$x$ is the position of the mass centre of the pendulum."),
+    ("cartpole", r"The pole is a massless rod with a point mass at its end."),
+    ("bead_on_hoop", r"The hoop rotates about its horizontal diameter."),
+    ("bead_on_hoop", r"With friction $\mu$,"),
+    ("double_pendulum", r"$m_1$ is the lower mass and $m_2$ the upper mass."),
+]
+AS_IT_IS = [
+    ("rod_pendulum", r"Figure 3 shows the rod and its free-body diagram."),
+    ("rod_pendulum", r"Hence"),
+    ("rod_pendulum", r"where $g$ is gravity,"),
+    (
+        "rod_pendulum",
+        r"Consider a uniform rod of length $l$ and mass $m$ that is hinged at one end.",
+    ),
+    ("rod_pendulum", r"We neglect friction in the pivot."),
+    ("rod_pendulum", r"Taking moments about the pivot gives"),
+    (
+        "rod_pendulum",
+        r"where $u$ is the torque at the pivot and $\theta$ the angle from the upward vertical,",
+    ),
+    ("rod_pendulum", r"This result is well known; see Section 2.3 of the textbook."),
+    ("cartpole", r"The cart moves without friction along a horizontal track."),
+    ("cartpole", r"A pole of mass $m_p$ is hinged to a cart of mass $m_c$."),
+    (
+        "cartpole",
+        r"Here $x$ is the position of the cart, $\theta$ the angle of the pole from the vertical.",
+    ),
+    ("cartpole", r"where $F$ is the horizontal force on the cart,"),
+    ("double_pendulum", r"The rods are massless and carry point masses at their ends."),
+    ("double_pendulum", r"Both angles are measured from the downward vertical."),
+    ("double_pendulum", r"The equations are nonlinear and coupled."),
+    ("two_mass_chain", r"where $x_1$ and $x_2$ are the displacements from equilibrium,"),
+    ("two_mass_chain", r"Applying Newton's second law to the first mass,"),
+    (
+        "bead_on_hoop",
+        r"A bead of mass $m$ slides without friction on a circular hoop of radius $R$.",
+    ),
+    (
+        "bead_on_hoop",
+        r"The hoop rotates about its vertical diameter with constant angular velocity $\omega$.",
+    ),
+    ("elastic_pendulum", r"The carriage is attached to two identical springs of stiffness $k$."),
+]
+
+
+@pytest.fixture(scope="module")
+def truths() -> dict[str, Equations]:
+    systems = {name: importlib.import_module(f"systems.{name}") for name in EQUATIONS}
+    return {name: derived(module.scene()) for name, module in systems.items()}
+
+
+@pytest.mark.parametrize(("system", "said"), AGAINST)
+def test_what_is_against_the_scene_or_not_read_shows_nothing(
+    truths: dict[str, Equations], system: str, said: str
+) -> None:
+    answer = check(truths[system], f"{said} $${EQUATIONS[system]}$$", blame=False)
+    assert answer.verdict is Verdict.UNDECIDED
+    words = [entry.finding.evidence for entry in answer.judged if not entry.finding.shown]
+    assert all("the text" in one or "was not read" in one for one in words)
+
+
+@pytest.mark.parametrize(("system", "said"), AS_IT_IS)
+def test_what_is_said_as_the_scene_has_it_disturbs_nothing(
+    truths: dict[str, Equations], system: str, said: str
+) -> None:
+    answer = check(truths[system], f"{said} $${EQUATIONS[system]}$$", blame=False)
+    assert answer.verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("comment", "verdict"),
+    [
+        ("theta in degrees, clockwise", Verdict.UNDECIDED),
+        ("theta: angle from the downward vertical (hanging)", Verdict.UNDECIDED),
+        ("l: half the length of the rod", Verdict.UNDECIDED),
+        ("l: length of the rod, theta: angle from the upward vertical", Verdict.PROVED),
+    ],
+)
+@pytest.mark.parametrize("opens", ["# ", '"""'])
+def test_comments_and_documentation_of_code_are_prose(
+    truths: dict[str, Equations],
+    tmp_path,
+    comment: str,
+    verdict: Verdict,
+    opens: str,  # type: ignore[no-untyped-def]
+) -> None:
+    closes = opens.strip() if opens != "# " else ""
+    source = (
+        "from math import sin\n\n\ndef f(theta, theta_dot, u, m, l, g):\n"
+        f"    {opens}{comment}{closes}\n    return 3*g/(2*l)*sin(theta) + 3*u/(m*l**2)\n"
+    )
+    path = tmp_path / "written.py"
+    path.write_text(source)
+    spec = importlib.util.spec_from_file_location("written", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert check(truths["rod_pendulum"], module.f, blame=False).verdict is verdict
