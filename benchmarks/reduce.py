@@ -15,10 +15,10 @@ import argparse
 from collections.abc import Mapping
 from fractions import Fraction
 
+from benchmarks.largest_deviation import largest_deviations
 from benchmarks.space.counting import Counts, count
 from mechanics.crosscheck import derive
 from mechanics.reduce import Reduction, reduce
-from mechanics.reduce.difference import largest_deviations
 from mechanics.scene import Scene
 from systems import arm_puma560, elastic_pendulum, rocker
 

@@ -14,6 +14,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, wanted
 from mechanics.simulate.integrators import INTEGRATORS, Integrator
 from mechanics.simulate.run import simulate_one
+from mechanics.simulate.trajectory import Ending
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice
 from mechanics.trade.cost import costs, embeddable, operations
@@ -118,8 +119,9 @@ def trade(
     asked = Case(equations, horizon, *numbers, compiler, through=True)
     tell("reference", 0.0)
     moving, beside = with_informative_start(asked)
+    left = _left(moving)
     case, stick, notes = yardstick(moving)
-    notes = (*beside, *notes, *_left(case))
+    notes = (*beside, *notes, *left)
     found = survey(case, stick.truth, tuple(members), lambda w, s: tell(w, 0.05 + 0.3 * s))
     tell("one axis at a time", 0.35)
     better = vary(
@@ -189,8 +191,15 @@ def targets_of(target: float | Sequence[float] | None) -> tuple[float, ...]:
 
 
 def _left(case: Case) -> tuple[str, ...]:
-    """Where the motion leaves the domain of the model, in a sentence."""
-    if not case.equations.scene.conditions:
+    """Where the motion leaves the domain of the model, in a sentence.
+
+    Raises
+    ------
+    InputError
+        Where it comes to a configuration from which it is not determined.
+    """
+    scene = case.equations.scene
+    if not (scene.conditions or scene.constraints):
         return ()
     found = simulate_one(
         case.model(),
@@ -202,6 +211,8 @@ def _left(case: Case) -> tuple[str, ...]:
         beyond_domain=True,
         estimate=False,
     )
+    if found.ending is Ending.SINGULAR:
+        raise InputError(f"{scene.name}: the motion {found.reason}: take a shorter horizon")
     leaving = [crossing for crossing in found.crossings if crossing.leaving]
     if not leaving:
         return ()

@@ -6,13 +6,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from benchmarks.largest_deviation import largest_deviations
 from mechanics import derive
 from mechanics.kernel import Verdict
 from mechanics.program import Program
 from mechanics.program.interpret import interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.reduce import Reduction, reduce
-from mechanics.reduce.difference import largest_deviations
 from mechanics.reduce.edits import Edit, Kind
 from mechanics.scene import Scene
 from systems import bead_on_hoop, cartpole, double_pendulum, elastic_pendulum, four_bar, rocker

@@ -192,6 +192,13 @@ def test_choices_are_measured_beside_a_motion_on_which_any_step_is_exact() -> No
 
 
 @pytest.mark.campaign
+def test_a_motion_that_comes_to_a_singular_configuration_is_refused() -> None:
+    """Rods of one length that fall into one line; a reference would come ever closer to it."""
+    with pytest.raises(InputError, match=r"ended at t = 0\.519.* singular.*shorter horizon"):
+        trade(derive(load("four_bar_chain").scene(), "kane"), 2.0)
+
+
+@pytest.mark.campaign
 def test_a_bicycle_that_rides_straight_is_measured_as_it_leans_and_steers() -> None:
     """Lean and steer of its example move by rounding alone; beside it both have a size."""
     asked = Case(derive(load("bicycle").scene(), "kane"), 1.0, compiler=None)
