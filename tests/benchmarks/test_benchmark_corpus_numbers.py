@@ -43,7 +43,6 @@ def test_numbers_agree(name: str) -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.every_case
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
 def test_all_numbers_agree(case: Case) -> None:
     assert holds(_place(case), _rows(case)) is case.right
