@@ -39,6 +39,31 @@ def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     return [*(line for line in found if line is not None), *gathered, *lines]
 
 
+def with_entries(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; ``x = (x_1, x_2) = (s, s')`` is what x_1 and x_2 are.
+
+    Beside two columns a name says nothing more: ``x' = (x_1', x_2') = (x_2, F/m)``.
+    """
+    made: list[Entry] = []
+    for line in lines:
+        tables = [s for s in line.sides if isinstance(s, Table)] if isinstance(line, Line) else []
+        same = len({(len(table.rows), len(table.rows[0])) for table in tables}) == 1
+        if not isinstance(line, Line) or len(tables) < 2 or not same:
+            made.append(line)
+            continue
+        kept = tuple(side for side in line.sides if not isinstance(side, Name))
+        cells = [[cell for row in table.rows for cell in row] for table in tables]
+        own = [c.name for c in cells[0] if isinstance(c, Name) and not c.order]
+        free = len({*own}) == len(cells[0]) and not any(map(naming.knows, own))
+        state = all(isinstance(c, Name) and naming.is_function(c.name) for c in cells[1])
+        if len(kept) == len(tables) == 2 and free and state:
+            pairs = zip(*cells, strict=True)
+            made += (replace(line, sides=pair, at=pair[0].at) for pair in pairs)
+            continue
+        made.append(replace(line, sides=kept))
+    return made
+
+
 def _inputs(
     naming: Naming, sides: Sequence[Node], free: Sequence[str], defined: Mapping[str, Line]
 ) -> list[Line]:

@@ -249,7 +249,10 @@ def _named(first: Node, side: Node, naming: Naming, once: Container[str]) -> boo
 
 
 def _is_law(energy: str, side: Node) -> bool:
-    """Whether a side is T - V for a Lagrangian, T + V for an energy."""
+    """Whether a side is T - V for a Lagrangian, T + V for an energy.
+
+    A Lagrangian T + U has the force function, U = -V.
+    """
     terms = side.terms if isinstance(side, Sum) else ()
     if len(terms) != 2 or not isinstance(terms[0], Name):
         return False
@@ -257,6 +260,8 @@ def _is_law(energy: str, side: Node) -> bool:
     second, minus = terms[1], 1
     if isinstance(second, Product) and constant(second.factors[0]) == -1:
         second, minus = second.factors[-1], -1
+    if energy == "Lagrangian" and isinstance(second, Name) and second.name == "U":
+        sign = minus  # the potential, or the force function
     kinds = [ENERGY_NAMES.get(n.name) for n in (terms[0], second) if isinstance(n, Name)]
     if kinds == ["potential energy", "kinetic energy"]:
         kinds, minus = kinds[::-1], minus if energy == "energy" else 0

@@ -11,7 +11,7 @@ SPELLINGS = (
     (1, ("dot", "d"), ("d",)),
 )
 """Orders, and what stands behind or before the name of what is differentiated."""
-NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dot|dd|d)(?P<number>\d{1,2})")
+NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dotdot|dot|dd|d)(?P<number>\d{1,2})")
 """The rate of a letter, and then its number: qdot1, thdd2."""
 
 
@@ -39,7 +39,7 @@ def bases(name: str) -> Iterator[tuple[str, int]]:
             if bare.startswith(start) and bare != start:
                 yield bare.removeprefix(start), order
     if part := NUMBERED.fullmatch(bare):
-        yield part["name"] + part["number"], 2 if part["rate"].startswith("dd") else 1
+        yield part["name"] + part["number"], 1 + (part["rate"] not in ("dot", "d"))
 
 
 def families(names: Iterable[str]) -> dict[str, str]:

@@ -137,7 +137,7 @@ DRIVEN = phrase(
 MODE = phrase(r"\b(?:mode|eigenvector|mode shape)\b[^.;]*? is ⟨=[^=⟩]*⟩")
 
 FEATURES = (
-    ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|air resistance|dissipat"),
+    ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|resistance|dissipat"),
     ("gravity", r"(?<!cent\w\w of )(?<!acceleration of )(?:gravity|gravitational)"),
     ("springs", r"\bsprings?\b"),
 )
@@ -151,13 +151,21 @@ DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b",
 MARKED = phrase(
     r"\b(?:(?:is|are|does|do|has|have|with|there is) (?:no|not)\b(?! (?:hard|difficult|surprising"
     r"|only|necessary|needed|occur|appear|depend|enter|contain))|without|neglect\w*|ignor\w+"
-    r"|negligibl\w+|half|twice|thrice|third|equal|same|identical|different|opposite|negative|minus"
+    r"|negligibl\w+|half|twice|thrice|third|equal|identical|tilted|concentrated|lumped"
+    r"|same(?! (?:method|way|procedure|result|argument|time|holds))|different|opposite|negative"
+    r"|minus|non-?linear(?! (?:eq|sys|diff|term))"
     r"|relative to FIXED|instead|clamped|held|locked|freely|accelerat\w+ (?:up|down|side)\w*"
     r"|heavier|heavy|lighter|longer|shorter|per unit|degrees"
     r"|horizontal(?! (?:track|force|surface|position|distance|displacement|direction|component"
     r"|motion|speed|velocity|line|rail|axis of|and vertical)))"
 )
 """What a scene may be said to be otherwise by."""
+VERBS = re.compile(
+    r"\b(?:is|are|has|have|assum\w+|consider|suppose|rolls?|slides?|moves?|rotates?|spins?|turns?"
+    r"|oscillates?|experiences?|carries|hangs?|swings?|lies?)\b",
+    re.IGNORECASE,
+)
+"""What sentences that describe something have."""
 THINGS = re.compile(
     r"\b(?:mass(?:es)?|rods?|poles?|pendulums?|bars?|links?|arms?|carts?|carriage|trolley|springs?"
     r"|strings?|pivots?|hinges?|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?"

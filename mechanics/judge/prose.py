@@ -21,7 +21,16 @@ from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
 from mechanics.judge.phrases import DENIAL
-from mechanics.judge.sentences import Said, against, conventions, described, senses, sentences
+from mechanics.judge.sentences import (
+    Said,
+    against,
+    bare,
+    conventions,
+    described,
+    passed_over,
+    senses,
+    sentences,
+)
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -29,6 +38,10 @@ from mechanics.scene import Scene
 UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
 """Degrees in a declaration of Modelica's."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
+
+
+MOST_TOLD = 4
+"""Sentences that are quoted."""
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -84,10 +97,13 @@ class Prose:
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
         What it says that the scene has otherwise, and what of it was not read; in words.
+    remarks : tuple of str
+        What of it describes the scene, and is not compared with it.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
+    remarks: tuple[str, ...]
 
 
 def prose_of(
@@ -118,7 +134,10 @@ def prose_of(
             counts = (one for one in ways if _another(scene, one, held, known))
             contrary += [f"a comment says that it counts otherwise: {one}" for one in counts]
             contrary += against(about, text, whole=False)
-    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)))
+    unread = [bare(text)[:90] for text in texts if passed_over(about, text)][:MOST_TOLD]
+    words = ", ".join(repr(one) for one in unread)
+    remarks = (f"not compared with the scene: {words}",) if unread else ()
+    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)), remarks)
 
 
 def seen_from_one_side(

@@ -42,6 +42,7 @@ HEADS = (
     (r"force|weight", "N"), (r"acceleration|gravity", "m/s^2"),
 )  # fmt: skip
 """First nouns of what a name is, and their units."""
+LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
 MARK = re.compile(r"#|//|/\*|%|\"|\u27e8= \u27e9$")
 """Before a comment."""
@@ -219,25 +220,29 @@ def against(about: Said, sentence: str, whole: bool = True) -> Iterator[str]:
         yield from _value(about, said)
     yield from _features(about, sentence)
     yield from _motion(about, sentence)
-    if whole and not MARK.match(sentence) and (p.MODE.search(sentence) or _unread(about, sentence)):
+    marked = p.MODE.search(sentence) or (p.MARKED.search(sentence) and describes(about, sentence))
+    if whole and marked and not MARK.match(sentence):
         words = "was not read: it may say otherwise than the scene"
         yield f"the sentence '{bare(sentence)[:120]}' {words}"
 
 
-def _unread(about: Said, sentence: str) -> bool:
-    """Whether a sentence speaks of the scene in a way that no row has."""
-    if not p.MARKED.search(sentence):
-        return False
+def describes(about: Said, sentence: str) -> bool:
+    """Whether a sentence speaks of what the scene is made of, in words that no row has."""
     names = {*about.parameters, *about.coordinates, *about.inputs}
-    things = [m[0] for m in p.THINGS.finditer(sentence)]
-    bodies = [w for b in about.scene.bodies for w in b.name.lower().split() if len(w) > 2]
-    held = [m for m in re.finditer("\u27e8(?P<name>[A-Za-z]\\w*)\u27e9", sentence)]
-    if not (things or any(w in sentence.lower().split() for w in bodies)
-            or any(about.own(one) in names for one in held)):  # fmt: skip
+    bodies = {w for b in about.scene.bodies for w in b.name.lower().split() if len(w) > 2}
+    symbols = re.finditer("\u27e8(?P<name>[A-Za-z]\\w*)\u27e9", sentence)
+    if not (p.THINGS.search(sentence) or bodies & {*sentence.lower().split()}
+            or any(about.own(one) in names for one in symbols)):  # fmt: skip
         return False
     if any(re.search(words, sentence, re.IGNORECASE) for _, words in p.FEATURES):
         return False
     return not any(pattern.search(sentence) for pattern in READ)
+
+
+def passed_over(about: Said, sentence: str) -> bool:
+    """Whether a sentence describes the scene, is not read, and has no word that may change it."""
+    told = p.VERBS.search(sentence) and not p.MARKED.search(sentence) and not MARK.match(sentence)
+    return bool(told) and describes(about, sentence)
 
 
 READ = (
@@ -289,7 +294,10 @@ def _names(about: Said, sentence: str) -> Iterator[str]:
 
 def _denoted(about: Said, said: re.Match[str]) -> Iterator[str]:
     """What the words behind a name say that the scene's symbol is not."""
-    own, words = about.own(said), p.BREAK.split(said["words"])[0].strip()
+    words, *more = p.BREAK.split(said["words"])
+    if said["formula"] and not more and not LINKED.match(said[0]):
+        return  # a mass ⟨m⟩, a length ⟨l⟩
+    own, words = about.own(said), words.strip()
     text = f"the text says that {_name(said)} is the {words}"
     if own not in about.parameters:
         yield from [text] if own in about.inputs and p.SCALED.search(words) else ()

@@ -154,3 +154,14 @@ def test_comments_and_documentation_of_code_are_prose(
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     assert check(truths["rod_pendulum"], module.f, blame=False).verdict is verdict
+
+
+def test_what_describes_the_scene_and_is_not_compared_with_it_is_told(
+    truths: dict[str, Equations],
+) -> None:
+    said = "The springs are made of steel."
+    answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
+    assert answer.verdict is Verdict.PROVED
+    said = "The second mass hangs behind a wall."
+    answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
+    assert any("The second mass hangs" in remark for remark in answer.remarks)

@@ -43,6 +43,11 @@ UNSAFE = frozenset(
 TAKES = {"frac": 2, "dfrac": 2, "tfrac": 2, "cfrac": 2, "sqrt": 1}
 """Commands of which a single command may be an argument."""
 
+_BRACED = r"\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}"
+DERIVATIVE = re.compile(
+    rf"\\(p?)(?:dv|deriv|diff)(?![A-Za-z@])(?:\[(\d)\])?\s*{_BRACED}\s*{_BRACED}"
+)
+r"""A derivative as packages have it: \pdv{L}{x}, \dv[2]{x}{t}."""
 MOST_EXPANSIONS = 2000
 LONGEST = 2 * LARGEST_TEXT
 """Characters that are put in, in all."""
@@ -80,12 +85,19 @@ def expanded(text: str, origin: str) -> str:
     InputError
         Where that cannot be, by line and column.
     """
-    if len(text) > LARGEST_TEXT or not DEFINES.search(text):
+    if len(text) > LARGEST_TEXT:
         return text
+    if not DEFINES.search(text):
+        return DERIVATIVE.sub(_derivative, text)
     try:
         return _Expansion().of(without_hidden(text))
     except Refused as reason:
         raise refusal(text, reason, origin) from None
+
+
+def _derivative(found: re.Match[str]) -> str:
+    d, power = r"\partial" if found[1] else "d", f"^{found[2]}" if found[2] else ""
+    return rf"\frac{{{d}{power} {found[3]}}}{{{d} {found[4]}{power}}}"
 
 
 @dataclass

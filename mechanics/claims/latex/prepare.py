@@ -21,6 +21,12 @@ SMALL = re.compile(r"[-+]\s*(?:\\order|\\mathcal\s*\{?\s*O\s*\}?)\s*(?:\\left\s*
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
 """Energies by their initials, which are no products."""
+LEADER = re.compile(
+    r"(?<=[\w})])\s*\\[cl]?dots\s*[A-Za-z]?(?:_?\{?\d\}?)?\s*(?=\$\$|\\\]|\\end\s*\{equation)"
+)
+"""Dots up to the label of a display."""
+NEW_LINE = re.compile(r"\\newline(?![A-Za-z])")
+"""Between rows, as some Markdown needs it."""
 LABEL = re.compile(r"\s*[_^]\s*\{")
 BOXES = re.compile(r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box|intertext)\s*\{")
 FORMULA = re.compile(r"(?<!\\)\$(?P<one>[^$]*)\$|\\\((?P<two>[^()]*)\\\)")
@@ -37,6 +43,8 @@ def prepared(text: str) -> str:
         Where it is not known what is printed.
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
+    text = LEADER.sub(lambda m: " " * len(m[0]), text)
+    text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
     for initials, name in SHORT:
         text = initials.sub(name, text)

@@ -30,23 +30,30 @@ BRACES = re.compile(
 PROSE = re.compile(
     r"^(?!\s*(?:if|for|while|else|elseif|elif|switch|case|otherwise|do|until|end|function|return"
     r"|global|def|class|import|from|when)\b)[ \t]*[^\W\d_]\w*"
-    r"(?:[ ,\-\u2019'\"]+\(?[^\W\d_]\w*[).:]*){2,}[ .:;!?)]*$",
+    r"(?:[ ,\-\u2019'\"]+\(?_?[^\W\d_]\w*[).:]*){2,}[ .:;!?)]*$",
     re.MULTILINE,
 )
 """A line of words alone, which are no factors: With theta measured from the horizontal:"""
 
 GLOSSARY = re.compile(
     r"^[ \t]*[^\W\d]\w{0,20}[ \t]*:(?=[^\n]*\b(?:of|the|in|on|by|from|to|with|for)\b)"
-    r"(?:[ \t,\-]+\(?\w+[).,]*){2,}[ \t]*$",
+    r"(?:[ \t,\-]+\(?\w+[).,]*){2,}[ \t]*$"
+    r"|^[ \t]*[a-zA-Z]{3,}(?:[ \t]+\w+){1,5}[ \t]*:[ \t]*(?:\w+|\([^()=\n]{1,30}\))[ \t]*$",
     re.MULTILINE,
 )
-"""What a name means, in words: m: mass of the cart."""
+"""What a name means, in words: m: mass of the cart; or mass of the cart: m."""
 LEADS = re.compile(
     r"^[ \t]*(?:where|here|with|and|then|hence|thus|so|therefore)[ \t]*[,:]?[ \t]*$"
-    r"|(?<=[\w)])[ \t]+(?:then|hence|thus|so|therefore)[ \t]*$",
+    r"|(?<=[\w)])[ \t]+(?:then|hence|thus|so|therefore|where|with)[ \t]*$"
+    r"|^[ \t]*(?:[^\W\d_]+[ \t]+){2,8}where[ \t]+(?=\w+(?:\(\w\))?[ \t]*=)|(?<=[\w)]):[ \t]*$"
+    r"|(?<=[\w)\]])[ \t]+\((?=[^()\n]*\b(?:of|the|in|on|is|for|from)\b)[a-z][\w ,'-]*\)[ \t]*$",
     re.MULTILINE | re.IGNORECASE,
 )
-"""Words between equations."""
+"""Words between equations, and behind them."""
+GROUP = re.compile(
+    r"(?<=[\w)\u00b2\u00b3])(?P<gap>[ \t]+)\[(?P<sum>[^\[\],;:=\n]*[ ][-+][ ][^\[\],;:=\n]*)\]"
+)
+"""A sum in square brackets behind a factor, which is no index: m [a + b]."""
 DOTTED = re.compile(r"(?<![\w.])(d{1,2})ot[ \t]+([^\W\d]\w*)(?![\w(])")
 """AsciiMath: ddot theta."""
 
@@ -65,6 +72,7 @@ def prepared(text: str) -> str:
         text = words.sub(lambda m: " " * len(m[0]), text)
     for words in (GLOSSARY, LEADS):
         text = words.sub(lambda m: " " * len(m[0]), text)
+    text = GROUP.sub(lambda m: f"{m['gap']}({m['sum']})", text)
     text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     for comments in (COMMENT, SLASHES):

@@ -35,7 +35,8 @@ BEGINS = re.compile(r"[^\W\d_]")
 LONGEST = 40
 TOGETHER = "sincos"
 """Of Julia: the sine and the cosine."""
-DEFINED = re.compile(r"(\w+)[ \t]*(?:\(t\)[ \t]*)?=")
+DEFINED = re.compile(r"(?:^|[;,:])[ \t]*(\w+)[ \t]*(?:\(t\)[ \t]*)?=", re.MULTILINE)
+"""What stands alone before an equals sign: of m g + mga = 0 nothing does."""
 
 
 def with_products(

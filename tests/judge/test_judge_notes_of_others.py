@@ -1,0 +1,49 @@
+"""Notes as they stand in files: columns that name a state, derivatives of packages, plain text."""
+
+import pytest
+
+from mechanics import check
+from mechanics.claims.spelled_rates import bases
+from systems import bead_on_hoop, double_pendulum, rod_pendulum
+
+STATE = (
+    r"\[ \mathbf x = \begin{pmatrix} x_1 \newline x_2 \end{pmatrix} ="
+    r"\begin{pmatrix} \theta \newline \dot\theta \end{pmatrix} \] then"
+    r"\[ \dot{\mathbf x} = \begin{pmatrix} \dot x_1 \\ \dot x_2 \end{pmatrix} ="
+    r"\begin{pmatrix} x_2 \\ \frac{3g}{2l}\sin x_1 + \frac{FACTOR u}{ml^2} \end{pmatrix}. \]"
+)
+FORCES = r"$$L = T + U = \frac{ml^2}{FACTOR}\dot\theta^2 - \frac{mgl}{2}\cos\theta$$"
+PACKAGE = r"\pdv{L}{\theta} = FACTOR m g l \sin\theta, L = m l^2\dot\theta^2/6 - m g l\cos\theta/2"
+RATE = r"\dv[2]{\theta}{t} = \frac{3g}{2l}\sin\theta + \frac{FACTOR u}{ml^2} \dots f_2"
+GLUED = "R θ'' + sin(θ) g SIGN sin(θ) cos(θ) ω ωR = 0"
+BOBS = """Length of the first rod: l1
+L = T1 + T2 - V1 - V2 where
+T1 = 1/2 m1 l1^2 φ1_dot^2 (Kinetic energy of m1)
+Here and in what follows, _dot denotes the time derivative
+T2 = 1/2 m2 [l1^2 φ1_dot^2 + l2^2 φ2_dot^2 SIGN 2 l1 l2 φ1_dot φ2_dot cos(φ1 - φ2)]
+V1 = - m1 g l1 cos(φ1) (potential energy of m1)
+V2 = - m2 g [l1 cos(φ1) + l2 cos(φ2)]
+"""
+
+
+@pytest.mark.parametrize(
+    ("system", "text", "right", "wrong"),
+    [
+        (rod_pendulum, STATE, "3", "2"),
+        (rod_pendulum, FORCES, "6", "24"),
+        (rod_pendulum, PACKAGE, r"\frac12", "2"),
+        (rod_pendulum, f"$${RATE}$$", "3", "2"),
+        (bead_on_hoop, GLUED, "-", "+"),
+        (double_pendulum, BOBS, "+", "-"),
+    ],
+)
+def test_what_stands_in_notes_is_read(system, text: str, right: str, wrong: str) -> None:  # type: ignore[no-untyped-def]
+    def verdict(mark: str) -> str:
+        written = text.replace("SIGN", mark).replace("FACTOR", mark)
+        return check(system.scene(), written, blame=False).verdict.name
+
+    assert (verdict(right), verdict(wrong)) == ("PROVED", "REFUTED")
+
+
+def test_a_rate_is_spelled_before_its_number() -> None:
+    assert ("q1", 2) in [*bases("qdotdot1")]
