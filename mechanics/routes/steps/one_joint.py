@@ -403,8 +403,8 @@ def lagrange(row: Row) -> Step:
         numbers(rf"{forces}_{{<<{q}>>}}", tidy(row.moment()), "generalized force"),
     )
     text = (
-        r"Of the kinetic energy $\frac{1}{2} m v^2 + \frac{1}{2} \vec\omega \cdot \mathbf I"
-        r" \vec\omega$ of this body alone, because no other moves with the coordinate."
+        r"Of the kinetic energy $\frac{1}{2} m v^2 + \frac{1}{2} \vec\omega \cdot \mathbf{I}"
+        r" \vec{\omega}$ of this body alone, because no other moves with the coordinate."
     )
     text += " What gravity does is in $\\vec a$." if row.falls else ""
     ends = "(L2) less (L3) is (L4)"
