@@ -287,6 +287,7 @@ def _without_textbook(
     motions = [row for row in known if isinstance(row.quantity, EquationOfMotion)]
     if motions:
         findings.append(check_complete(scene, motions, equations))
+    steps = large_steps(scene, programs.mechanism)
     return SystemResult(
         name=system.name,
         scene=scene,
@@ -297,7 +298,7 @@ def _without_textbook(
                 programs.operations(name),
                 models[name].form,
                 models[name].program("forward_dynamics").operations,
-                steps=large_steps(scene) if name == "free_body" else (),
+                steps=steps.get(name, ()),
             )
             for name in programs.routes
         },
