@@ -17,6 +17,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from mechanics.errors import ExpressionError
 from mechanics.program.casadi_printer import ExactGraphs
+from mechanics.program.postorder import postorder
 from mechanics.symbolic.decimals import float_as_rational
 
 EXACT_INTEGER = 2**53
@@ -66,19 +67,8 @@ class Translator:
             If the expression holds an unknown symbol or operation; it is named.
         """
         root = sympy.sympify(expression)
-        stack = [root]
-        # An explicit stack: derived expressions are deeper than Python's recursion limit.
-        while stack:
-            node = stack[-1]
-            if node in self._memo:
-                stack.pop()
-                continue
-            missing = [part for part in _parts(node) if part not in self._memo]
-            if missing:
-                stack.extend(missing)
-                continue
+        for node in postorder(root, _parts, self._memo):
             self._memo[node] = self._node(node)
-            stack.pop()
         return self._memo[root]
 
     def matrix(self, entries: sympy.Matrix) -> ca.SX:

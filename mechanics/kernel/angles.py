@@ -14,7 +14,7 @@ in exponentials, tangents as quotients, sin(asin x) and the like in roots. All o
 numbers: the program that comes out computes the same.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
@@ -22,6 +22,7 @@ from math import lcm
 from mechanics.program import Builder, Node, Program
 from mechanics.program import operations as op
 from mechanics.program.interpret import include
+from mechanics.program.postorder import postorder
 
 Monomial = tuple[tuple[int, int], ...]
 """Node numbers with their powers, sorted; the empty one is 1."""
@@ -62,25 +63,18 @@ class Forms:
 
     def of(self, root: int) -> Form:
         """The expansion of a node; a node that has none is a monomial of its own."""
-        stack = [root]
-        while stack:
-            number = stack[-1]
-            if number in self.made:
-                stack.pop()
-                continue
-            polynomial = self.nodes.operations[number] in _POLYNOMIAL
-            operands = self.nodes.operands_of(number) if polynomial else ()
-            missing = [operand for operand in operands if operand not in self.made]
-            if missing:
-                stack.extend(missing)
-                continue
+        for number in postorder(root, self._operands, self.made):
+            operands = self._operands(number)
             form = self._form(number, [self.made[operand] for operand in operands])
             if form is None or len(form) > self.most:
                 self.cut = self.cut or bool(operands)
                 form = _whole(number)
             self.made[number] = form
-            stack.pop()
         return self.made[root]
+
+    def _operands(self, number: int) -> Sequence[int]:
+        polynomial = self.nodes.operations[number] in _POLYNOMIAL
+        return self.nodes.operands_of(number) if polynomial else ()
 
     def _form(self, number: int, parts: list[Form]) -> Form | None:
         code = self.nodes.operations[number]

@@ -42,6 +42,7 @@ from mechanics.program.operations import (
     SUBTRACT,
     TAN,
 )
+from mechanics.program.postorder import postorder
 
 PRIME = (1 << 61) - 1
 
@@ -294,19 +295,11 @@ class Residues:
         for number, code in enumerate(operations):
             if code not in (SQRT, ATAN2):
                 continue
-            waiting = [number]
-            while waiting:
-                last = waiting[-1]
-                operands = self._operands(last)
-                missing = [n for n in operands if n not in held]
-                if last in held or not missing:
-                    waiting.pop()
-                    own = 0
-                    if operations[last] == INPUT and not operands:
-                        own = order.setdefault(last, len(order) + 1)
-                    held[last] = max([own, *(held[n] for n in operands)])
-                else:
-                    waiting.extend(missing)
+            for last in postorder(number, self._operands, held):
+                operands, own = self._operands(last), 0
+                if operations[last] == INPUT and not operands:
+                    own = order.setdefault(last, len(order) + 1)
+                held[last] = max([own, *(held[n] for n in operands)])
             groups.setdefault(held[number], []).append(number)
         return dict(sorted(groups.items()))
 
@@ -353,20 +346,8 @@ class Residues:
 
     def _evaluate_with_operands(self, number: int) -> None:
         """Evaluate a node after what it needs; what has a value is not looked into again."""
-        values, solutions = self._values, self._solutions
-        waiting = [number]
-        while waiting:
-            last = waiting[-1]
-            if last in values or last in solutions:
-                waiting.pop()
-                continue
-            operands = self._operands(last)
-            missing = [n for n in operands if n not in values and n not in solutions]
-            if missing:
-                waiting.extend(missing)
-            else:
-                self._evaluate(last)
-                waiting.pop()
+        for last in postorder(number, self._operands, self._values):
+            self._evaluate(last)
 
     def _evaluate(self, number: int) -> None:
         build, values = self.builder, self._values
@@ -392,7 +373,7 @@ class Residues:
         elif code == DIVIDE and values[b]:
             values[number] = values[a] * pow(values[b], -1, self._prime) % self._prime
         elif code == SOLVE:
-            self._solutions[number] = self._solved(number)
+            self._solutions[number], values[number] = self._solved(number), 0
         elif code == ENTRY:
             values[number] = self._solutions[a][b]
         elif code == SQRT and self._has_root(values[a]):

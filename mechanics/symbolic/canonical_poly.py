@@ -13,6 +13,7 @@ from flint import fmpq, fmpq_mpoly
 
 from mechanics.errors import ExpressionError
 from mechanics.kernel.ring import MOST_GENERATORS, Full, Ring, primitive_part
+from mechanics.program.postorder import postorder
 from mechanics.symbolic.canonical_back import expression
 from mechanics.symbolic.decimals import float_as_rational
 
@@ -34,19 +35,9 @@ class Reader:
         ExpressionError
             If it holds nan or infinity.
         """
-        memo, stack = self._memo, [expr]
-        while stack:
-            node = stack[-1]
-            if node in memo:
-                stack.pop()
-                continue
-            parts = _parts(node)
-            missing = [part for part in parts if part not in memo]
-            if missing:
-                stack.extend(missing)
-                continue
-            memo[node] = self._node(node, [memo[part] for part in parts])
-            stack.pop()
+        memo = self._memo
+        for node in postorder(expr, _parts, memo):
+            memo[node] = self._node(node, [memo[part] for part in _parts(node)])
         return memo[expr]
 
     def _node(self, node: sympy.Expr, parts: list[fmpq_mpoly]) -> fmpq_mpoly:

@@ -32,6 +32,7 @@ from mechanics.program.operations import (
     TAN,
     TANH,
 )
+from mechanics.program.postorder import postorder
 
 BITS = 127
 PARTS = MODULUS
@@ -99,28 +100,16 @@ class Point:
 
     def _evaluated(self, number: int) -> int:
         """Evaluate a node after what it needs; nothing is recursive but angles in angles."""
-        values, solutions, operations = self._values, self._solutions, self.builder.operations
-        waiting = [number]
-        while waiting:
-            last = waiting[-1]
-            if last in values or last in solutions:
-                waiting.pop()
-                continue
-            missing = [
-                n for n in self._operands(last, operations[last])
-                if n not in values and n not in solutions
-            ]  # fmt: skip
-            if missing:
-                waiting.extend(missing)
-                continue
+        values, operations = self._values, self.builder.operations
+        for last in postorder(number, self._operands, values):
             if operations[last] == SOLVE:
-                solutions[last] = self._solved(last)
+                self._solutions[last], values[last] = self._solved(last), 0
             else:
                 values[last] = self._computed(last, operations[last]) % self.prime
-            waiting.pop()
         return values[number]
 
-    def _operands(self, number: int, code: int) -> Iterable[int]:
+    def _operands(self, number: int) -> Iterable[int]:
+        code = self.builder.operations[number]
         if code == SOLVE:
             return self.builder.systems[self.builder.operands[0][number]][2:]
         return [column[number] for column in self.builder.operands[: ARITY[code]]]
@@ -140,7 +129,7 @@ class Point:
             return s if code == SIN else c if code == COS else self._divided(s, c)
         if code in (EXP, SINH, COSH, TANH):
             return self._hyperbolic(first, code)
-        operands = [self._values[n] for n in self._operands(number, code)]
+        operands = [self._values[n] for n in self._operands(number)]
         return self.domain.operations[OPERATIONS[code].name](*operands)
 
     def _divided(self, x: int, y: int) -> int:

@@ -15,6 +15,7 @@ from collections.abc import Iterator
 
 from mechanics.program.c_printer import CALLS as LIBRARY
 from mechanics.program.operations import ABS, DIVIDE, SQRT
+from mechanics.program.postorder import postorder
 from mechanics.program.routine import Routine, routine
 
 LEAST = 3
@@ -48,17 +49,9 @@ def _emitted(code: Routine, wanted: Iterator[int]) -> Iterator[int]:
     """The nodes in the order wanted, each after what it is computed from, and the rest."""
     done: set[int] = set()
     for first in (*wanted, *range(len(code.nodes))):
-        waiting = [first]
-        while waiting:
-            k = waiting[-1]
-            missing = [i for i in code.operands(k) if i not in done]
-            if missing:
-                waiting.append(missing[0])
-                continue
-            waiting.pop()
-            if k not in done:
-                done.add(k)
-                yield k
+        for k in postorder(first, lambda n: code.operands(n)[::-1], done):
+            done.add(k)
+            yield k
 
 
 def _starts(code: Routine) -> Iterator[int]:
