@@ -13,6 +13,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.c_plus_plus import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
+from mechanics.claims.code.read_arrays import read_matlab, with_code
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
@@ -77,7 +78,13 @@ def read(
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h", *SUFFIXES):
             return read_c(scene, file_text(thing), function, names, about, str(thing))
-        return read_file(scene, thing, names=names, notation=notation, about=about)
+        options = {"names": names, "notation": notation, "about": about}
+        if thing.suffix == ".m" and notation is None:
+            return with_code(
+                lambda: read_file(scene, thing, **options),
+                lambda: read_matlab(scene, file_text(thing), names, about, str(thing)),
+            )
+        return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")
     if isinstance(thing, str):

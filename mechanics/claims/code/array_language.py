@@ -1,0 +1,216 @@
+r"""Arrays as MATLAB and Julia have them: what code that is printed as Python calls.
+
+    a*b, a\b, A^-1     matrices        a(2, :) = b     grows        [a; b]     blocks
+
+A column is an array of one dimension, a row one of shape (1, n), a number no array.
+"""
+
+from typing import Any
+
+import numpy as np
+
+ALL = slice(None)
+
+
+def tidy(a: Any) -> Any:
+    """A column as one dimension, one entry as a number."""
+    if not isinstance(a, np.ndarray):
+        return a
+    if a.size == 1:
+        return a.flat[0]
+    return a[:, 0] if a.ndim == 2 and a.shape[1] == 1 else a
+
+
+def table(a: Any) -> Any:
+    """A matrix of two dimensions."""
+    array = np.asarray(a, dtype=object)
+    return array.reshape(1, 1) if array.ndim == 0 else array.reshape(array.shape[0], -1)
+
+
+def times(a: Any, b: Any) -> Any:
+    """a*b"""
+    if not (isinstance(a, np.ndarray) and isinstance(b, np.ndarray)):
+        return a * b
+    return tidy(table(a) @ table(b))
+
+
+def same_shape(a: Any, b: Any) -> tuple[Any, Any]:
+    """Two things that are added, or combined entry by entry."""
+    if isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and a.shape != b.shape:
+        raise ValueError(f"arrays of shapes {table(a).shape} and {table(b).shape} are combined")
+    return a, b
+
+
+def plus(a: Any, b: Any) -> Any:
+    """a + b"""
+    a, b = same_shape(a, b)
+    return a + b
+
+
+def minus(a: Any, b: Any) -> Any:
+    """a - b"""
+    a, b = same_shape(a, b)
+    return a - b
+
+
+def each_times(a: Any, b: Any) -> Any:
+    """a .* b"""
+    a, b = same_shape(a, b)
+    return a * b
+
+
+def each_over(a: Any, b: Any) -> Any:
+    """a ./ b"""
+    a, b = same_shape(a, b)
+    return a / b
+
+
+def each_power(a: Any, b: Any) -> Any:
+    """a .^ b"""
+    a, b = same_shape(a, b)
+    return a**b
+
+
+def transposed(a: Any) -> Any:
+    """a'"""
+    return tidy(table(a).T) if isinstance(a, np.ndarray) else a
+
+
+def block(*rows: tuple[Any, ...]) -> Any:
+    """[a b; c d]"""
+    beside = [
+        np.concatenate(parts, axis=1)
+        for row in rows
+        if (parts := [table(part) for part in row if np.size(part)])
+    ]
+    return tidy(np.concatenate(beside, axis=0)) if beside else np.zeros((0, 0), dtype=object)
+
+
+def places(index: Any, size: int) -> list[int]:
+    """Places from 0 of an index from 1."""
+    if isinstance(index, slice):
+        return list(range(size))
+    found = [int(k) - 1 for k in np.ravel(index)]
+    if any(k < 0 for k in found):
+        raise ValueError(f"index {min(found) + 1} is below 1")
+    return found
+
+
+def size(a: Any, axis: int, indices: int) -> int:
+    """What `end` is at this place of so many indices."""
+    return int(np.size(a) if indices == 1 else table(a).shape[axis])
+
+
+def get(a: Any, *indices: Any) -> Any:
+    """a(2), a(1:2), a(2, :)"""
+    array = table(a)
+    if len(indices) == 2:
+        rows, columns = (places(i, n) for i, n in zip(indices, array.shape, strict=True))
+        return tidy(array[np.ix_(rows, columns)])
+    flat = array.ravel(order="F")[places(indices[0], array.size)]
+    row = array.shape[0] == 1 and not isinstance(indices[0], slice)
+    return tidy(flat.reshape(1, -1) if row else flat)
+
+
+def put(a: Any, value: Any, *indices: Any) -> Any:
+    """The array after a(2) = value"""
+    array = np.zeros((0, 0), dtype=object) if a is None else table(a)
+    if len(indices) == 1:
+        single = places(indices[0], array.size)
+        if min(array.shape) > 1:
+            rows = [k % array.shape[0] for k in single]
+            columns = [k // array.shape[0] for k in single]
+        elif array.shape[1] == 1 and array.shape[0] > 1:
+            rows, columns = single, [0] * len(single)
+        else:
+            rows, columns = [0] * len(single), single
+        grown = _grown(array, max(rows, default=0) + 1, max(columns, default=0) + 1)
+        grown[rows, columns] = np.ravel(value) if isinstance(value, np.ndarray) else value
+        return _kept(grown)
+    lengths = list(array.shape)
+    for axis, index in enumerate(indices):
+        if isinstance(index, slice) and not array.size:  # x(1, :) = 2 of what is not there yet
+            lengths[axis] = 1
+    rows, columns = (places(i, n) for i, n in zip(indices, lengths, strict=True))
+    grown = _grown(array, max(rows) + 1, max(columns) + 1)
+    if isinstance(value, np.ndarray):
+        value = value.reshape(len(rows), len(columns))
+    grown[np.ix_(rows, columns)] = value
+    return _kept(grown)
+
+
+def _grown(array: Any, rows: int, columns: int) -> Any:
+    found = np.zeros((max(rows, array.shape[0]), max(columns, array.shape[1])), dtype=object)
+    found[: array.shape[0], : array.shape[1]] = array
+    return found
+
+
+def _kept(array: Any) -> Any:
+    """An array that is filled stays one."""
+    return array[:, 0] if array.shape[1] == 1 else array
+
+
+def zeros(*shape: Any) -> Any:
+    """zeros(2), zeros(2, 1)"""
+    return filled(0, *shape)
+
+
+def filled(number: int, *shape: Any) -> Any:
+    """An array of equal numbers."""
+    rows, columns = (int(shape[0]), int(shape[-1])) if shape else (1, 1)
+    return number if not shape else _kept(np.full((rows, columns), number, dtype=object))
+
+
+def ones(*shape: Any) -> Any:
+    """ones(2, 1)"""
+    return filled(1, *shape)
+
+
+def eye(rows: Any, columns: Any = None) -> Any:
+    """eye(2)"""
+    return np.eye(int(rows), int(columns or rows), dtype=int).astype(object)
+
+
+def diag(a: Any) -> Any:
+    """diag([a b])"""
+    array = table(a)
+    return np.diag(array.ravel()) if 1 in array.shape else np.diag(array)
+
+
+def vector(a: Any) -> Any:
+    """What is returned: a row as a column."""
+    return a.ravel() if isinstance(a, np.ndarray) and 1 in a.shape else a
+
+
+def over(a: Any, b: Any) -> Any:
+    """a/b"""
+    if isinstance(b, np.ndarray):
+        return transposed(under(transposed(b), transposed(a)))
+    return a / b
+
+
+def under(a: Any, b: Any) -> Any:
+    r"""a\b"""
+    return tidy(np.linalg.solve(numbers(a), numbers(b))) if isinstance(a, np.ndarray) else b / a
+
+
+def numbers(a: Any) -> Any:
+    """An array of numbers as NumPy solves with; others as they are."""
+    plain = all(isinstance(entry, int | float | np.number) for entry in np.ravel(a))
+    return np.asarray(a, dtype=float) if plain else a
+
+
+def inverse(a: Any) -> Any:
+    """inv(a)"""
+    return np.linalg.inv(numbers(a)) if isinstance(a, np.ndarray) else 1 / a
+
+
+def power(a: Any, b: Any) -> Any:
+    """a^b"""
+    if not isinstance(a, np.ndarray):
+        return a**b
+    one = inverse(a) if b < 0 else a
+    found = one
+    for _ in range(abs(int(b)) - 1):
+        found = times(found, one)
+    return found

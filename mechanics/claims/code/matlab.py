@@ -1,0 +1,533 @@
+"""MATLAB's and Octave's functions as Python: their trees, printed line by line.
+
+    function dx = f(t, x, p)            def f(t, x, p):
+    m = p.m;                                m = p.m
+    dx = [x(2); -p.k/m*x(1)];               dx = block((x[1],), (...,)); return dx
+
+Numbers that are assigned once are constants of the file: `m = 0.5;` stands for the scene's m.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from mechanics.claims.code import array_language
+from mechanics.claims.code.python_page import (
+    Page,
+    Unread,
+    first_error,
+    joined,
+    line_of,
+    named,
+    refuse,
+    safe,
+    tree,
+    within,
+    words,
+)
+
+ELEMENTWISE = {
+    **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log",
+                               "floor", "ceil", "sign")},
+    "abs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2",
+    "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "sum": "sum",
+    "cross": "cross", "dot": "dot", "norm": "linalg.norm", "det": "linalg.det",
+}  # fmt: skip
+"""Functions and what NumPy calls them."""
+INVERSES = ("inv", "pinv")
+ARRAYS = ("zeros", "ones", "eye", "diag")
+CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
+OPERATIONS = {
+    "+": "plus", "-": "minus", "*": "times", ".*": "each_times", "./": "each_over",
+    ".^": "each_power",
+}  # fmt: skip
+COMPARED = {"==": "==", "~=": "!=", "!=": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+SHOWN = frozenset(
+    {"disp", "fprintf", "printf", "clc", "clear", "close", "format", "hold", "figure", "plot",
+     "error", "warning", "assert", "tic", "toc", "drawnow"}
+)  # fmt: skip
+"""Commands that change no number."""
+SOLVERS = ("ode", "lsode", "integral")
+OCTAVE = re.compile(r"\bend(?:function|if|for|switch|while)\b")
+"""How Octave ends a block."""
+
+
+@dataclass
+class Scope:
+    """What one function knows.
+
+    Attributes
+    ----------
+    arguments, locals, functions, constants : set of str
+    outputs : list of str
+    free : dict of str to None
+        Names that nothing gives a value.
+    flags : set of str
+        Arguments that are asked whether they are true.
+    """
+
+    arguments: list[str]
+    locals: set[str]
+    functions: set[str]
+    constants: dict[str, str]
+    outputs: list[str]
+    scalar: Callable[[str], bool]
+    free: dict[str, None] = field(default_factory=dict)
+    flags: set[str] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class Translated:
+    """Functions of a file, as Python.
+
+    Attributes
+    ----------
+    functions : tuple of callable
+        Those that no other one calls, in their order.
+    remarks : tuple of str
+    """
+
+    functions: tuple[Callable[..., Any], ...]
+    remarks: tuple[str, ...]
+
+
+def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translated:
+    """The functions of a file of MATLAB.
+
+    Parameters
+    ----------
+    text, origin : str
+    known : callable
+        Whether a name is one of the scene.
+
+    Raises
+    ------
+    Unread
+        For what is not read, by line and column.
+    """
+    text = OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text)
+    root = tree(_language, text, "tree-sitter-matlab")
+    nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
+    if not nodes:
+        raise Unread("there is no function in it")
+    if (wrong := first_error(root)) is not None:
+        raise refuse(wrong)
+    calls = {name: _calls(node, nodes) for name, node in nodes.items()}
+    solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
+    chosen = [n for n in nodes if n in solved] or _uncalled(nodes, calls)
+    wanted = list(chosen)
+    for name in wanted:
+        wanted += [other for other in calls[name] if other not in wanted]
+    page = Page()
+    constants: dict[str, str] = {}
+    flags: dict[str, None] = {}
+    scopes = {name: _scope(nodes[name], {*nodes}, known) for name in wanted}
+    bodies = [(name, node) for name, node in nodes.items() if name in wanted]
+    for name, node in bodies:
+        caller = next((n for n in nodes if name in solved and name in calls[n]), "")
+        _function(page, node, scopes[name], chosen, _before(nodes.get(caller), scopes[name], known))
+        constants |= scopes[name].constants
+        flags |= dict.fromkeys(scopes[name].flags)
+    for name, value in constants.items():
+        page.put(0, 0, f"{name} = {value}")
+    own = {name: getattr(array_language, name) for name in vars(array_language)
+           if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
+    space = page.module(origin, own)
+    remarks = tuple(f"{name} is read as true" for name in flags)
+    return Translated(tuple(space[name] for name in chosen), remarks)
+
+
+def _language() -> object:
+    import tree_sitter_matlab
+
+    return tree_sitter_matlab.language()
+
+
+def _name(function: Any) -> Any:
+    return function.child_by_field_name("name")
+
+
+def _before(caller: Any, scope: Scope, known: Callable[[str], bool]) -> list[Any]:
+    """What the function that has another one solved computes for its arguments."""
+    if caller is None:
+        return []
+    outer = _scope(caller, scope.functions, known)
+    table = {
+        _base(t): t.parent for t, _ in _targets(caller)
+        if t.type == "identifier" and t.parent.type == "assignment"
+    }  # fmt: skip
+    found: dict[str, Any] = {}
+    todo = [a for a in scope.arguments if a in table]
+    while todo:
+        name = todo.pop()
+        if name in found or name in outer.constants:
+            continue
+        found[name] = table[name]
+        todo += [n for one in within(table[name], "identifier") if (n := safe(words(one))) in table]
+    scope.constants |= outer.constants
+    scope.locals |= found.keys()
+    return sorted(found.values(), key=lambda one: int(one.start_byte))
+
+
+def _calls(node: Any, functions: dict[str, Any]) -> list[str]:
+    own = safe(words(_name(node)))
+    names = (safe(words(one)) for one in within(node, "identifier"))
+    return list(dict.fromkeys(name for name in names if name in functions and name != own))
+
+
+def _solves(node: Any) -> bool:
+    """Whether it only has other functions solved."""
+    called = (words(_name(one)) for one in within(node, "function_call"))
+    return any(name.startswith(SOLVERS) for name in called)
+
+
+def _uncalled(nodes: dict[str, Any], calls: dict[str, list[str]]) -> list[str]:
+    found = [n for n in nodes if not any(n in others for others in calls.values())]
+    return found or list(nodes)[:1]
+
+
+def _outputs(node: Any) -> list[str]:
+    found = next((c for c in node.children if c.type == "function_output"), None)
+    return [safe(words(one)) for one in within(found, "identifier")] if found else []
+
+
+def _arguments(node: Any) -> list[str]:
+    found = next((c for c in node.children if c.type == "function_arguments"), None)
+    return [safe(words(one)) for one in within(found, "identifier")] if found else []
+
+
+def _targets(node: Any) -> Iterator[tuple[Any, Any]]:
+    """What is assigned in a function, and its value."""
+    for one in within(node, "assignment"):
+        left = one.child_by_field_name("left")
+        parts = named(left) if left.type == "multioutput_variable" else [left]
+        for part in parts:
+            yield part, one.child_by_field_name("right")
+
+
+def _base(target: Any) -> str:
+    first = target
+    while first.type in ("function_call", "field_expression"):
+        first = first.child_by_field_name("name") or first.child_by_field_name("object")
+    return safe(words(first))
+
+
+def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scope:
+    arguments, outputs = _arguments(node), _outputs(node)
+    targets = list(_targets(node))
+    names = [_base(target) for target, _ in targets]
+    counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}
+    constants = {
+        _base(target): words(value)
+        for target, value in targets
+        if value.type == "number" and target.type == "identifier"
+        and names.count(_base(target)) == 1 and _base(target) not in (*arguments, *outputs)
+    }  # fmt: skip
+    inside = {*names, *counted} - {*constants}
+    return Scope(arguments, inside, functions, constants, outputs, known)
+
+
+def _function(page: Page, node: Any, scope: Scope, chosen: list[str], before: list[Any]) -> None:
+    name = safe(words(_name(node)))
+    main = name in chosen
+    body = Page()
+    for one in before:
+        _statement(body, one, 1, scope)
+    blocks = [c for c in node.children if c.type == "block"]
+    for one in blocks:
+        _statements(body, one, 1, replace_scope(scope, main))
+    passed = {_base(one.child_by_field_name("left")) for one in before}
+    arguments = [a for a in scope.arguments if not main or a not in {*scope.flags, *passed}]
+    if main:
+        arguments = [a for a in arguments if words_used(a, node)]
+    extra = [n for n in scope.free if n not in arguments]
+    if not main and extra:
+        raise refuse(node, f"{', '.join(extra)} of {name}: nothing gives it a value")
+    if not scope.outputs:
+        raise refuse(node, f"{name} returns nothing")
+    start = line_of(before[0]) - 1 if before else line_of(node)
+    page.put(start, 0, f"def {name}({joined([*arguments, *extra])}):", opens=True)
+    filled = (_base(t) for t, _ in _targets(node) if t.type == "function_call")
+    empty = [n for n in dict.fromkeys(filled) if n not in arguments]
+    for one in empty:
+        page.put(line_of(node), 1, f"{one} = None")
+    page.compound = False
+    for number, text in enumerate(body.lines, start=1):
+        if text.strip():
+            depth = (len(text) - len(text.lstrip())) // 4
+            page.put(number, depth, text.strip(), opens=text.rstrip().endswith(":"))
+    page.compound = True
+    outputs = [f"{o} = vector({o})" for o in scope.outputs] if main else []
+    returned = "; ".join([*outputs, f"return {joined(scope.outputs)}"])
+    page.put(len(page.lines), 1, returned)
+    page.compound = True
+
+
+def words_used(argument: str, node: Any) -> bool:
+    """Whether a function uses an argument, and not its fields alone."""
+    uses = [one for one in within(node, "identifier") if safe(words(one)) == argument]
+    return sum(one.parent.child_by_field_name("object") != one for one in uses) > 1
+
+
+def replace_scope(scope: Scope, main: bool) -> Scope:
+    """The scope, whose entries of parameters are arguments in the main function alone."""
+    return scope if main else replace(scope, scalar=lambda name: False)
+
+
+def _statements(page: Page, node: Any, depth: int, scope: Scope) -> None:
+    parts = named(node)
+    if not parts:
+        page.put(line_of(node), depth, "pass")
+    for part in parts:
+        _statement(page, part, depth, scope)
+
+
+def _block(page: Page, owner: Any, depth: int, scope: Scope) -> None:
+    found = next((c for c in owner.children if c.type == "block"), None)
+    if found is None:
+        page.put(line_of(owner), depth, "pass")
+    else:
+        _statements(page, found, depth, scope)
+
+
+def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
+    line, kind = line_of(node), node.type
+    match kind:
+        case "assignment":
+            left, right = (node.child_by_field_name(f) for f in ("left", "right"))
+            page.put(line, depth, _assignment(left, right, scope))
+        case "if_statement":
+            condition = _condition(node.child_by_field_name("condition"), scope)
+            page.put(line, depth, f"if {condition}:", opens=True)
+            _block(page, node, depth + 1, scope)
+            for part in named(node):
+                if part.type == "elseif_clause":
+                    condition = _condition(part.child_by_field_name("condition"), scope)
+                    page.put(line_of(part), depth, f"elif {condition}:", opens=True)
+                    _block(page, part, depth + 1, scope)
+                if part.type == "else_clause":
+                    page.put(line_of(part), depth, "else:", opens=True)
+                    _block(page, part, depth + 1, scope)
+        case "for_statement":
+            (iterator,) = (c for c in node.children if c.type == "iterator")
+            counter, steps = named(iterator)
+            page.put(line, depth, f"for {safe(words(counter))} in {_list(steps, scope)}:",
+                     opens=True)  # fmt: skip
+            _block(page, node, depth + 1, scope)
+        case "global_operator" | "persistent_operator" | "return_statement":
+            if kind == "return_statement":
+                raise refuse(node)
+        case "function_call" if words(_name(node)) in SHOWN:
+            page.put(line, depth, "pass")
+        case "command" if words(named(node)[0]) in SHOWN:
+            page.put(line, depth, "pass")
+        case "identifier" if words(node) in SHOWN:
+            page.put(line, depth, "pass")
+        case _:
+            raise refuse(node)
+
+
+def _assignment(left: Any, right: Any, scope: Scope) -> str:
+    value = expression(right, scope)
+    if left.type == "identifier":
+        name = safe(words(left))
+        if name in scope.constants:
+            return "pass"
+        if value == name:  # m = p.m, where p.m is the argument m
+            return "pass"
+        return f"{name} = {value}"
+    if left.type == "function_call" and _name(left).type == "identifier":
+        name = safe(words(_name(left)))
+        return f"{name} = put({joined([name, value, *_indices(left, name, scope)])})"
+    if left.type == "multioutput_variable":
+        targets = [safe(words(part)) for part in named(left)]
+        if all(part.type == "identifier" for part in named(left)):
+            return f"{joined(targets)} = {value}"
+    raise refuse(left)
+
+
+def _condition(node: Any, scope: Scope) -> str:
+    if node.type == "parenthesis":
+        return _condition(named(node)[0], scope)
+    if node.type == "identifier" and words(node) in scope.arguments:
+        scope.flags.add(safe(words(node)))
+        return "True"
+    if node.type == "comparison_operator":
+        left, right = named(node)
+        if "true" in (words(left), words(right)) and "==" in words(node):
+            return _condition(left if words(right) == "true" else right, scope)
+    return expression(node, scope)
+
+
+def _list(node: Any, scope: Scope) -> str:
+    """A range of whole numbers."""
+    if node.type == "range":
+        parts = [expression(part, scope) for part in named(node)]
+        first, last = parts[0], parts[-1]
+        step = parts[1] if len(parts) == 3 else "1"
+        sign = "- 1" if step.replace(" ", "").startswith(("-", "(-")) else "+ 1"
+        return f"range({first}, {last} {sign}, {step})"
+    if node.type == "matrix":
+        return (
+            f"[{joined([expression(part, scope) for row in named(node) for part in named(row)])}]"
+        )
+    return expression(node, scope)
+
+
+def _indices(call: Any, name: str, scope: Scope) -> list[str]:
+    (arguments,) = (c for c in call.children if c.type == "arguments")
+    parts = named(arguments)
+    found = []
+    for axis, part in enumerate(parts):
+        if part.type == "spread_operator" or words(part) == ":":
+            found.append("ALL")
+            continue
+        text = _list(part, scope) if part.type in ("range", "matrix") else expression(part, scope)
+        found.append(text.replace("end_keyword", f"size({name}, {axis}, {len(parts)})"))
+    return found
+
+
+def expression(node: Any, scope: Scope) -> str:
+    """A formula as Python.
+
+    Raises
+    ------
+    Unread
+    """
+    match node.type:
+        case "number":
+            return words(node)
+        case "identifier":
+            return _variable(node, scope)
+        case "boolean":
+            return "True" if words(node) == "true" else "False"
+        case "end_keyword":
+            return "end_keyword"
+        case "parenthesis":
+            return f"({expression(named(node)[0], scope)})"
+        case "unary_operator":
+            sign, inner = words(node.children[0]), expression(named(node)[0], scope)
+            if sign not in "+-":
+                raise refuse(node)
+            return f"({sign}{inner})"
+        case "not_operator":
+            return f"(not {expression(named(node)[0], scope)})"
+        case "postfix_operator":
+            return f"transposed({expression(named(node)[0], scope)})"
+        case "binary_operator":
+            return _binary(node, scope)
+        case "comparison_operator" | "boolean_operator":
+            left, right = (expression(part, scope) for part in named(node))
+            sign = next(words(c) for c in node.children if not c.is_named)
+            sign = {"&&": "and", "||": "or", "&": "and", "|": "or", **COMPARED}[sign]
+            return f"({left} {sign} {right})"
+        case "matrix":
+            rows = ["(" + "".join(expression(p, scope) + ", " for p in named(row)) + ")"
+                    for row in named(node)]  # fmt: skip
+            return f"block({joined(rows)})"
+        case "range":
+            return f"block(tuple({_list(node, scope)}))"
+        case "function_call":
+            return _call(node, scope)
+        case "field_expression":
+            return _field(node, scope)
+    raise refuse(node)
+
+
+def _binary(node: Any, scope: Scope) -> str:
+    left, right = (expression(part, scope) for part in named(node))
+    sign = next(words(c) for c in node.children if not c.is_named)
+    if sign in OPERATIONS:
+        return f"{OPERATIONS[sign]}({left}, {right})"
+    if sign == "/":
+        return f"over({left}, {right})"
+    if sign == "\\":
+        return f"under({left}, {right})"
+    if sign == "^":
+        return f"power({left}, {right})"
+    raise refuse(node)
+
+
+def _variable(node: Any, scope: Scope) -> str:
+    name = safe(words(node))
+    if name in scope.locals or name in scope.arguments or name in scope.constants:
+        return name
+    if name in scope.functions:
+        return f"{name}()"
+    if name in CONSTANTS:
+        return CONSTANTS[name]
+    scope.free[name] = None
+    return name
+
+
+def _field(node: Any, scope: Scope) -> str:
+    """p.m, where p is an argument: m, by the name that the code gives to it or its own."""
+    base = _base(node)
+    parts = [safe(words(part)) for part in named(node)]
+    if base not in scope.arguments or base in scope.locals:
+        raise refuse(node)
+    inner = node
+    if any(part.type not in ("identifier",) for part in named(inner)[1:]):
+        raise refuse(node)
+    parent = node.parent
+    name = parts[-1]
+    if parent is not None and parent.type == "assignment":
+        left = parent.child_by_field_name("left")
+        if left.type == "identifier" and left != node:
+            local = safe(words(left))
+            if scope.scalar(local) or not scope.scalar(name):
+                name = local
+                scope.locals.discard(name)
+    scope.free[name] = None
+    return name
+
+
+def _call(node: Any, scope: Scope) -> str:
+    head = _name(node)
+    if head is None:
+        raise refuse(node)
+    if head.type == "field_expression":
+        return _entry(node, _field(head, scope), scope)
+    name = safe(words(head))
+    if name in scope.locals or name in scope.arguments:
+        return _entry(node, name, scope)
+    arguments = [c for c in node.children if c.type == "arguments"]
+    given = [expression(part, scope) for part in named(arguments[0])] if arguments else []
+    if name in scope.functions:
+        return f"{name}({joined(given)})"
+    if name in ELEMENTWISE:
+        return f"np.{ELEMENTWISE[name]}({joined(given)})"
+    if name in INVERSES:
+        return f"inverse({joined(given)})"
+    if name in ARRAYS:
+        return f"{name}({joined(given)})"
+    if name == "transpose":
+        return f"transposed({joined(given)})"
+    if name in ("deg2rad", "double", "single", "simplify"):
+        return f"({given[0]}*np.pi/180)" if name == "deg2rad" else given[0]
+    scope.free[name] = None
+    return _entry(node, name, scope)
+
+
+def _entry(node: Any, name: str, scope: Scope) -> str:
+    """x(2): an entry, or a parameter of this number."""
+    indices = _indices(node, name, scope)
+    if indices[1:] in (["ALL"], ["1"]) and name in scope.arguments:
+        del indices[1]  # of a column
+    whole = len(indices) == 1 and indices[0].isdigit()
+    outside = name in scope.free or (name in scope.arguments and name not in scope.locals)
+    if whole and outside and (one := _numbered(name, indices[0], scope)):
+        scope.free.pop(name, None)
+        scope.free[one] = None
+        return one
+    if whole and outside:
+        return f"{name}[{int(indices[0]) - 1}]"
+    return f"get({joined([name, *indices])})"
+
+
+def _numbered(name: str, number: str, scope: Scope) -> str:
+    """L(1) as L1 or L_1, where the scene has it and no L."""
+    if name in scope.arguments:
+        return ""
+    return next((n for n in (name + number, f"{name}_{number}") if scope.scalar(n)), "")

@@ -1,0 +1,151 @@
+"""Code of another language as a Python function whose lines are those of its author.
+
+A grammar's tree is printed as Python, statement by statement, each in the line where it stands; the
+page is compiled under the name of the author's file, so that what is said of a line is true of his.
+"""
+
+import ast
+import keyword
+import linecache
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from mechanics.errors import InputError
+
+INSTALL = "pip install 'mechanics[code]'"
+WIDTH = 4
+BUILTINS = {"range": range, "tuple": tuple}
+
+
+class Unread(InputError):
+    """What a grammar knows and its printer does not."""
+
+
+@dataclass
+class Page:
+    """Lines of Python, filled from the top.
+
+    Attributes
+    ----------
+    lines : list of str
+    """
+
+    lines: list[str] = field(default_factory=list)
+    compound: bool = False
+
+    def put(self, line: int, depth: int, code: str, *, opens: bool = False) -> None:
+        """Write a statement in a line, or behind what stands there, or below it.
+
+        Parameters
+        ----------
+        line : int
+            From 1.
+        depth : int
+            Of the block that it stands in.
+        code : str
+        opens : bool
+            Whether a block follows.
+        """
+        here = " " * (WIDTH * depth)
+        last = self.lines[-1] if self.lines else ""
+        same = last.strip() and last[: len(here) + 1] == here + last.strip()[:1]
+        if len(self.lines) >= line and same and not opens and not self.compound:
+            self.lines[-1] = f"{last}; {code}"
+            return
+        self.lines += [""] * (line - 1 - len(self.lines))
+        self.lines.append(here + code)
+        self.compound = opens
+
+    def module(self, origin: str, names: dict[str, Any]) -> dict[str, Any]:
+        """What the page defines.
+
+        It is printed from nodes of a tree that are known one by one, so that nothing of a person's
+        text but names and numbers is in it, and it has no builtin but these two.
+        """
+        text = "\n".join(self.lines) + "\n"
+        linecache.cache[origin] = (len(text), None, text.splitlines(keepends=True), origin)
+        space = {"np": np, "__name__": "code", "__builtins__": BUILTINS, **names}
+        exec(compile(ast.parse(text, origin), origin, "exec"), space)
+        return space
+
+
+def tree(language: Callable[[], object], text: str, package: str) -> Any:
+    """The root of a text's syntax tree.
+
+    Parameters
+    ----------
+    language : callable
+        Imports a grammar of tree-sitter.
+    text, package : str
+
+    Raises
+    ------
+    Unread
+        Where it is not installed.
+    """
+    try:
+        from tree_sitter import Language, Parser
+
+        grammar = language()
+    except ImportError:
+        raise Unread(f"{package} is not installed: {INSTALL}") from None
+    return Parser(Language(grammar)).parse(text.encode()).root_node
+
+
+def first_error(root: Any) -> Any:
+    """The first node that the grammar does not know; None where there is none."""
+    if not root.has_error:
+        return None
+    todo: list[Any] = [root]
+    while todo:
+        node = todo.pop()
+        if node.is_error or node.is_missing:
+            return node
+        todo += reversed([child for child in node.children if child.has_error])
+    return root
+
+
+def words(node: Any) -> str:
+    """The text of a node."""
+    return str(node.text.decode())
+
+
+def line_of(node: Any) -> int:
+    """The line where it begins, from 1."""
+    return int(node.start_point[0]) + 1
+
+
+def named(node: Any) -> list[Any]:
+    """Its parts without punctuation and comments."""
+    return [c for c in node.named_children if c.type not in ("comment", "line_continuation")]
+
+
+def within(node: Any, *kinds: str) -> list[Any]:
+    """All nodes of some kinds in a tree, in the order of the text."""
+    found, todo = [], [node]
+    while todo:
+        one = todo.pop()
+        if one.type in kinds:
+            found.append(one)
+        todo += reversed(one.children)
+    return found
+
+
+def safe(name: str) -> str:
+    """A name that Python takes."""
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def refuse(node: Any, what: str = "") -> Unread:
+    """What is said of a node that is not read."""
+    text = " ".join(words(node).split())
+    where = f"line {line_of(node)}, column {node.start_point[1] + 1}"
+    return Unread(f"{where}: {what or f'{text[:60]!r} is not read'}")
+
+
+def joined(parts: Sequence[str]) -> str:
+    """Arguments of a call."""
+    return ", ".join(parts)
