@@ -6,6 +6,8 @@ import pytest
 from mechanics.claims.code.cpp_functions import in_python
 from mechanics.claims.code.python_page import Unread
 
+pytest.importorskip("tree_sitter_cpp")
+
 
 def function(text: str):
     (one,) = in_python(text, "page.cpp", None)

@@ -188,7 +188,7 @@ def _function(page: Page, node: Any, name: str, scope: Scope) -> None:
     if not scope.returns:
         outputs = [n for n in scope.filled if n in used]
         page.compound = True
-        page.put(len(start), 1, f"return {joined(outputs)}")
+        page.put(len(start), 1, f"return {joined([f'vector({n})' for n in outputs])}")
     page.compound = True
 
 
@@ -206,7 +206,10 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, _changed(named(node)[0], scope))
         case "return_statement":
             if scope.returns:
-                page.put(line, depth, f"return {_value(named(node)[0], scope)}")
+                value = _value(named(node)[0], scope)
+                page.put(
+                    line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
+                )
             else:
                 page.put(line, depth, "pass")
         case "if_statement":
