@@ -131,10 +131,10 @@ VALUE = phrase(
 FLAT = phrase(r"\b(?:in|on) a horizontal (?:plane|table)\b")
 STILL = phrase(r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?(?:fixed|clamped|locked|at rest)\b")
 DRIVEN = phrase(
-    r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]*?"
+    r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]{0,80}?"
     r" (?:moves|oscillates|vibrates|accelerates|(?:is|being) (?:moved|accelerated|shaken|driven))\b"
 )
-MODE = phrase(r"\b(?:mode|eigenvector|mode shape)\b[^.;]*? is ⟨=[^=⟩]*⟩")
+MODE = phrase(r"\b(?:mode|eigenvector|mode shape)\b[^.;]{0,80}? is ⟨=[^=⟩]*⟩")
 
 FEATURES = (
     ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|resistance|dissipat"),

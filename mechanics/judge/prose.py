@@ -122,7 +122,8 @@ def prose_of(
     names = {*(match.name for match in known), *about.parameters, *about.coordinates, *about.inputs}
     written = {s.written.text: s.written.notation for s in statements if s.written is not None}
     held = frozenset({*scene.q, *scene.input_symbols, *scene.parameters})
-    texts = [one for text in sorted(written) for one in sentences(text, written[text], names)]
+    every = (one for text in sorted(written) for one in sentences(text, written[text], names))
+    texts = [*dict.fromkeys(every)]
     told = dict.fromkeys(one for text in texts for one in conventions(about, text))
     own = dict.fromkeys(one for text in texts for one in described(about, text))
     counted = [d for one in told for d in _another(scene, one, held, known)]

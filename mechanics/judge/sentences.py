@@ -18,7 +18,7 @@ from functools import cached_property
 
 from sympy import Expr, Rational, Symbol
 
-from mechanics.claims.directions import counted
+from mechanics.claims.directions import Counted, counted
 from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.text.letters import plain
@@ -30,8 +30,8 @@ from mechanics.scene.units import rolled
 from mechanics.symbolic import is_zero
 
 FORMULA = re.compile(
-    r"\$\$(?P<a>.*?)\$\$|\\\[(?P<b>.*?)\\\]|\\begin\s*\{(?P<env>\w+\*?)\}(?P<c>.*?)\\end\s*\{(?P=env)\}"
-    r"|(?<!\\)\$(?P<d>[^$]*)\$|\\\((?P<e>.*?)\\\)|##(?P<f>[^#]*)##|:math:`(?P<g>[^`]*)`",
+    r"\$\$(?P<a>.{0,3000}?)\$\$|\\\[(?P<b>.{0,3000}?)\\\]|\\begin\s*\{(?P<env>\w+\*?)\}(?P<c>.{0,3000}?)\\end\s*\{(?P=env)\}"
+    r"|(?<!\\)\$(?P<d>[^$]*)\$|\\\((?P<e>.{0,999}?)\\\)|##(?P<f>[^#]*)##|:math:`(?P<g>[^`]*)`",
     re.DOTALL,
 )
 NAME = re.compile(r"\s*\\?(?:var)?([A-Za-z]+(?:_\{?\w+\}?)?)\s*")
@@ -134,6 +134,16 @@ class Said:
     def unit(self, name: str) -> str:
         """Of a parameter; empty where none is declared."""
         return getattr(self.parameters.get(name), "unit", "")
+
+    @cached_property
+    def angles(self) -> tuple[Counted, ...]:
+        """How the scene counts its angles."""
+        return counted(self.scene)
+
+    @cached_property
+    def has(self) -> dict[str, bool | None]:
+        """Whether there is friction, gravity, a spring; None where that is not known."""
+        return {name: have(self) for name, have in HAVE.items()}
 
     @cached_property
     def words(self) -> frozenset[str]:
@@ -283,7 +293,7 @@ def _names(about: Said, sentence: str) -> Iterator[str]:
     for pattern, way, one in ((p.RELATIVE, "relative to", True), (p.ABSOLUTE, "from", False)):
         for said in pattern.finditer(sentence):
             own = about.own(said)
-            if _is_absolute(about.scene, own) is one:
+            if _is_absolute(about, own) is one:
                 words = f"the text says that {_name(said)} counts {way} the {said['to']}"
                 yield f"{words}, {own} does not"
     for said in p.PLACE.finditer(sentence):
@@ -370,7 +380,7 @@ def _place(about: Said, said: re.Match[str]) -> Iterator[str]:
     slopes = [e.diff(symbol) for e in entries]
     own = any(s.is_number and s != 0 and not (e - s * symbol).free_symbols & moving
               for s, e in zip(slopes, entries, strict=True))  # fmt: skip
-    if not own and not any(a.symbol == symbol for a in counted(about.scene)):
+    if not own and not any(a.symbol == symbol for a in about.angles):
         yield f"the text says {bare(said[0])!r}, which {symbol.name} of the scene is not"
 
 
@@ -435,7 +445,7 @@ def _features(about: Said, sentence: str) -> Iterator[str]:
             if re.search(words, part, re.IGNORECASE) is None:
                 continue
             absent = p.ABSENT.search(part)
-            have = HAVE[name](about)
+            have = about.has[name]
             if have is (absent is not None):
                 words = f"the text says that there is no {name}"
                 other = f"the text speaks of {name}, the scene has none"
@@ -519,7 +529,7 @@ def _ratio(about: Said, name: str) -> Expr | None:
 def _way(about: Said, name: str) -> int:
     """1 where an angle or a torque is counted counterclockwise, a force to the right; -1; or 0."""
     scene = about.scene
-    for angle in counted(scene):
+    for angle in about.angles:
         if angle.symbol.name == name:
             return angle.sense if angle.fixed and angle.planar else 0
     symbol = next((s for s in scene.input_symbols if s.name == name), Symbol(name, real=True))
@@ -536,15 +546,15 @@ def _way(about: Said, name: str) -> int:
     return 1 if value.is_positive else -1 if value.is_negative else 0
 
 
-def _is_absolute(scene: Scene, name: str) -> bool | None:
+def _is_absolute(about: Said, name: str) -> bool | None:
     """Whether a coordinate is counted from what is fixed: a body's place holds no other.
 
     None for what is no coordinate.
     """
-    symbol = next((q for q in scene.q if q.name == name), None)
+    scene, symbol = about.scene, about.coordinates.get(name)
     if symbol is None:
         return None
-    angles = {one.symbol: one.fixed for one in counted(scene)}
+    angles = {one.symbol: one.fixed for one in about.angles}
     if symbol in angles:
         return angles[symbol]
     others = {*scene.q} - {symbol}
