@@ -19,7 +19,7 @@ from mechanics.equations import Equations
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.report.notation import latex
-from mechanics.routes.multipliers import meanings
+from mechanics.routes.multipliers import meaning_words
 from mechanics.scene.units import units_missing
 
 
@@ -99,26 +99,20 @@ def _text(equations: Equations) -> str:
     lines = [f"{equations.scene.name}, by {equations.route}"]
     lines += [f"  {words}" for words in equations.chosen]
     lines += [f"{left} = {right}" for left, right in _sides(equations)]
-    lines += _multipliers(equations)
+    lines += [f"  {words}" for words in _multipliers(equations)]
     return "\n".join(lines)
 
 
 def _multipliers(equations: Equations) -> list[str]:
     """What Lagrange's multipliers are: the reactions that maintain the constraints."""
-    scene, shown = equations.scene, {symbol.name for symbol in equations.multipliers}
-    if not any(name.startswith("lambda") for name in shown):
-        return []
-    return [
-        f"  {name} = {'-' if sign < 0 else ''}{reaction},"
-        f" which maintains the constraint {constraint}"
-        for name, (sign, reaction, constraint) in meanings(lower(scene, Builder())).items()
-        if name in shown
-    ]
+    shown = {symbol.name for symbol in equations.multipliers}
+    return meaning_words(lower(equations.scene, Builder()), shown) if shown else []
 
 
 def _latex(equations: Equations) -> str:
     rows = [f"{latex(left)} &= {latex(right)}" for left, right in _sides(equations)]
-    return "\\begin{align}\n" + " \\\\\n".join(rows) + "\n\\end{align}"
+    comments = [f"% {words}" for words in _multipliers(equations)]
+    return "\n".join([*comments, "\\begin{align}\n"]) + " \\\\\n".join(rows) + "\n\\end{align}"
 
 
 WRITERS = {Format.TEXT: _text, Format.LATEX: _latex, Format.PYTHON: python_module}

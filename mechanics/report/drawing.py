@@ -351,7 +351,7 @@ def _joints(view: View, paper: Paper) -> str:
     places = {
         r.at: paper.place(view.point(r.at))
         for r in view.scene.reactions
-        if r.at is not None and r.by is not None
+        if r.at is not None and r.by is not None and not r.parts
     }
     return "".join(ink.dot(place, 4.5, "joint") for place in places.values())
 

@@ -298,7 +298,9 @@ def attached(scene: Scene, body: Body) -> list[Point]:
     """The centre of a body and the points where reactions and springs act on it."""
     points = [body.centre]
     for reaction in scene.reactions:
-        if body.name in (reaction.on, reaction.by) and reaction.at is not None:
+        # A rope acts on its body at the end that is there; the other end is elsewhere.
+        bodies = (reaction.on,) if reaction.parts else (reaction.on, reaction.by)
+        if body.name in bodies and reaction.at is not None:
             points.append(reaction.at)
     for load in scene.loads:
         if isinstance(load, Spring | Damper):

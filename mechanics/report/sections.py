@@ -16,7 +16,7 @@ from mechanics.report.coordinates import coordinate_words
 from mechanics.report.free_body import arrows, free_body_diagram, marks
 from mechanics.report.projection import View
 from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
-from mechanics.routes.multipliers import meanings, multipliers_of
+from mechanics.routes.multipliers import meaning_words, multipliers_of
 from mechanics.routes.steps.form import has_common_form
 from mechanics.routes.steps.writer import FULL
 from mechanics.scene import Scene
@@ -142,16 +142,8 @@ class Section:
         """What the multipliers in the equations on top are, as a sentence."""
         terms = (line.right for line in self.result.form if isinstance(line.right, tuple))
         shown = {s.name for side in terms for term in side for s in term.value.free_symbols}
-        if not any(name.startswith("lambda") for name in shown):
-            return ""
-        said = [
-            f"$<<{name}>> = {'-' if sign < 0 else ''}<<{reaction}>>$,"
-            f" which maintains the constraint {constraint}"
-            for name, (sign, reaction, constraint) in meanings(
-                lower(self.result.scene, Builder())
-            ).items()
-            if name in shown
-        ]
+        formula = "$<<{name}>> = {sign}<<{reaction}>>$"
+        said = meaning_words(lower(self.result.scene, Builder()), shown, formula)
         return f"Here {'; '.join(said)}." if said else ""
 
     @property

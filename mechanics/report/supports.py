@@ -231,7 +231,8 @@ def rail(view: View, body: Body) -> np.ndarray | None:
     turns = isinstance(body, RigidBody) and scene.rotation(body.frame).free_symbols & {*scene.q}
     if not view.planar or turns or trace(view, body) is not None:
         return None
-    slides = [r for r in scene.reactions if r.on == body.name and r.by is None]
+    guides = (r for r in scene.reactions if not r.parts)
+    slides = [r for r in guides if r.on == body.name and r.by is None]
     if slides:
         across = slides[0].along
         return None if view.turns(across) else normal(view.direction(across))

@@ -3,7 +3,7 @@
 row(q, u, u', lambda) = 0        as many rows as there are multipliers, the shortest first
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from sympy import Add, Expr, Symbol
 
@@ -38,6 +38,20 @@ def meanings(mechanism: Mechanism) -> dict[str, tuple[int, str, str]]:
             if all(closed.is_zero(p - sign * a) for p, a in zip(powers, row, strict=True)):
                 named[f"lambda{k}"] = (sign, mechanism.reactions[index].name, names[k - 1])
     return named
+
+
+def meaning_words(
+    mechanism: Mechanism, shown: Collection[str], formula: str = "{name} = {sign}{reaction}"
+) -> list[str]:
+    """What each of the multipliers that are shown is: the reaction that maintains a constraint."""
+    if not any(name.startswith("lambda") for name in shown):
+        return []
+    return [
+        formula.format(name=name, sign="-" if sign < 0 else "", reaction=reaction)
+        + f", which maintains the constraint {constraint}"
+        for name, (sign, reaction, constraint) in meanings(mechanism).items()
+        if name in shown
+    ]
 
 
 def multipliers_of(equations: Equations) -> tuple[tuple[Symbol, Expr], ...]:

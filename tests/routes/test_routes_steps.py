@@ -115,7 +115,8 @@ def test_all_routes_end_in_one_form_and_say_how(make) -> None:
 def test_a_rate_is_shown_by_the_chain_rule_before_it_is_collected() -> None:
     scene = rocker.scene()
     lines = [x for s in steps_of(by_route("moving_point", scene)) for x in s.lines]
-    spin, *_ = [x for x in lines if x.left == "H_{B}" and x.label == "collected"]
+    spin, *_ = [x for x in lines if x.left == "H_{B}" and "collected" in x.label]
+    assert spin.label == r"collected; $\sin^{2} <<theta>> + \cos^{2} <<theta>> = 1$"
     first, second = [x for x in lines if x.left == r"\dot{H}_{B}"]
     (theta,), (rate,), (acceleration,) = scene.q, scene.qd, scene.ud
     by_hand = spin.right.diff(theta) * rate + spin.right.diff(rate) * acceleration

@@ -26,6 +26,7 @@ from mechanics.routes.steps.writer import (
     Numbers,
     Writer,
     arrival,
+    collected_from,
     pressed_step,
     shortest,
     worked_out,
@@ -235,7 +236,8 @@ def _energies(writer: Writer, numbers: Numbers) -> Step:
             short = shortest(square)
             squares.append(numbers(rf"v_{{{writer.centre(index)}}}^{{2}}", square))
             if short != square:
-                squares.append(numbers(rf"v_{{{writer.centre(index)}}}^{{2}}", short, "collected"))
+                words = collected_from((Term(square),))
+                squares.append(numbers(rf"v_{{{writer.centre(index)}}}^{{2}}", short, words))
             kinetic.append(Term(half * m * short))
         if turning != 0:
             kinetic.append(Term(half * shortest(turning)))

@@ -13,7 +13,7 @@ from mechanics.program.builder import Node
 from mechanics.program.vectors import Vector, cross, dot, scale, subtract, times
 from mechanics.routes.moving_point import Balance, Candidates, Choice, candidates, choose
 from mechanics.routes.moving_point_terms import load_terms, moment_centre
-from mechanics.routes.steps.writer import Numbers, Writer, arrival, worked_out
+from mechanics.routes.steps.writer import Numbers, Writer, arrival, collected_from, worked_out
 
 LARGEST_SCENE = 6
 """Equations up to which every term is written out; beyond, those of one free body are."""
@@ -134,7 +134,7 @@ def _angular(
     )
     lines.append(numbers(f"{spin}_{{{letter}}}", tuple(parts), "the sum of these"))
     if len(parts) != 1 or parts[0].value != whole:
-        lines.append(numbers(f"{spin}_{{{letter}}}", whole, "collected"))
+        lines.append(numbers(f"{spin}_{{{letter}}}", whole, collected_from(parts)))
     lines += _rates(writer, numbers, rf"\dot{{{spin}}}_{{{letter}}}", whole, rate)
     speed = writer.vector(balance.velocity)
     if any(speed):

@@ -195,17 +195,26 @@ def worked_out(
     products = multiplied_out(terms) if full else ()
     before = {part for term in terms for part in Add.make_args(term.value)}
     words = ["what cancels is grey"] if any(product.cancels for product in products) else []
-    words += [
-        rf"$\sin^{{2}} <<{a}>> + \cos^{{2}} <<{a}>> = 1$"
-        for a in squares_meet(products)
-        if isinstance(a, Symbol)
-    ]
+    words += _identities(products)
     if {product.value for product in products} == before:
         return (numbers(products, Rational(0), "; ".join((label, *words))),)
     lines = [numbers(tuple(terms), Rational(0), label)]
     if products:
         lines.append(numbers(products, Rational(0), "; ".join(("multiplied out", *words))))
     return tuple(lines)
+
+
+def collected_from(terms: Sequence[Term]) -> str:
+    """What is said of a sum that is collected: with the identity that it takes."""
+    return "; ".join(("collected", *_identities(multiplied_out(terms))))
+
+
+def _identities(products: Sequence[Term]) -> list[str]:
+    return [
+        rf"$\sin^{{2}} <<{a}>> + \cos^{{2}} <<{a}>> = 1$"
+        for a in squares_meet(products)
+        if isinstance(a, Symbol)
+    ]
 
 
 def arrival(writer: Writer, rows: Sequence[tuple[str, Expr]]) -> Step:
