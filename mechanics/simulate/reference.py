@@ -33,6 +33,8 @@ ORDER = 1.2
 GUARD = 64
 # More digits than these are not distinguished.
 ALL = 1000.0
+ROUNDED = 2.0**-44
+"""Share of the largest entry, below which one that should be zero is rounding: it has no scale."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +49,7 @@ class Reference:
     rest : array, shape (N, n + m)
         What the nearest doubles leave: the solution is ``states + rest`` to 32 digits.
     scale : array, shape (n + m,)
-        Largest magnitude of each entry along the way; 1 where it is always zero.
+        Largest magnitude of each entry along the way; 1 where it is zero but for rounding.
     digits : array, shape (N,)
         Correct decimal digits at each time, relative to the scale.
     verified_by : tuple of str
@@ -118,7 +120,7 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
     solved = _compared(given, tuple(problem.times.tolist()), digits)
     values, states = solved.values, _doubles(solved.values)
     rest = np.array([[float(x - Fraction(float(x))) for x in row] for row in values])
-    scale = _scale(states)
+    scale = scale_of(states)
     sentences = [solved.words]
     enclosed = linear_solution(given, problem.times)
     if enclosed is not None:
@@ -151,7 +153,7 @@ def _compared(given: Exact, times: tuple[float, ...], digits: int) -> _Solved:
     for last in (False,) * (ROUNDS - 1) + (True,):
         fine = _run(given, times, keep)
         difference = _difference(coarse.values, fine.values)
-        shared = float(np.min(_digits(difference, _scale(_doubles(fine.values)))))
+        shared = float(np.min(_digits(difference, scale_of(_doubles(fine.values)))))
         if shared >= digits or last:
             break
         coarse, keep = fine, keep + int(digits - shared) + FINER
@@ -189,9 +191,10 @@ def _doubles(values: list[list[Fraction]]) -> Array:
     return np.array([[float(x) for x in row] for row in values])
 
 
-def _scale(states: Array) -> Array:
+def scale_of(states: Array) -> Array:
+    """Largest magnitude of each entry along the way, 1 for what should be zero, shape (n + m,)."""
     largest = np.max(np.abs(states), axis=0)
-    return np.where(largest > 0, largest, 1.0)
+    return np.where(largest > ROUNDED * np.max(largest), largest, 1.0)
 
 
 def _digits(difference: Array, scale: Array) -> Array:

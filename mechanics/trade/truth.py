@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.simulate.reference import Reference
+from mechanics.simulate.reference import Reference, scale_of
 
 Array = NDArray[np.float64]
 
@@ -61,8 +61,6 @@ def from_states(states: Array) -> Truth:
 
     Behind the time at which that gave up, errors are not known to be finite.
     """
-    largest = np.max(np.abs(states), axis=0)
-    scale = np.where(largest > 0, largest, 1.0)
 
     def difference(found: Array) -> Array:
         gaps = np.full(found.shape, np.inf)
@@ -70,4 +68,4 @@ def from_states(states: Array) -> Truth:
         gaps[:known] = np.abs(found[:known] - states[:known])
         return gaps
 
-    return Truth(scale, difference)
+    return Truth(scale_of(states), difference)

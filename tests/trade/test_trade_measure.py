@@ -199,6 +199,17 @@ def test_a_motion_that_comes_to_a_singular_configuration_is_refused() -> None:
 
 
 @pytest.mark.campaign
+def test_what_should_be_zero_has_no_scale() -> None:
+    """Couplers of a row of parallelograms stay level: what they turn is 1e-30 rad of rounding."""
+    asked = Case(derive(load("four_bar_chain").scene(), "kane"), 0.3, compiler=None)
+    case, stick, notes = yardstick(asked, 12)
+    assert case.horizon == 0.3
+    assert notes == ()
+    assert stick.scale["q1"] == (1.0, "rad")
+    assert stick.growth_factor < 100
+
+
+@pytest.mark.campaign
 def test_a_bicycle_that_rides_straight_is_measured_as_it_leans_and_steers() -> None:
     """Lean and steer of its example move by rounding alone; beside it both have a size."""
     asked = Case(derive(load("bicycle").scene(), "kane"), 1.0, compiler=None)
