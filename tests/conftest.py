@@ -7,15 +7,18 @@ machine has the same ones. ``--draws N`` is how many random mechanisms a campaig
 """
 
 import gc
+import os
+import shutil
 import sys
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from hashlib import sha256
 
 import pytest
 from hypothesis import settings
 
 from mechanics.cli.app import COLLECTED
+from mechanics.compiled.machine.native import find_compiler
 from systems import SEED
 
 # What is drawn is the same in every run, and a busy machine fails nothing.
@@ -71,3 +74,33 @@ def is_of_the_seed(case: pytest.Item) -> bool:
     """Whether a case is about a system of the seed, given by its name or as it is."""
     values = [getattr(value, "name", value) for value in case.callspec.params.values()]
     return any(isinstance(value, str) and value in OF_THE_SEED for value in values)
+
+
+@pytest.fixture(scope="session")
+def compiler() -> str:
+    """The C compiler of this machine."""
+    found = find_compiler()
+    if found is None:
+        pytest.skip("no C compiler here")
+    return found
+
+
+@pytest.fixture(scope="session")
+def needed() -> Callable[[str], str]:
+    """Path of a tool; what is not installed is skipped, and fails in CI."""
+
+    def path(tool: str) -> str:
+        found = shutil.which(tool)
+        if found is None and os.environ.get("MECHANICS_CI"):
+            pytest.fail(f"{tool} is not installed: .ci/run has a table of packages")
+        if found is None:
+            pytest.skip(f"no {tool} here")
+        return found
+
+    return path
+
+
+@pytest.fixture(params=["gcc", "clang"])
+def each(request: pytest.FixtureRequest, needed: Callable[[str], str]) -> str:
+    """Each C compiler in turn."""
+    return needed(request.param)

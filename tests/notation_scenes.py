@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import particles
 from sympy import Abs, Symbol, cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -25,20 +26,6 @@ from systems import double_pendulum
 TIME = dynamicsymbols._t
 
 
-def pendulum() -> Scene:
-    """A point mass on a massless rod, hanging at 0."""
-    theta = dynamicsymbols("theta")
-    m, l, g = parameters("m l g", units="kg m m/s^2", typical="1 1 9.81")
-    N, O = ReferenceFrame("N"), Point("O")
-    rod = N.orientnew("A", "Axis", (theta, N.z))
-    bob = O.locatenew("P", -l * rod.y)
-    return Scene(
-        "pendulum", N, O, coordinates=(theta,), bodies=(Particle("bob", bob, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("S", at=bob, on="bob", by=None, along=rod.y),), example={"theta": 0.3},
-    )  # fmt: skip
-
-
 def oscillator() -> Scene:
     """A mass on a spring and damper, driven by F0 cos(omega t)."""
     m, k, c, F0, omega = parameters(
@@ -56,13 +43,10 @@ def drag() -> Scene:
 
 
 def _slider(name: str, mass: Symbol, along) -> Scene:
-    N, O = ReferenceFrame("N"), Point("O")
     x = dynamicsymbols("x")
-    place = O.locatenew("P", x * N.x)
-    return Scene(
-        name, N, O, coordinates=(x,), bodies=(Particle("mass", place, mass),),
-        loads=(force("drive", place, along * N.x),), example={"x": 0.3},
-    )  # fmt: skip
+    return particles.on_line(
+        name, x, mass, lambda N, O, P: [force("drive", P, along * N.x)], example={"x": 0.3}
+    )
 
 
 def swinging() -> Scene:
@@ -108,7 +92,8 @@ def arm() -> Scene:
 
 
 SCENES = {
-    "pendulum": pendulum, "oscillator": oscillator, "drag": drag, "arm": arm,
+    "pendulum": lambda: particles.pendulum(names="m l g", example={"theta": 0.3}),
+    "oscillator": oscillator, "drag": drag, "arm": arm,
     "double": double_pendulum.scene,
 }  # fmt: skip
 

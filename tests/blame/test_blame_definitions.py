@@ -4,10 +4,11 @@ from math import radians
 
 import numpy as np
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from particles import on_line
+from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
-from mechanics.scene import Particle, Scene, parameters, spring
+from mechanics.scene import Scene, parameters, spring
 from systems import cartpole, double_pendulum
 
 CART = mechanics.derive(cartpole.scene(), "free_body")
@@ -99,13 +100,10 @@ def test_a_fraction_that_is_upside_down() -> None:
 
 
 def _oscillator() -> Scene:
-    x = dynamicsymbols("x")
-    m, k = parameters("m k", units="kg N/m", typical="1 10")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    block = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "oscillator", ground, origin, coordinates=(x,), bodies=(Particle("block", block, m),),
-        loads=(spring("k", origin, block, k, along=ground.x, second_on="block"),),
+    x, (m, k) = dynamicsymbols("x"), parameters("m k", units="kg N/m", typical="1 10")
+    return on_line(
+        "oscillator", x, m, lambda N, O, P: [spring("k", O, P, k, along=N.x, second_on="block")],
+        body="block",
     )  # fmt: skip
 
 

@@ -1,10 +1,11 @@
 r"""Partial derivatives where definitions depend on what they are by: momenta are held."""
 
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from particles import on_line
+from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
-from mechanics import Particle, Scene, force, parameters
+from mechanics import Scene, force, parameters
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from tests.notation_scenes import swinging
@@ -24,12 +25,9 @@ def pushed() -> Scene:
     """A mass that a force pushes, with its speed declared."""
     x, v, F = dynamicsymbols("x v F")
     (m,) = parameters("m", units="kg", typical="1")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    mass = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "pushed mass", ground, origin, coordinates=(x,), speeds=((v, x.diff()),),
-        bodies=(Particle("mass", mass, m),),
-        loads=(force("F", mass, F * ground.x, on="mass"),), inputs=(F,),
+    return on_line(
+        "pushed mass", x, m, lambda N, O, P: [force("F", P, F * N.x, on="mass")],
+        speeds=((v, x.diff()),), inputs=(F,),
     )  # fmt: skip
 
 

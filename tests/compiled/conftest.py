@@ -8,7 +8,6 @@ import pytest
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
-from mechanics.compiled.machine.native import find_compiler
 from mechanics.equations import Equations
 from mechanics.routes.derivation import by_route
 
@@ -32,14 +31,6 @@ def derived() -> Callable[[str, str], Equations]:
 @pytest.fixture(scope="session")
 def modelled() -> Callable[[str, str], Model]:
     return _modelled
-
-
-@pytest.fixture(scope="session")
-def compiler() -> str:
-    found = find_compiler()
-    if found is None:
-        pytest.skip("no C compiler here")
-    return found
 
 
 @pytest.fixture

@@ -33,14 +33,6 @@ DYNAMICS = "forward_dynamics"
 State = dict[str, np.ndarray]
 
 
-@pytest.fixture(params=["gcc", "clang"])
-def each(request: pytest.FixtureRequest) -> str:
-    found = shutil.which(request.param)
-    if found is None:
-        pytest.skip(f"no {request.param} here")
-    return found
-
-
 @pytest.fixture
 def pendulum(modelled, compiler: str) -> Model:
     return modelled("elastic_pendulum", "kane")

@@ -2,7 +2,6 @@
 
 import ctypes
 import platform
-import shutil
 
 import numpy as np
 import pytest
@@ -49,14 +48,6 @@ double largest(uint32_t first, uint32_t last, uint32_t step)
 WITHOUT = "-O2 -mno-fma" if platform.machine() in ("x86_64", "AMD64") else "-O2"
 FUSED = {"fused": "-O2 -march=native", "not fused": WITHOUT}
 MOST = 1.6
-
-
-@pytest.fixture(params=["gcc", "clang"])
-def each(request: pytest.FixtureRequest) -> str:
-    found = shutil.which(request.param)
-    if found is None:
-        pytest.skip(f"no {request.param} here")
-    return found
 
 
 def turned(compiler: str, flags: str, kind: type, x: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -5,35 +5,21 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from particles import pendulum
 
-from mechanics import Particle, Scene, compile, derive, gravity, parameters, reaction, write_c
+from mechanics import compile, derive, write_c
 
 FINE, FAR, NOT_FINITE = 0, 1, 2
-
-
-def pendulum() -> Scene:
-    """Nothing but the angle decides whether its acceleration is finite."""
-    theta, (m, L, g) = dynamicsymbols("theta"), parameters("m L g")
-    N, O = ReferenceFrame("N"), Point("O")
-    rod = N.orientnew("A", "Axis", (theta, N.z))
-    tip = O.locatenew("P", -L * rod.y)
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bob", tip, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("S", at=tip, on="bob", by=None, along=rod.y),),
-    )
 
 
 def test_angles_beyond_the_inline_sine(tmp_path: Path, compiler: str) -> None:
     folder = tmp_path / "c"
     # Its evidence holds the status that is specified, and what the binary returns.
     write_c(
-        compile(derive(pendulum(), "kane")), folder, name="system", functions=["forward_dynamics"]
+        compile(derive(pendulum("", ""), "kane")),
+        folder,
+        name="system",
+        functions=["forward_dynamics"],
     )
     target = folder / "system.so"
     files = [str(folder / "system.c"), str(folder / "system_batch.c")]

@@ -1,12 +1,13 @@
 """What a letter on the left means: by dimension first, by rank, one meaning for a document."""
 
+import particles
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics import check
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
-from mechanics.scene import Particle, Scene, damper, gravity, parameters, reaction
+from mechanics.scene import Scene, damper, parameters
 from systems import bead_on_hoop, elastic_pendulum, rod_pendulum
 
 RIGHT = (Verdict.PROVED, Verdict.CERTIFIED)
@@ -14,36 +15,15 @@ WRONG = (Verdict.REFUTED,)
 
 
 def pendulum(units: str = "kg m m/s^2") -> Scene:
-    """A particle on a massless rod; theta from the bottom, S pulls it inwards."""
-    theta = dynamicsymbols("theta")
-    m, l, g = parameters("m l g", units=units)
-    ground, pivot = ReferenceFrame("N"), Point("O")
-    rod = ground.orientnew("B", "Axis", (theta, ground.z))
-    place = pivot.locatenew("P", -l * rod.y)
-    return Scene(
-        "pendulum",
-        ground,
-        pivot,
-        coordinates=(theta,),
-        bodies=(Particle("bob", place, m),),
-        loads=(gravity(-g * ground.y),),
-        reactions=(reaction("S_0", at=place, on="bob", by=None, along=rod.y),),
-    )
+    """Theta from the bottom, S_0 pulls the bob inwards."""
+    return particles.pendulum(units, "", "m l g", "S_0")
 
 
 def damped() -> Scene:
     """A mass on a damper."""
-    x = dynamicsymbols("x")
-    m, c = parameters("m c", units="kg N*s/m")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    place = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "damped mass",
-        ground,
-        origin,
-        coordinates=(x,),
-        bodies=(Particle("body", place, m),),
-        loads=(damper("c", origin, place, c, along=ground.x),),
+    x, (m, c) = dynamicsymbols("x"), parameters("m c", units="kg N*s/m")
+    return particles.on_line(
+        "damped mass", x, m, lambda N, O, P: [damper("c", O, P, c, along=N.x)], body="body"
     )
 
 

@@ -9,6 +9,7 @@ import mpmath
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath_domain import MultiplePrecision
 
 from mechanics.kernel import Finding, Range, Statement, Verdict, decide
 from mechanics.kernel.normal import proves
@@ -173,29 +174,6 @@ def test_without_the_normal_form_nothing_true_is_refuted(name: str) -> None:
         assert 0 < finding.error_bound <= 2.0**-80
 
 
-MP: dict[str, Callable[..., object]] = {
-    "add": lambda x, y: x + y, "subtract": lambda x, y: x - y, "multiply": lambda x, y: x * y,
-    "divide": lambda x, y: x / y, "negate": lambda x: -x, "sqrt": mpmath.sqrt,
-    "power": lambda x, y: x**y, "exp": mpmath.exp, "sin": mpmath.sin, "cos": mpmath.cos,
-    "atan": mpmath.atan, "log": mpmath.log, "abs": abs, "floor": mpmath.floor,
-    "sign": mpmath.sign, "not_greater": lambda x, y: mpmath.mpf(x <= y),
-    "less": lambda x, y: mpmath.mpf(x < y), "not": lambda x: mpmath.mpf(x == 0),
-    "select": lambda c, x, y: x if c else y,
-}  # fmt: skip
-
-
-class Reals:
-    """mpmath's numbers: another library than the kernel's."""
-
-    operations = MP
-
-    def constant(self, value: Fraction) -> object:
-        return mpmath.mpf(value.numerator) / value.denominator
-
-    def pi(self) -> object:
-        return +mpmath.pi
-
-
 @pytest.mark.parametrize("name", FALSE)
 def test_false_statements_are_refuted_by_a_witness_that_holds(name: str) -> None:
     claim = statement(FALSE[name])
@@ -203,10 +181,10 @@ def test_false_statements_are_refuted_by_a_witness_that_holds(name: str) -> None
     assert finding.verdict is Verdict.REFUTED, finding
     assert finding.witness is not None
     with mpmath.workdps(120):
-        state = {n: Reals().constant(Fraction(v)) for n, v in finding.witness.state}
+        state = {n: MultiplePrecision().constant(Fraction(v)) for n, v in finding.witness.state}
         for symbol, known in claim.signs.items():
             assert known is not Range.POSITIVE or state.get(symbol, 1) > 0
-        outputs = interpret(claim.program, Reals(), state)
+        outputs = interpret(claim.program, MultiplePrecision(), state)
         sides = outputs["left"][0], outputs["right"][0]
         assert abs(sides[0] - sides[1]) > mpmath.mpf(10) ** -60
         for side, words in zip(sides, (finding.witness.left, finding.witness.right), strict=True):

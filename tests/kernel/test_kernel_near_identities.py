@@ -12,6 +12,7 @@ from typing import ClassVar
 
 import mpmath
 import pytest
+from mpmath_domain import MultiplePrecision
 
 from mechanics.kernel import Range, Statement, Verdict, decide
 from mechanics.program import Builder, Node, Program, interpret
@@ -36,7 +37,7 @@ def where(known: Callable[..., bool], value: Callable[..., object]) -> Callable[
     return partial
 
 
-class Reals:
+class Reals(MultiplePrecision):
     """mpmath's numbers, kept away from the edges of where operations have values."""
 
     operations: ClassVar = {
@@ -53,12 +54,6 @@ class Reals:
         "power": where(lambda x, y: abs(x) > 1e-9, lambda x, y: x**y),
         "less": lambda x, y: mpmath.mpf(x < y), "select": lambda c, x, y: x if c else y,
     }  # fmt: skip
-
-    def constant(self, value: Fraction) -> object:
-        return mpmath.mpf(value.numerator) / value.denominator
-
-    def pi(self) -> object:
-        return +mpmath.pi
 
 
 RULES: tuple[Callable[[Builder, Node, Node], Pair], ...] = (

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from particles import pendulum
 from shared_scenes import built
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -23,10 +24,8 @@ from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
-    gravity,
     parameters,
     quaternion,
-    reaction,
 )
 from systems import EVERY, acrobot, cartpole, elastic_pendulum, slider_crank, spinning_top
 
@@ -66,7 +65,7 @@ def test_an_angle_is_drawn_from_zero_to_the_body(system) -> None:
 
 @pytest.mark.parametrize("angle", [2.5, -1.0, 9.0])
 def test_the_arc_ends_on_the_body_and_begins_on_the_dashed_line(angle: float) -> None:
-    view = View(pendulum(), {"theta": angle})
+    view = View(pendulum(typical="1 0.5 9.81"), {"theta": angle})
     paper = paper_for([view])
     text = coordinate_picture(view, paper, view.scene.q[0])
     (arc,), (zero,), (arm,) = (strokes(text, style) for style in ("motion", "zero", "arm"))
@@ -82,7 +81,7 @@ def test_the_arc_ends_on_the_body_and_begins_on_the_dashed_line(angle: float) ->
 
 
 def test_a_point_mass_is_a_dot_on_its_circle_and_no_block() -> None:
-    view = View(pendulum(), {"theta": 1.0})
+    view = View(pendulum(typical="1 0.5 9.81"), {"theta": 1.0})
     circle = trace(view, view.scene.bodies[0])
     assert circle is not None
     assert np.allclose(np.hypot(*circle.T), 0.5)
@@ -111,22 +110,12 @@ def test_a_coordinate_is_explained_from_the_frames(scene, name: str, words: str)
 
 
 def test_an_angle_of_a_point_mass_is_in_rad() -> None:
-    (row,) = (row for row in symbol_rows(pendulum(), {"theta": 2.0}) if row.name == "theta")
+    (row,) = (
+        row
+        for row in symbol_rows(pendulum(typical="1 0.5 9.81"), {"theta": 2.0})
+        if row.name == "theta"
+    )
     assert row.value == "2\u00a0rad"
-
-
-def pendulum() -> Scene:
-    """A bob on a string of half a metre."""
-    theta = dynamicsymbols("theta")
-    m, L, g = parameters("m L g", units="kg m m/s^2", typical="1 0.5 9.81")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    string = ground.orientnew("A", "Axis", (theta, ground.z))
-    bob = origin.locatenew("P", -L * string.y)
-    return Scene(
-        "pendulum", ground, origin, coordinates=(theta,), bodies=(Particle("bob", bob, m),),
-        loads=(gravity(-g * ground.y),),
-        reactions=(reaction("S", at=bob, on="bob", by=None, along=string.y),),
-    )  # fmt: skip
 
 
 def _turned_body(*parts: float) -> Scene:

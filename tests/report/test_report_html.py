@@ -4,10 +4,10 @@ import dataclasses
 import os
 import re
 from html import unescape
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from html_nesting import Nesting
 from markupsafe import escape
 from sympy import Add, ImmutableMatrix, Symbol, sqrt
 
@@ -21,30 +21,6 @@ from mechanics.routes.derivation import by_route, goal_of, steps_of
 from systems import elastic_pendulum, pendulum_chain, rocker, rocker_ledger
 
 GOLDEN = Path(__file__).parent / "golden" / "page.html"
-VOID = {"meta", "link", "br", "wbr", "img", "hr"}
-
-
-class Nesting(HTMLParser):
-    """Reads a page and notes elements that are closed in the wrong order."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.stack: list[str] = []
-        self.wrong: list[str] = []
-        self.headings: list[int] = []
-
-    def handle_starttag(self, tag: str, attrs: object) -> None:
-        if re.fullmatch("h[1-6]", tag):
-            self.headings.append(int(tag[1]))
-        if tag not in VOID:
-            self.stack.append(tag)
-
-    def handle_startendtag(self, tag: str, attrs: object) -> None:
-        """Closed at once."""
-
-    def handle_endtag(self, tag: str) -> None:
-        if not self.stack or self.stack.pop() != tag:
-            self.wrong.append(f"</{tag}> at {self.getpos()}")
 
 
 def test_golden(small: SystemResult, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -58,8 +34,7 @@ def test_golden(small: SystemResult, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_elements_are_nested_and_headings_skip_no_level(small: SystemResult) -> None:
-    page = Nesting()
-    page.feed(to_html([small, small]))
+    page = Nesting(to_html([small, small]))
     assert page.wrong == []
     assert page.stack == []
     steps = zip(page.headings, page.headings[1:], strict=False)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from particles import pushed
 from scipy.integrate import solve_ivp
 
 from benchmarks.problems import pose
@@ -273,20 +274,7 @@ def test_equations_of_a_step_that_are_not_solved_are_told_and_nothing_is_printed
 @pytest.fixture(scope="module")
 def in_time() -> Callable[[str | None], Problem]:
     """A point mass that is pushed with F cos(3 t), the time standing in the scene."""
-    from sympy import cos
-    from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
-
-    from mechanics.scene import Particle, Scene, force, parameters
-
-    x, t = dynamicsymbols("x"), dynamicsymbols._t
-    m, F = parameters("m F", units="kg N", typical="2 5")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    place = origin.locatenew("P", x * ground.x)
-    scene = Scene(
-        "pushed", ground, origin, coordinates=(x,), bodies=(Particle("mass", place, m),),
-        loads=(force("push", place, F * cos(3 * t) * ground.x, on="mass"),),
-    )  # fmt: skip
-    equations = by_route("kane", scene)
+    equations = by_route("kane", pushed())
     return lambda compiler: pose(compile(equations, compiler=compiler), [0.0, 0.7, 2.0])
 
 

@@ -9,8 +9,9 @@ import mpmath
 import numpy as np
 import pytest
 from flint import arb, arb_series, ctx
-from sympy import Abs
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from particles import hanging, on_line
+from sympy import Abs, S
+from sympy.physics.mechanics import dynamicsymbols
 
 from benchmarks.problems import pose
 from mechanics.compiled.machine.native import find_compiler
@@ -20,7 +21,7 @@ from mechanics.program import Builder
 from mechanics.program.casadi_reader import read
 from mechanics.program.taylor import Recurrences, recurrences
 from mechanics.routes.derivation import by_route
-from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
+from mechanics.scene import Scene, force, parameters
 from mechanics.simulate.integrators import INTEGRATORS, Problem, Setting
 from mechanics.simulate.integrators.heyoka import equations as heyoka_equations
 from mechanics.simulate.integrators.problem import OverBudget
@@ -60,20 +61,8 @@ def sinh(x: arb_series) -> arb_series:
 
 def chain(links: int) -> Scene:
     """Point masses on massless rods of 1 m under a fixed pivot, angles from hanging."""
-    (m, g) = parameters("m g", units="kg m/s^2", typical="1 9.81")
-    angles = dynamicsymbols(f"th1:{links + 1}")
-    ground, tip = ReferenceFrame("N"), Point("O")
-    origin, inner, bodies, reactions = tip, None, [], []
-    for i, angle in enumerate(angles, start=1):
-        rod = ground.orientnew(f"A{i}", "Axis", (angle, ground.z))
-        tip = tip.locatenew(f"P{i}", -rod.y)
-        bodies.append(Particle(f"bob{i}", tip, m))
-        reactions.append(reaction(f"S{i}", at=tip, on=f"bob{i}", by=inner, along=rod.y))
-        inner = f"bob{i}"
-    return Scene(
-        f"{links} masses", ground, origin, coordinates=tuple(angles), bodies=tuple(bodies),
-        loads=(gravity(-g * ground.y),), reactions=tuple(reactions),
-    )  # fmt: skip
+    m, g = parameters("m g", units="kg m/s^2", typical="1 9.81")
+    return hanging(f"{links} masses", dynamicsymbols(f"th1:{links + 1}"), m, S.One, g, "S")
 
 
 def posed(name: str, times, **given) -> Problem:
@@ -276,14 +265,8 @@ def test_numbers_that_outgrow_their_words_are_left_to_python() -> None:
 
 def bumped() -> Scene:
     """A point mass with a force |x|, which has a kink."""
-    x = dynamicsymbols("x")
-    (m,) = parameters("m", units="kg", typical="1")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    place = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "bumped", ground, origin, coordinates=(x,), bodies=(Particle("mass", place, m),),
-        loads=(force("bump", place, Abs(x) * ground.x, on="mass"),),
-    )  # fmt: skip
+    x, (m,) = dynamicsymbols("x"), parameters("m", units="kg", typical="1")
+    return on_line("bumped", x, m, lambda N, O, P: [force("bump", P, Abs(x) * N.x, on="mass")])
 
 
 def test_what_has_no_reference_says_why() -> None:

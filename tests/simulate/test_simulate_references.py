@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from particles import hanging
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -61,27 +62,7 @@ FREE_BODY = {
 
 def chain(links: int) -> Scene:
     """Point masses on massless rods under a fixed pivot, absolute angles from hanging."""
-    angles = dynamicsymbols(f"th1:{links + 1}")
-    ground, tip = ReferenceFrame("N"), Point("O")
-    origin, inner, bodies, reactions = tip, None, [], []
-    for i, angle in enumerate(angles, start=1):
-        rod = ground.orientnew(f"A{i}", "Axis", (angle, ground.z))
-        pivot, tip = tip, tip.locatenew(f"P{i}", -l * rod.y)
-        bodies.append(RigidBody(f"rod{i}", tip, rod, m, 0))
-        for axis, direction in (("x", ground.x), ("y", ground.y)):
-            reactions.append(
-                reaction(f"T{axis}{i}", at=pivot, on=f"rod{i}", by=inner, along=direction)
-            )
-        inner = f"rod{i}"
-    return Scene(
-        f"{links} point masses",
-        ground,
-        origin,
-        coordinates=tuple(angles),
-        bodies=tuple(bodies),
-        loads=(gravity(-g * ground.y),),
-        reactions=tuple(reactions),
-    )
+    return hanging(f"{links} point masses", dynamicsymbols(f"th1:{links + 1}"), m, l, g, "S")
 
 
 def torque_free() -> Scene:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from particles import on_line
 from sympy import Expr, Symbol, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -76,25 +77,19 @@ def test_duration_is_a_positive_number(pendulum: Model, duration: Any) -> None:
         simulate(pendulum, duration)
 
 
-def oscillator(typical: str, **extra: Any) -> Model:
+def oscillator(typical: str, damping: Any = None) -> Model:
     """A mass on a spring whose stiffness is defined by a frequency: k = m w^2."""
-    x = dynamicsymbols("x")
-    m, w = parameters("m w", typical=typical)
-    k = Symbol("k", positive=True)
-    ground, origin = ReferenceFrame("N"), Point("O")
-    mass = origin.locatenew("P", x * ground.x)
-    loads = [spring("k", origin, mass, k, along=ground.x)]
-    if "damping" in extra:
-        loads.append(damper("c", origin, mass, extra["damping"], along=ground.x))
-    scene = Scene(
-        "oscillator",
-        ground,
-        origin,
-        coordinates=(x,),
-        bodies=(Particle("mass", mass, m),),
-        loads=tuple(loads),
-        definitions={k: m * w**2},
+    x, (m, w), k = (
+        dynamicsymbols("x"),
+        parameters("m w", typical=typical),
+        Symbol("k", positive=True),
     )
+
+    def loads(N: ReferenceFrame, O: Point, P: Point) -> list[Any]:
+        held = [spring("k", O, P, k, along=N.x)]
+        return held if damping is None else [*held, damper("c", O, P, damping, along=N.x)]
+
+    scene = on_line("oscillator", x, m, loads, definitions={k: m * w**2})
     return compile(by_route("lagrange", scene), compiler=None)
 
 
@@ -157,18 +152,8 @@ def test_rate_of_a_prescribed_motion_is_asked_for() -> None:
 
 def pushed(by: Callable[[Expr], Expr]) -> Model:
     """A point mass on a line, pushed with by(x)."""
-    x = dynamicsymbols("x")
-    (m,) = parameters("m", typical="1")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    mass = origin.locatenew("P", x * ground.x)
-    scene = Scene(
-        "pushed mass",
-        ground,
-        origin,
-        coordinates=(x,),
-        bodies=(Particle("mass", mass, m),),
-        loads=(force("F", mass, by(x) * ground.x),),
-    )
+    x, (m,) = dynamicsymbols("x"), parameters("m", typical="1")
+    scene = on_line("pushed mass", x, m, lambda N, O, P: [force("F", P, by(x) * N.x)])
     return compile(by_route("lagrange", scene), compiler=None)
 
 

@@ -4,12 +4,14 @@ from functools import partial
 
 import numpy as np
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from particles import on_line
+from particles import pendulum as rod
+from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.cli.load import load
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
-from mechanics.scene import Particle, Scene, damper, gravity, parameters, reaction, spring
+from mechanics.scene import Scene, damper, parameters, spring
 from mechanics.simulate.integrators import Setting
 from mechanics.trade import Trade
 from mechanics.trade.amplitude import amplitudes
@@ -25,34 +27,14 @@ KANE = partial(derive, route="kane")
 def oscillator(damping: str) -> Scene:
     """A mass on a spring with a damper."""
     x, (m, k, c) = dynamicsymbols("x"), parameters("m k c", typical=f"1 4 {damping}")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    mass = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "oscillator", ground, origin, coordinates=(x,), bodies=(Particle("mass", mass, m),),
-        loads=(
-            spring("k", origin, mass, k, along=ground.x),
-            damper("c", origin, mass, c, along=ground.x),
-        ),
-        example={"x": 1.0},
-    )  # fmt: skip
-
-
-def rod() -> Scene:
-    """A point on a massless rod."""
-    theta, (m, L, g) = dynamicsymbols("theta"), parameters("m L g", typical="1 1 9.81")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    rod = ground.orientnew("A", "Axis", (theta, ground.z))
-    tip = origin.locatenew("P", -L * rod.y)
-    return Scene(
-        "simple pendulum", ground, origin, coordinates=(theta,),
-        bodies=(Particle("bob", tip, m),), loads=(gravity(-g * ground.y),),
-        reactions=(reaction("S", at=tip, on="bob", by=None, along=rod.y),),
-        example={"theta": 0.3},
+    return on_line(
+        "oscillator", x, m, example={"x": 1.0},
+        loads=lambda N, O, P: (spring("k", O, P, k, along=N.x), damper("c", O, P, c, along=N.x)),
     )  # fmt: skip
 
 
 def test_amplitude_of_a_pendulum_is_what_its_period_says() -> None:
-    case = Case(KANE(rod()), 10.0)
+    case = Case(KANE(rod(example={"theta": 0.3})), 10.0)
     (stable,) = [e for e in equilibria(case.equations, {}, case.suggested[0]) if e.stable]
     (row,) = amplitudes(case, stable, RK8)
     # omega = omega_0 (1 - a^2 / 16): the phase is off by omega_0 T a^2 / 16, and the speed, by as
@@ -64,7 +46,7 @@ def test_amplitude_of_a_pendulum_is_what_its_period_says() -> None:
 
 
 def test_error_grows_with_the_square_of_the_amplitude() -> None:
-    case = Case(KANE(rod()), 10.0)
+    case = Case(KANE(rod(example={"theta": 0.3})), 10.0)
     (row,) = amplitudes(case, equilibria(case.equations, {}, case.suggested[0])[0], RK8)
     small = [(a, e) for a, e in row.curve if a < row.limit]
     slopes = np.diff(np.log([e for _, e in small])) / np.diff(np.log([a for a, _ in small]))

@@ -2,7 +2,6 @@
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 import zipfile
@@ -85,16 +84,6 @@ int main(void)
     return bad;
 }
 """
-
-
-@pytest.fixture(params=["gcc", "clang"])
-def compiler(request: pytest.FixtureRequest) -> str:
-    found = shutil.which(request.param)
-    if found is None:
-        if os.environ.get("MECHANICS_CI") == "1":
-            pytest.fail(f"no {request.param} here")
-        pytest.skip(f"no {request.param} here")
-    return found
 
 
 def sources_of(unit: Path, folder: Path) -> Path:

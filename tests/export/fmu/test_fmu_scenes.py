@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
-from sympy import Symbol, cos
+from particles import pushed
+from sympy import Symbol
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.compiled import compile as compile_model
@@ -16,7 +17,6 @@ from mechanics.scene import (
     Particle,
     Scene,
     condition,
-    force,
     gravity,
     orientation,
     parameters,
@@ -29,18 +29,6 @@ from mechanics.simulate import simulate
 pytestmark = pytest.mark.campaign
 
 KINDS = ["CoSimulation", "ModelExchange"]
-
-
-def pushed() -> Scene:
-    """A point mass that is pushed with F cos(3 t): x = F (1 - cos 3 t) / (9 m)."""
-    x, t = dynamicsymbols("x"), dynamicsymbols._t
-    m, F = parameters("m F", units="kg N", typical="2 5")
-    ground, origin = ReferenceFrame("N"), Point("O")
-    place = origin.locatenew("P", x * ground.x)
-    return Scene(
-        "pushed", ground, origin, coordinates=(x,), bodies=(Particle("mass", place, m),),
-        loads=(force("push", place, F * cos(3 * t) * ground.x, on="mass"),),
-    )  # fmt: skip
 
 
 def carried() -> Scene:
