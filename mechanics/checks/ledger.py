@@ -23,6 +23,7 @@ from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.published import Published, Quantity
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
+from mechanics.scene.symbols import entries
 
 QUANTITIES: tuple[type[Quantity], ...] = (
     *VECTORS, *DERIVED, *ENERGIES, EquationOfMotion, ReactionValue, Identity,
@@ -75,8 +76,8 @@ def check_row(
         return check_equation(subject, _enough(sides, 2, subject), equations, where)
     if isinstance(quantity, Identity):
         first, *others = _enough(sides, 2, subject)
-        ones = [entry for _ in others for entry in _entries(first)]
-        rights = [entry for side in others for entry in _entries(side)]
+        ones = [entry for _ in others for entry in entries(first)]
+        rights = [entry for side in others for entry in entries(side)]
         return equal(kinematics, subject, ones, rights, where)
     if where:
         raise InputError(f"{subject}: it is judged at all states: leave out where= for it")
@@ -86,8 +87,8 @@ def check_row(
     _enough(sides, len(targets), subject)
     # The last target is what every further side has to be.
     pairs = [(side, targets[min(i, len(targets) - 1)]) for i, side in enumerate(sides)]
-    lefts = [entry for typed, _ in pairs for entry in _entries(typed)]
-    rights = [entry for _, target in pairs for entry in _entries(target)]
+    lefts = [entry for typed, _ in pairs for entry in entries(typed)]
+    rights = [entry for _, target in pairs for entry in entries(target)]
     if len(lefts) != len(rights):
         raise InputError(
             f"{subject}: {len(lefts)} entries typed for {len(rights)} derived: name the axis with"
@@ -104,10 +105,6 @@ def plain_side(kinematics: Kinematics, side: Expr | MatrixBase, where: str) -> E
     if isinstance(side, MatrixBase):
         return Matrix(side).applyfunc(lambda entry: plain_side(kinematics, entry, where))
     return kinematics.scene.plain(momenta_written_out(kinematics, side), where)
-
-
-def _entries(side: Expr | MatrixBase) -> list[Expr]:
-    return list(side) if isinstance(side, MatrixBase) else [side]
 
 
 def _enough(sides: list[Expr], needed: int, subject: str) -> list[Expr]:

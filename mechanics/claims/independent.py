@@ -6,7 +6,7 @@ v = r theta',      L = m v^2/2              dL/dr = m r theta'^2        v is an 
 Where both readings of a definition are possible and differ, it is refused.
 """
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping
 from typing import Any, Protocol
 
 from sympy import Expr, Matrix, Symbol
@@ -20,7 +20,7 @@ from mechanics.claims.tree import Name, Node, names
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Scene
 from mechanics.scene.rates import speeds_in_rates
-from mechanics.scene.symbols import by_name
+from mechanics.scene.symbols import by_name, entries
 from mechanics.symbolic import is_zero
 
 ENERGIES = ("energy", "Hamiltonian")
@@ -85,18 +85,14 @@ def _reached(builder: Values, of: Node) -> list[str]:
     return [name for name in builder.trees if name in found]
 
 
-def _entries(value: Any) -> Sequence[Expr]:
-    return list(value) if isinstance(value, MatrixBase) else [value]
-
-
 def _is_speed(builder: Values, value: Any) -> bool:
     """Whether what a name stands for holds rates, in the first degree only."""
     scene = builder.naming.vocabulary.scene
     rates = {*scene.qd, *scene.u}
-    held = sorted(set().union(*(e.free_symbols for e in _entries(value))) & rates, key=by_name)
+    held = sorted(set().union(*(e.free_symbols for e in entries(value))) & rates, key=by_name)
     return bool(held) and all(
         not entry.diff(rate).expand().free_symbols & rates
-        for entry in _entries(value)
+        for entry in entries(value)
         for rate in held
     )
 
@@ -104,7 +100,7 @@ def _is_speed(builder: Values, value: Any) -> bool:
 def _is_momentum(builder: Values, value: Any) -> bool:
     """Whether it is a generalized momentum of the scene, or a column of them."""
     kinematics = builder.naming.vocabulary.kinematics
-    return all(_momentum(kinematics, entry) for entry in _entries(value))
+    return all(_momentum(kinematics, entry) for entry in entries(value))
 
 
 def _momentum(kinematics: Kinematics, value: Expr) -> bool:
@@ -133,7 +129,7 @@ def _symbols(name: str, value: Any, put_in: dict[Symbol, Expr]) -> Any:
     """A symbol for a definition, or one for each entry."""
 
     def symbols() -> Iterator[Symbol]:
-        for i, entry in enumerate(_entries(value)):
+        for i, entry in enumerate(entries(value)):
             symbol = Symbol(f"[{name}]{i}", real=True)
             put_in[symbol] = entry
             yield symbol
@@ -143,7 +139,7 @@ def _symbols(name: str, value: Any, put_in: dict[Symbol, Expr]) -> Any:
 
 
 def _same(one: Any, other: Any) -> bool:
-    pairs = zip(_entries(one), _entries(other), strict=True)
+    pairs = zip(entries(one), entries(other), strict=True)
     return all(is_zero(a - b) for a, b in pairs)
 
 
@@ -153,7 +149,7 @@ def _declared_speeds(builder: Values, value: Any, by: Any, at: int) -> None:
         return
     scene: Scene = builder.naming.vocabulary.scene
     table = speeds_in_rates(scene)
-    variables = {*_entries(by)}
+    variables = {*entries(by)}
     depends = {u for u, definition in table.items() if definition.free_symbols & variables}
     wrong = value.free_symbols & (depends | ({*scene.qd} if variables & table.keys() else set()))
     for symbol in sorted(wrong - variables, key=by_name):

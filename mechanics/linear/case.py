@@ -22,6 +22,7 @@ from mechanics.linear.values import expand_definitions
 from mechanics.scene import Scene
 from mechanics.scene.linear_quantities import OperatingPoint, ProportionalFeedback
 from mechanics.scene.published import Published
+from mechanics.scene.symbols import entries
 from mechanics.symbolic import Arithmetic, Number, decide
 
 Pairs = list[tuple[Number, Number]]
@@ -181,11 +182,6 @@ def require_conjugate(linear: Linear) -> None:
             f"{linear.scene.name}: the rows by {linear.route} are not power-conjugate, so their"
             " coefficients are no inertias or stiffnesses: use equations by lagrange or kane"
         )
-
-
-def entries(side: Expr | Matrix) -> list[Expr]:
-    """Entries of a matrix, row by row, or the one expression."""
-    return list(side) if isinstance(side, MatrixBase) else [side]
 
 
 def linear_at(equations: Equations, point: OperatingPoint) -> Linear:

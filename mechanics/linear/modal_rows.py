@@ -10,7 +10,7 @@ from sympy import Dummy, Expr, Matrix, S, Symbol, cos, diag, sin, sqrt
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, undecided
 from mechanics.linear.algebra import reduced
-from mechanics.linear.case import Case, Pairs, compare, entries, numbers, require_conjugate
+from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.dimensionless import dimensionless
 from mechanics.linear.modes import Convention, Modes, characteristic, modes
 from mechanics.linear.rounded import check_rounded
@@ -29,6 +29,7 @@ from mechanics.scene.linear_quantities import (
     PrintedShapes,
     TrialSolution,
 )
+from mechanics.scene.symbols import entries
 from mechanics.symbolic import Arithmetic
 
 Check = Callable[[Case], Finding]

@@ -12,7 +12,8 @@ from sympy import Expr, Float, Rational
 
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, enclosed, refuted, undecided
-from mechanics.linear.case import Case, entries
+from mechanics.linear.case import Case
+from mechanics.scene.symbols import entries
 from mechanics.symbolic import decimal_matches, enclose, roundings
 
 SIGNS = "one sign for each column is free"

@@ -9,12 +9,13 @@ from collections.abc import Callable
 
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, Statement, decide
-from mechanics.linear.case import Case, entries, require_conjugate
+from mechanics.linear.case import Case, require_conjugate
 from mechanics.linear.speed_form import NAMES, signs_of, speed_form
 from mechanics.program import Builder, Node
 from mechanics.program.interpret import include
 from mechanics.program.sympy_reader import read
 from mechanics.scene.linear_quantities import LinearQuantity, SpeedMatrix
+from mechanics.scene.symbols import entries
 
 
 def speed_matrix(case: Case) -> Finding:

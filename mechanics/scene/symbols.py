@@ -6,6 +6,7 @@ what users write, and again only inside the two adapters over SymPy's own method
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from sympy import Basic, Derivative, Expr, Symbol, sympify
 from sympy.core.function import AppliedUndef
@@ -114,3 +115,8 @@ def symbols_of(expressions: Iterable[Expr]) -> set[Symbol]:
     if any(getattr(part, "bound_symbols", None) for part in every):
         return set().union(*(expression.free_symbols for expression in expressions))
     return {part for part in every if isinstance(part, Symbol)}
+
+
+def entries(value: Any) -> list[Any]:
+    """Entries of a matrix, row by row; anything else is its only one."""
+    return list(value) if isinstance(value, MatrixBase) else [value]

@@ -28,6 +28,7 @@ from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import published
 from mechanics.scene.quantities import Identity, MassMatrix
+from mechanics.scene.symbols import entries
 
 Sides = tuple[Any, ...]
 KINDS = (Expr, MatrixBase, Eq, *MODELS)
@@ -167,13 +168,9 @@ def _statement(
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
         doubt = "an expression without an equals sign: say what it is about"
     row = published(tag, quantity, *plain, label=source)
-    asked = dict.fromkeys(d for side in sides for entry in _entries(side) for d in within(entry))
+    asked = dict.fromkeys(d for side in sides for entry in entries(side) for d in within(entry))
     demands = Demands(tuple(_in_plain(naming, demand) for demand in asked))
     return Statement(row, source, tag, notes=(note,) if note else (), doubt=doubt, demands=demands)
-
-
-def _entries(side: Any) -> list[Any]:
-    return list(side) if isinstance(side, MatrixBase) else [side]
 
 
 def _in_plain(naming: Naming, demand: Demand) -> Demand:
