@@ -3,6 +3,7 @@
 import inspect
 import re
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -13,7 +14,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.c_plus_plus import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
-from mechanics.claims.code.read_arrays import read_matlab, with_code
+from mechanics.claims.code.read_arrays import read_cpp, read_matlab, with_code
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
@@ -77,7 +78,11 @@ def read(
     """
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h", *SUFFIXES):
-            return read_c(scene, file_text(thing), function, names, about, str(thing))
+            text, origin = file_text(thing), str(thing)
+            plain = partial(read_c, scene, text, function, names, about, origin)
+            if thing.suffix not in SUFFIXES:
+                return plain()
+            return with_code(plain, partial(read_cpp, scene, text, function, names, about, origin))
         options = {"names": names, "notation": notation, "about": about}
         if thing.suffix == ".m" and notation is None:
             return with_code(

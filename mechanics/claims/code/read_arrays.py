@@ -3,14 +3,20 @@
 x.m -> its tree -> functions of Python, line by line -> statements
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
-from mechanics.claims.code import matlab
+from mechanics.claims.code import cpp_functions, matlab
+from mechanics.claims.code.c_parameters import NOT_USED
+from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+
+FOR_ALL = "read as the scene's, for all values"
+"""What is said of numbers that stand for parameters."""
 
 
 def with_code(formulas: Callable[[], Reading], code: Callable[[], Reading]) -> Reading:
@@ -55,8 +61,29 @@ def read_matlab(
     """
     translated = matlab.in_python(text, origin, Naming(Vocabulary(scene)).knows)
     readings = [read_function(scene, one, names, about) for one in translated.functions]
-    return Reading(
-        tuple(statement for reading in readings for statement in reading.statements),
-        tuple(match for reading in readings for match in reading.names),
-        (*translated.remarks, *(words for reading in readings for words in reading.remarks)),
+    return _together(readings, translated.remarks)
+
+
+def read_cpp(
+    scene: Scene, text: str, function: str | None, names: Mapping[str, str] | None,
+    about: str | None, origin: str,
+) -> Reading:  # fmt: skip
+    """Statements of the functions of a file of C++, as code; as `read_matlab`."""
+    functions = cpp_functions.in_python(text, origin, function)
+    return _together([read_function(scene, one, names, about) for one in functions])
+
+
+def _together(readings: Sequence[Reading], remarks: Sequence[str] = ()) -> Reading:
+    """One reading; refused where nothing says what the parts of several functions are for.
+
+    M(q), C(q, qd) and G(q) are an equation only together, and what G returns is no acceleration.
+    """
+    if len(readings) > 1:
+        raise Unread(f"{len(readings)} functions, of which none calls another: name one")
+    (found,) = readings
+    said = tuple(f"{one}: {NOT_USED}" for one in found.remarks if one.endswith(FOR_ALL))
+    return replace(
+        found,
+        statements=tuple(replace(s, notes=(*s.notes, *said)) for s in found.statements),
+        remarks=(*remarks, *(one for one in found.remarks if not one.endswith(FOR_ALL))),
     )

@@ -1,0 +1,48 @@
+"""Methods of C++ as code: structs, members, vectors, casts, numbers of integers."""
+
+import numpy as np
+import pytest
+
+from mechanics.claims.code.cpp_functions import in_python
+from mechanics.claims.code.python_page import Unread
+
+pytest.importorskip("tree_sitter_cpp")
+
+
+def function(text: str):
+    (one,) = in_python(text, "page.cpp", None)
+    return one
+
+
+def test_a_method_takes_its_members_as_arguments() -> None:
+    one = function(
+        "std::vector<double> Cart::operator()(std::vector<double> x, double t) const {\n"
+        "  const double& rate{x.at(1)};\n"
+        "  std::vector<double> dx(2);\n  dx[0] = rate; dx.at(1) = -conf::k/m*x[0] + 1/2;\n"
+        "  return dx;\n}"
+    )
+    assert list(one(x=np.array([3.0, 5.0]), k=4.0, m=2.0)) == [5.0, -6.0]
+
+
+def test_a_struct_is_its_fields_and_a_cast_is_its_argument() -> None:
+    one = function(
+        "struct State { double x; double v; };\n"
+        "double a(const State &s, void *p) { double *q = static_cast<double *>(p);\n"
+        "  return -q[0]*s.x - std::sin(s.v); }"
+    )
+    assert one(s=[2.0, 0.0], p=[3.0]) == -6.0
+
+
+def test_what_is_filled_is_returned_and_loops_are_followed() -> None:
+    one = function(
+        "int f(const double x[], double dx[]) {\n"
+        "  for (int i = 0; i < 2; ++i) { dx[i] = x[i]; }\n"
+        "  if (x[0] > 1) { dx[0] += 1; } else dx[0] = 0;\n  return 0;\n}"
+    )
+    assert list(one(x=[3.0, 5.0])) == [4.0, 5.0]
+
+
+@pytest.mark.parametrize("body", ["while (x > 1) x -= 1; return x;", "return x.norm();"])
+def test_what_is_not_known_is_refused_by_its_line(body: str) -> None:
+    with pytest.raises(Unread, match="line 2"):
+        function(f"double f(double x) {{\n{body}\n}}")
