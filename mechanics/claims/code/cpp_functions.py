@@ -450,7 +450,7 @@ def _call(node: Any, scope: Scope) -> str:
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
         base, power = (_value(part, scope) for part in named(given))
-        return f"(({base}) ** ({power}))"
+        return f"power({base}, {power})"
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
     if head.type == "identifier" and name not in scope.functions:

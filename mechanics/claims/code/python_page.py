@@ -17,11 +17,28 @@ from mechanics.errors import InputError
 
 INSTALL = "pip install 'mechanics[code]'"
 WIDTH = 4
-BUILTINS = {"range": range, "tuple": tuple}
+LONGEST = 64
+"""Turns of a loop."""
 
 
 class Unread(InputError):
     """What a grammar knows and its printer does not."""
+
+
+def counted(*parts: int) -> range:
+    """`range`, where it is short.
+
+    Raises
+    ------
+    ValueError
+    """
+    found = range(*parts)
+    if len(found) > LONGEST:
+        raise ValueError(f"a loop of {len(found)} turns: {LONGEST} at most")
+    return found
+
+
+BUILTINS = {"range": counted, "tuple": tuple}
 
 
 @dataclass
