@@ -53,6 +53,13 @@ def test_columns_and_rows_are_not_mixed() -> None:
         function(x=np.array([1.0, 2.0]))
 
 
+@pytest.mark.parametrize("body", ["for i=1:1e9\n y=i;\nend", "y=zeros(1e5,1e5);", "y=9^(9^9);"])
+def test_what_takes_long_is_refused(body: str) -> None:
+    (one,) = functions(f"function y = f(x)\ny = x;\n{body}\nend")
+    with pytest.raises((ValueError, TypeError)):
+        one(x=1.0)
+
+
 def test_a_while_is_refused_by_its_line() -> None:
     with pytest.raises(Unread, match="line 2"):
         functions("function y = f(x)\nwhile x > 1\n x = x - 1;\nend\ny = x;\nend")

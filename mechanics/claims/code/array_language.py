@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 ALL = slice(None)
+LARGEST = 4096
+"""Entries of an array, and an exponent."""
 
 
 def tidy(a: Any) -> Any:
@@ -68,7 +70,7 @@ def each_over(a: Any, b: Any) -> Any:
 def each_power(a: Any, b: Any) -> Any:
     """a .^ b"""
     a, b = same_shape(a, b)
-    return a**b
+    return a**b if isinstance(a, np.ndarray) else power(a, b)
 
 
 def transposed(a: Any) -> Any:
@@ -158,6 +160,8 @@ def zeros(*shape: Any) -> Any:
 def filled(number: int, *shape: Any) -> Any:
     """An array of equal numbers."""
     rows, columns = (int(shape[0]), int(shape[-1])) if shape else (1, 1)
+    if rows * columns > LARGEST:
+        raise ValueError(f"an array of {rows} x {columns}: {LARGEST} entries at most")
     return number if not shape else _kept(np.full((rows, columns), number, dtype=object))
 
 
@@ -207,6 +211,8 @@ def inverse(a: Any) -> Any:
 
 def power(a: Any, b: Any) -> Any:
     """a^b"""
+    if isinstance(b, int | float) and abs(b) > LARGEST:
+        raise ValueError(f"an exponent of {b}: {LARGEST} at most")
     if not isinstance(a, np.ndarray):
         return a**b
     one = inverse(a) if b < 0 else a
@@ -214,3 +220,9 @@ def power(a: Any, b: Any) -> Any:
     for _ in range(abs(int(b)) - 1):
         found = times(found, one)
     return found
+
+
+def quotient(a: Any, b: Any) -> Any:
+    """a / b of integers, towards zero."""
+    found = abs(a) // abs(b)
+    return found if (a < 0) is (b < 0) else -found

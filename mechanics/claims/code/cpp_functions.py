@@ -410,7 +410,7 @@ def _binary(node: Any, scope: Scope) -> str:
         return f"{OPERATIONS[sign]}({left}, {right})"
     if sign == "/":
         if all(_whole(side, scope) for side in sides):
-            return f"({left} // {right})"
+            return f"quotient({left}, {right})"
         return f"({left} / {right})"
     if sign in (*COMPARED, "&&", "||"):
         return f"({left} {({'&&': 'and', '||': 'or'}).get(sign, sign)} {right})"
@@ -450,7 +450,7 @@ def _call(node: Any, scope: Scope) -> str:
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
         base, power = (_value(part, scope) for part in named(given))
-        return f"(({base}) ** ({power}))"
+        return f"power({base}, {power})"
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
     if head.type == "identifier" and name not in scope.functions:

@@ -17,11 +17,28 @@ from mechanics.errors import InputError
 
 INSTALL = "pip install 'mechanics[code]'"
 WIDTH = 4
-BUILTINS = {"range": range, "tuple": tuple}
+LONGEST = 64
+"""Turns of a loop."""
 
 
 class Unread(InputError):
     """What a grammar knows and its printer does not."""
+
+
+def counted(*parts: int) -> range:
+    """`range`, where it is short.
+
+    Raises
+    ------
+    ValueError
+    """
+    found = range(*parts)
+    if len(found) > LONGEST:
+        raise ValueError(f"a loop of {len(found)} turns: {LONGEST} at most")
+    return found
+
+
+BUILTINS = {"range": counted, "tuple": tuple}
 
 
 @dataclass
@@ -135,7 +152,14 @@ def within(node: Any, *kinds: str) -> list[Any]:
 
 
 def safe(name: str) -> str:
-    """A name that Python takes."""
+    """A name that Python takes, and that is none of its own.
+
+    Raises
+    ------
+    Unread
+    """
+    if name.startswith("__"):
+        raise Unread(f"the name {name} is not read: it begins with two underscores")
     return f"{name}_" if keyword.iskeyword(name) else name
 
 
