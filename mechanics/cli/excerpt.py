@@ -128,8 +128,8 @@ def _on_the_command_line(
         return named[1] in arguments
     entries = {entry.partition("=")[0] for entry in arguments if not entry.startswith("-")}
     entries |= {entry.split("=")[1] for entry in arguments if re.match("--[a-z-]+=.*=", entry)}
-    named = (match[1] for kind in (NAMED, ASSIGNED) for match in kind.finditer(told))
-    names = [*_quoted(words), *named]
+    things = (match[1] for kind in (NAMED, ASSIGNED) for match in kind.finditer(told))
+    names = [*_quoted(words), *things]
     return any(name in entries and name not in own for name in names)
 
 
