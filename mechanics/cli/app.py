@@ -154,8 +154,12 @@ def main() -> None:
 
 
 def _to_add(error: Any) -> str:
-    """What to write where an argument or an option is missing."""
+    """What to write where an argument or an option is missing, or an option is not there."""
     missing = getattr(error, "param", None)
+    if getattr(error, "option_name", None) and not getattr(error, "possibilities", None):
+        # Values are often called initial, or are given by their own names.
+        taken = [name for param in error.ctx.command.params for name in param.opts]
+        return ". Values are set by --set NAME=VALUE." if "--set" in taken else ""
     if missing is None or "Missing" not in error.format_message():
         return ""
     options = [name for name in missing.opts if name.startswith("--")]

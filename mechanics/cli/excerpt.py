@@ -128,7 +128,8 @@ def _on_the_command_line(
         return named[1] in arguments
     entries = {entry.partition("=")[0] for entry in arguments if not entry.startswith("-")}
     entries |= {entry.split("=")[1] for entry in arguments if re.match("--[a-z-]+=.*=", entry)}
-    names = [*_quoted(words), *(match[1] for match in NAMED.finditer(told))]
+    things = (match[1] for kind in (NAMED, ASSIGNED) for match in kind.finditer(told))
+    names = [*_quoted(words), *things]
     return any(name in entries and name not in own for name in names)
 
 

@@ -52,6 +52,7 @@ def underlined(place: str) -> tuple[str, str]:
         ("simulate rocker --out a.txt", "a.txt"),
         ("ensemble rocker --vary theta=a:1:5 --out e", "a"),
         ("linearize rocker --at thta=2", "thta"),
+        ("simulate rocker --initial R=3", "--initial"),
         ("linearize rolling_disc --speeds u2=v/0", "0"),
         ("check rocker - --about kinetik", "kinetik"),
         ("codegen rocker --out c --fix gg=9.81", "gg"),
@@ -85,6 +86,20 @@ def test_a_slip_of_the_command_is_not_looked_for_in_the_scene(
     ran = run(*command.split())
     assert ran.code == 2
     assert underlined(ran.place) == ("", meant)
+
+
+def test_a_state_at_which_nothing_rests_is_of_the_command(tmp_path: Path) -> None:
+    words = "rocker: theta = 1 rad, f = 0 is no equilibrium: the torque on theta is M*R*g*sin(1)/2"
+    file = tmp_path / "mine.py"
+    file.write_text('"""The rocker, whose angle theta is small."""', encoding="utf-8")
+    place = excerpt(InputError(words), words, ["linearize", str(file), "--at", "theta=1"])
+    assert underlined(place)[1].startswith("theta")
+
+
+def test_values_are_set_by_set(run: Any) -> None:
+    assert (
+        "Values are set by --set NAME=VALUE." in run("simulate", "rocker", "--initial", "R=3").err
+    )
 
 
 def test_a_folder_that_holds_another_run_is_underlined(
