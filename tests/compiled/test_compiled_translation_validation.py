@@ -2,6 +2,7 @@
 
 import shutil
 from dataclasses import replace
+from math import isfinite
 
 import numpy as np
 import pytest
@@ -102,6 +103,7 @@ BODIES = [
     "y[0] = sin(x[0]) * sqrt(x[1]);",
     "y[0] = (x[0] + 1.0) - x[0];",
     "y[0] = exp(-x[1]) + tanh(x[0]);",
+    "y[0] = x[0] * x[1] / 3.0 - x[1] / 3.0 * x[0];",  # nothing, but for roundings
 ]
 
 
@@ -116,6 +118,7 @@ def test_a_binary_is_within_what_roundings_can_give(gcc: str, body: str, kind: s
     finding, measured = compare(truth(read, SYMBOLS, written(read)), binary(source, gcc, "-O2"))
     assert finding.verdict is Verdict.SUPPORTED, finding
     assert measured is not None and measured.states > 20 and measured.ulp_terms < 4
+    assert isfinite(measured.ulp)
 
 
 WRONG = [

@@ -32,7 +32,7 @@ class Measured:
     states : int
         At which values were enclosed.
     ulp : float
-        Largest error at ordinary states, in units of the last place of the result.
+        Largest error at ordinary states, in units of the last place of a result that is not 0.
     ulp_terms : float
         Largest error wherever all numbers are normal, in units of the last place of the sum of the
         magnitudes of the terms, which cancellation does not touch.
@@ -75,7 +75,7 @@ def compare(known: Truth, built: Built) -> tuple[Finding, Measured | None]:
                     return _refuted(subject, known, i, name, around, found), None
                 samples.append((around, found))
                 error = float(abs(arb(found) - exact).upper())
-                if known.given.stratum[i] == 0:
+                if known.given.stratum[i] == 0 and not exact.contains(0):
                     ulp = max(ulp, error / _last(float(exact.mid()), kind))
                 size = float(known.sizes[i, k])
                 if normal:
