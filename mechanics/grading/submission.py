@@ -17,7 +17,12 @@ from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 
-GONE = re.compile(r"<!--.*?(?:-->|\Z)|~~.*?~~", re.DOTALL)
+GONE = re.compile(
+    r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
+    r"|<(?P<struck>del|s|strike)\b[^>]*>.*?</(?P=struck)>"
+    r"|<(?P<unseen>\w+)\b[^>]*\b(?:hidden\b|display:\s*none)[^>]*>.*?</(?P=unseen)>",
+    re.DOTALL | re.MULTILINE,
+)
 """What a page in Markdown does not show, and what its author has struck out."""
 RUN = "Python is only run where that is allowed: --run-python (run_python=True)"
 
@@ -54,13 +59,20 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
         raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
     shown = (GONE.sub("", text) for kind, text in pairs if kind == "markdown")
     prose = "\n\n".join(text for text in shown if text.strip())
-    code = "\n".join(text for kind, text in pairs if kind == "code" and "def " in text)
+    code = _functions([text for kind, text in pairs if kind == "code"])
     found: list[Any] = [prose] if "=" in prose else []
     if code and (run_python or not found):
         found.append(_function(path, code, function, run_python))
     if not found:
         raise InputError(f"file {path}: no cell has an equation or a function")
     return found
+
+
+def _functions(cells: list[str]) -> str:
+    """Code of the cells that define functions, or bind their names to something else."""
+    named = "|".join({name for text in cells for name in re.findall(r"\bdef\s+(\w+)", text)})
+    bound = re.compile(rf"^(?:(?:{named})\s*=[^=]|del\s+(?:{named})\b)", re.MULTILINE)
+    return "\n".join(text for text in cells if "def " in text or (named and bound.search(text)))
 
 
 def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:

@@ -14,7 +14,7 @@ from itertools import islice
 
 from sympy import Add, Expr, Symbol, preorder_traversal
 
-from mechanics.claims.about import LETTERS, QUANTITIES
+from mechanics.claims.about import ENERGY_NAMES, LETTERS, QUANTITIES
 from mechanics.claims.convention import Table
 from mechanics.claims.demands import Demands
 from mechanics.claims.statement import NO_DEMANDS, Letter, Statement
@@ -285,6 +285,10 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
     if first in QUANTITIES and (letter.said or sum(map(len, LETTERS[letter.name])) == 1):
         # What is meant is plain, and has a value: what differs from it can be mended.
         return Settled(_first(truth, statement, first))
+    if first in QUANTITIES and not letter.said and letter.name not in ENERGY_NAMES:
+        # h is an energy in some books, r^2 phi' in others, of which the rate is judged.
+        doubt = f"{letter.name} has the unit {words(written)}, as which it means nothing: say what"
+        return Settled(replace(statement, doubt=doubt))
     needed = words(dimension_of_unit(UNITS[first], first) or ())
     message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"
     return _of_no_dimension(statement, MixedDimensions(message, words(written), needed))

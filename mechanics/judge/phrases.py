@@ -78,9 +78,13 @@ NEGATIVE = phrase(
 TURNS = phrase(r"NAMEACTS (?P<way>(?:counter|anti)-?clockwise|clockwise)\b(?! from)")
 PUSHES = phrase(r"NAMEACTS (?:to the )?(?P<way>left|right|leftwards?|rightwards?)\b")
 
-DEGREES = phrase(
-    r"NAME(?: is| are| be| being|,|:)? ?(?:measured |given |taken |expressed )?in degrees\b"
+UNIT = phrase(
+    r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
+    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:degrees|deg|grad(?:ian)?s?"
+    r"|(?:centi|milli|kilo(?!gram))\w+|[cmk]m|kN|minutes|hours|inch(?:es)?|feet|pounds)\b"
+    r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )
+"""A unit that is not the scene's."""
 FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
     r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
@@ -210,8 +214,20 @@ DENIAL = re.compile(
     r"|\b(?:wrong|incorrect|erroneous|false|mistaken) "
     r"(?:equation|result|expression|formula|answer)s?\b"
     r"|\b(?:incorrectly|wrongly|mistakenly|erroneously|falsely)\b"
-    r"|\b(?:do(?:es)?|did) not (?:hold|apply)\b|\b(?:fails? to hold|is invalid|cannot be right)\b"
+    r"|\b(?:a|the|an?other) (?:common|frequent|typical|usual) (?:mistake|error) (?:is|would be)\b"
+    r"|\bdisprov\w+|\b(?:must|has to|have to) be (?:rejected|discarded)\b"
+    r"|\bleads? to a contradiction\b|\ban? (?:sign (?:error|mistake)|mistake in)\b"
+    r"|\bup to (?:the|an?) (?:overall )?(?:sign|factor)\b|\bthe (?:negative|opposite) of(?= \$)"
+    r"|\bis not what\b|\b(?:do(?:es)?|did) not (?:hold|apply)\b"
+    r"|\b(?:fails? to hold|is invalid|cannot be right)\b"
     r"|\\text\w*\s*\{\W*(?:wrong|false|incorrect|not true)\W*\}",
     re.IGNORECASE,
 )
 """What a sentence says of its own equation."""
+BACK = re.compile(
+    r"\s*(?:(?:but|however|edit|note|sorry)\b[\s,:]*){0,3}"
+    r"(?:(?:the|all) (?:above|equation above)|this(?: (?:equation|result|answer|formula))?|that|it)"
+    r" (?=is|are|was|has|had|contains?|does|do|did|cannot|fails?|leads?|must)",
+    re.IGNORECASE,
+)
+"""How a sentence begins that speaks of what stands before it."""

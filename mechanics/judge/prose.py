@@ -20,7 +20,7 @@ from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
-from mechanics.judge.phrases import DENIAL
+from mechanics.judge.phrases import BACK, DENIAL
 from mechanics.judge.sentences import (
     Said,
     against,
@@ -68,7 +68,9 @@ def undenied(entry: Judged, statement: Statement) -> Judged:
         return entry
     ends = [0, *(m.end() for m in ENDS.finditer(written.text)), len(written.text)]
     start = max(end for end in ends if end <= written.start)
-    end = min(end for end in ends if end > written.start)
+    end, *later = [end for end in ends if end > written.start]
+    if BACK.match(written.text, end):
+        end = later[0]
     denial = DENIAL.search(written.text, start, end)
     if denial is None:
         return entry

@@ -257,7 +257,7 @@ def passed_over(about: Said, sentence: str) -> bool:
 
 READ = (
     *p.DIRECTIONS, p.HALF, p.TWICE, p.DOUBLE, p.WHOLE, p.TO_CENTRE, p.NEGATIVE, p.TURNS, p.PUSHES,
-    p.FACTOR, p.PER, p.AGAINST, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, p.DOTS, p.DEGREES,
+    p.FACTOR, p.PER, p.AGAINST, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, p.DOTS, p.UNIT,
     *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL, p.DRIVEN, p.DENIAL, p.DENOTED,
 )  # fmt: skip
 """Rows that say all that is marked in a sentence."""
@@ -269,8 +269,8 @@ def _names(about: Said, sentence: str) -> Iterator[str]:
         yield f"the text says that dots are derivatives by {bare(said['by'])}"
     for said in p.DENOTED.finditer(sentence):
         yield from _denoted(about, said)
-    for said in p.DEGREES.finditer(sentence):
-        yield f"the text says {_name(said)} in degrees"
+    for said in p.UNIT.finditer(sentence):
+        yield f"the text says {said['all'] or _name(said)} in {bare(said['unit'])}"
     held = {*about.parameters, *about.inputs}
     for pattern, some in ((p.PER, held), (p.AGAINST, about.inputs)):
         for said in pattern.finditer(sentence):

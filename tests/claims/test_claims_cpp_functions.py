@@ -42,7 +42,13 @@ def test_what_is_filled_is_returned_and_loops_are_followed() -> None:
     assert list(one(x=[3.0, 5.0])) == [4.0, 5.0]
 
 
-@pytest.mark.parametrize("body", ["while (x > 1) x -= 1; return x;", "return x.norm();"])
+@pytest.mark.parametrize(
+    "body",
+    [
+        "while (x > 1) x -= 1; return x;", "return x.norm();",
+        "double& other = x; other = -other; return x;", "int k = 2.9; return k*x;",
+    ],
+)  # fmt: skip
 def test_what_is_not_known_is_refused_by_its_line(body: str) -> None:
     with pytest.raises(Unread, match="line 2"):
         function(f"double f(double x) {{\n{body}\n}}")

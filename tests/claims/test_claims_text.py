@@ -3,11 +3,16 @@
 import re
 
 import pytest
+from sympy import Eq, Expr
+from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
+from mechanics import check
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from systems import elastic_pendulum, pendulum_chain, rolling_disc
+from systems import elastic_pendulum, pendulum_chain, rod_pendulum, rolling_disc
+
+T = dynamicsymbols._t
 
 PENDULUM = derived(elastic_pendulum.scene())
 CART = derived(pendulum_chain.scene(1))
@@ -116,3 +121,35 @@ def test_what_cannot_be_read_is_one_line_with_its_place(text: str, words: str) -
     with pytest.raises(InputError, match=re.escape(words)) as caught:
         mechanics.check(PENDULUM, text, notation="text")
     assert "\n" not in str(caught.value)
+
+
+JULIA = """function f!(dy, y, p, t)
+  theta, theta_dot = y
+  dy[1] = theta_dot
+  dy[2] = 3g/(2l)*sin(theta){}3u/(m*l^2){}
+end
+"""
+
+
+@pytest.mark.parametrize(
+    ("between", "behind", "ok"),
+    [
+        (" + ", " #= + 0 =#", True),
+        (" + ", " #= + 0 =# * 2", False),
+        (" + ", " # * 2", True),
+        (" +\n    ", "", True),
+        ("\n    + ", "", False),
+    ],
+)
+def test_a_line_of_julia_ends_where_julia_ends_it(between: str, behind: str, ok: bool) -> None:
+    text = JULIA.format(between, behind)
+    assert check(rod_pendulum.scene(), text, notation="text", blame=False).ok is ok
+
+
+@pytest.mark.parametrize("moment", [0, 2 * T, T + 1, rod_pendulum.m])
+def test_a_function_of_another_moment_is_no_coordinate(moment: Expr) -> None:
+    pendulum = rod_pendulum
+    right = pendulum.PUBLISHED[0].sides[1]
+    angle = pendulum.theta.diff(T, 2)
+    assert check(pendulum.scene(), Eq(angle, right), blame=False).ok
+    assert not check(pendulum.scene(), Eq(angle, right.subs(T, moment)), blame=False).ok

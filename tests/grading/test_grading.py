@@ -136,8 +136,24 @@ def test_no_submission_and_an_unknown_requirement_are_refused(folder: Path) -> N
 
 
 def test_what_a_notebook_does_not_show_is_not_graded(tmp_path: Path) -> None:
-    cells = [f"<!-- {SIX} -->", f"~~{SEVEN}~~", "the end = none"]
+    cells = [f"<!-- {SIX} -->", f"~~{SEVEN}~~", f"<del>{SIX}</del> <s>{SEVEN}</s>"]
+    cells += [f"<div hidden>{SIX}</div>", f'<p style="display: none">{SEVEN}</p>']
+    cells += [f"\n[//]: # ({SIX})\n", "the end = none"]
     path = tmp_path / "struck.ipynb"
     path.write_text(json.dumps({"cells": [{"cell_type": "markdown", "source": cells}]}))
     (shown,) = things_in(path)
     assert shown.strip() == "the end = none"
+
+
+@pytest.mark.parametrize("later", ["f = lambda x: 0", "del f\ndef g(x): return 0"])
+def test_a_function_that_a_later_cell_binds_again_is_the_later_one(
+    tmp_path: Path, later: str
+) -> None:
+    cells = [
+        {"cell_type": "code", "source": [text]}
+        for text in ("def f(x):\n    return 1", "f(0)", later)
+    ]
+    path = tmp_path / "again.ipynb"
+    path.write_text(json.dumps({"cells": cells}))
+    (function,) = things_in(path, run_python=True)
+    assert function(0) == 0

@@ -29,6 +29,11 @@ EQUATIONS = {
 """Right ones, by their system."""
 
 AGAINST = [
+    ("rod_pendulum", r"$l$ is measured in centimetres, everything else in SI units."),
+    ("rod_pendulum", r"with $\theta$ in $^\circ$:"),
+    ("rod_pendulum", r"Time is measured in minutes."),
+    ("rod_pendulum", r"A common mistake is"),
+    ("rod_pendulum", r"The answer is the negative of"),
     ("rod_pendulum", r"The rod is massless and carries a bob of mass $m$ at its end."),
     ("rod_pendulum", r"There is viscous damping in the pivot."),
     ("rod_pendulum", r"The rod lies on a horizontal table, so that gravity does no work."),
@@ -66,6 +71,7 @@ AGAINST = [
 AS_IT_IS = [
     ("rod_pendulum", r"Figure 3 shows the rod and its free-body diagram."),
     ("rod_pendulum", r"Hence"),
+    ("rod_pendulum", r"where $l$ is in metres, $m$ in kilograms and time in seconds,"),
     ("rod_pendulum", r"where $g$ is gravity,"),
     (
         "rod_pendulum",

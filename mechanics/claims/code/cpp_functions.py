@@ -38,6 +38,9 @@ CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
 INTEGERS = ("int", "long", "unsigned", "size_t", "short")
 
+NUMBER = re.compile(r"[-+.\deE]+[fFlL]?")
+WHOLE = re.compile(r"\{?\s*(?:\d+[uUlL]*|[\w.]+\.size\(\))\s*\}?")
+
 
 @dataclass
 class Scope:
@@ -82,6 +85,11 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         raise Unread(f"there is no function {wanted or ''} in it")
     if (wrong := first_error(root)) is not None:
         raise refuse(wrong)
+    used = {words(one) for node in nodes.values() for one in within(node, "identifier")}
+    for one in (*within(root, "preproc_def"), *within(root, "preproc_function_def")):
+        value = words(one.child_by_field_name("value") or one).strip()
+        if words(one.child_by_field_name("name")) in used and not NUMBER.fullmatch(value):
+            raise refuse(one, "a macro that is no number is not read")
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
     structs = {words(s.child_by_field_name("name")): _fields(s) for s in types}
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
@@ -254,7 +262,11 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, f"{joined(names)} = {_value(value, scope)}")
             continue
         name = _variable(declarator)
+        if declarator.type == "reference_declarator" and "const" not in words(node).split():
+            raise refuse(one, "a second name of a variable is not read")
         if kind in INTEGERS:
+            if value is not None and not WHOLE.fullmatch(words(value)):
+                raise refuse(one, "what is rounded to an integer is not read")
             scope.integers.add(name)
         target = value and _pointed(value, scope)
         if target:

@@ -28,7 +28,7 @@ from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import published
 from mechanics.scene.quantities import Identity, MassMatrix
-from mechanics.scene.symbols import entries
+from mechanics.scene.symbols import TIME, entries
 
 Sides = tuple[Any, ...]
 KINDS = (Expr, MatrixBase, Eq, *MODELS)
@@ -108,15 +108,21 @@ def _names(side: Any) -> list[Name]:
     """Every name in an expression, with the order of its derivative, in order of their names."""
     side = side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
     found = [Name(0, *_function(d)) for d in side.atoms(Derivative)]
-    found += [Name(0, f.func.__name__, 0, True) for f in side.atoms(AppliedUndef)]
+    found += [Name(0, *_function(f), True) for f in side.atoms(AppliedUndef)]
     found += [Name(0, s.name) for s in side.free_symbols if s != dynamicsymbols._t]
     return sorted(found, key=lambda name: (name.name, name.order))
 
 
-def _function(derivative: Derivative) -> tuple[str, int]:
-    base = derivative.expr
-    name = base.func.__name__ if isinstance(base, AppliedUndef) else str(base)
-    return name, sum(count for _, count in derivative.variable_count)
+def _function(entry: Expr) -> tuple[str, int]:
+    """Name and order of a function of time; what has another argument is no name of the scene's.
+
+    theta(t) is theta, theta(t + 1), theta(0) and a derivative by anything else are themselves.
+    """
+    base, by = (entry.expr, entry.variables) if isinstance(entry, Derivative) else (entry, ())
+    applied = isinstance(base, AppliedUndef)
+    if any(str(v) != TIME.name for v in (*by, *(base.args if applied else ()))):
+        return str(entry), 0
+    return base.func.__name__ if applied else str(base), len(by)
 
 
 def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
@@ -127,10 +133,8 @@ def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
     table: dict[Any, Any] = {}
     atoms = (side.atoms(Derivative), side.atoms(AppliedUndef), side.free_symbols)
     for atom in (atom for kind in atoms for atom in sorted(kind, key=str)):
-        if isinstance(atom, Derivative):
+        if isinstance(atom, Derivative | AppliedUndef):
             name, order = _function(atom)
-        elif isinstance(atom, AppliedUndef):
-            name, order = atom.func.__name__, 0
         elif atom == dynamicsymbols._t:
             continue
         else:

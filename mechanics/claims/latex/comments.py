@@ -15,7 +15,7 @@ HIDDEN = re.compile(
     r"\\begin\s*\{(?P<env>comment|verbatim\*?|lstlisting|minted|filecontents\*?)\}.*?"
     r"(?:\\end\s*\{(?P=env)\}|\Z)"
     r"|\\verb\*?(?P<mark>[^\sA-Za-z*])[^\n]*?(?P=mark)"
-    r"|\\end\s*\{document\}.*",
+    r"|\\(?:end\s*\{document\}|endinput(?![A-Za-z])).*",
     re.DOTALL,
 )
 CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")

@@ -62,8 +62,15 @@ def _together(line: re.Match[str]) -> list[int]:
     return [line.start() + i for i in commas]
 
 
-def on_one_line(text: str) -> str:
-    """The text with blanks for the ends of lines within an equation."""
+def on_one_line(text: str, code: bool = False) -> str:
+    """The text with blanks for the ends of lines within an equation.
+
+    Parameters
+    ----------
+    text : str
+    code : bool
+        Where a line that begins with a sign is one of its own, as in MATLAB and Julia.
+    """
     out = list(text)
     related = False
     held: list[int] = []  # ends of lines that lie within an equation if a relation follows
@@ -72,6 +79,8 @@ def on_one_line(text: str) -> str:
     for line in text.split("\n"):
         open_ended = before.strip() and depth == 0 and not before.rstrip().endswith(";")
         begins = BEGINS.match(line) if open_ended else None
+        if code and begins and begins["sign"] and not ENDS.search(before):
+            begins = None
         has = "=" in line
         if begins is None and not ENDS.search(before):
             held, related = [], has

@@ -11,13 +11,19 @@ import re
 from mechanics.claims.latex.bars import barred
 from mechanics.claims.text.declarations import without_declarations
 from mechanics.claims.text.line_continuation import on_one_line, sentences
+from mechanics.program.c.tokens import blanked
 
+BLOCK = re.compile(r"#=(?!=).*?=#", re.DOTALL)
+"""A comment of Julia's, behind which its line goes on."""
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.\uE002]")
 
 SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
 """A comment of Modelica or C++; elsewhere two slashes divide."""
+
+CODE = re.compile(r"^[ \t]*function\b(?![^\n]*\{[ \t]*$)", re.MULTILINE)
+"""MATLAB and Julia, where a line goes on behind a sign, not before it."""
 
 ANONYMOUS = re.compile(r"(?<==)[ \t]*@\([\w, ~]*\)")
 """The head of a function without a name."""
@@ -75,11 +81,13 @@ def prepared(text: str) -> str:
     text = GROUP.sub(lambda m: f"{m['gap']}({m['sum']})", text)
     text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
+    text = BLOCK.sub(lambda m: blanked(m[0]), text)
+    code = CODE.search(text) is not None
     for comments in (COMMENT, SLASHES):
         text = comments.sub(lambda m: " " * len(m[0]), text)
     text = OVER_TIMES.sub(lambda m: (m[1] or m[2]).ljust(len(m[0])), text)
     text = barred(without_declarations(text))
-    text = on_one_line(sentences(text))
+    text = on_one_line(sentences(text), code)
     out = list(text)
     open_brackets: list[str] = []
     for i, character in enumerate(text):
