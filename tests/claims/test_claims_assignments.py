@@ -68,8 +68,6 @@ def test_an_acceleration_is_what_it_is_at_the_end() -> None:
     "body",
     [
         "y = flipud(y); dydt = [y(1); 3*g/(2*l)*sin(y(2)) + 3*u/(m*l^2)];",
-        f"if y(1) > 0\nk = 1;\nelse\nk = 1 + u;\nend\n{RATE}",
-        f"k = 1 + u;\nif y(1) > 0\nk = 1;\nend\n{RATE}",
     ],
 )
 def test_what_uses_a_value_that_is_not_read_has_no_verdict(body: str, tmp_path: Path) -> None:
@@ -78,3 +76,15 @@ def test_what_uses_a_value_that_is_not_read_has_no_verdict(body: str, tmp_path: 
     except InputError:
         return  # nothing of it is read
     assert verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        f"if y(1) > 0\nk = 1;\nelse\nk = 1 + u;\nend\n{RATE}",
+        f"k = 1 + u;\nif y(1) > 0\nk = 1;\nend\n{RATE}",
+    ],
+)
+def test_a_branch_that_is_wrong_is_refuted(body: str, tmp_path: Path) -> None:
+    pytest.importorskip("tree_sitter_matlab")
+    assert worst(body, tmp_path) is Verdict.REFUTED

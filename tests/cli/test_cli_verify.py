@@ -312,7 +312,7 @@ NODES = [
     ('["constant", "1/2"]', '["constant", "__import__(1)"]', "no fraction in a string"),
     ('["constant", "1/2"]', '["sin", 0, 1, 2]', "3 operands, 1 expected"),
     ('"groups": {"q": [0, 1]', '"groups": {"q": [0, 999]', "no place among"),
-    ('["number", "981/100"]', '["number", "__import__(1)"]', "a number is expected"),
+    ('["constant", "981/100"]', '["constant", "__import__(1)"]', "no fraction in a string"),
     ('"positive"', '"purple"', "a name and a sign are expected"),
 ]
 
