@@ -168,7 +168,7 @@ def coordinate_picture(
         shift = view.projection.T @ view.slack.get(body.centre, np.zeros(2))
         turn = turn._replace(centre=turn.centre + shift)
         return _arc(view, paper, coordinate, turn, rod, still)
-    aside = aside_of(view, paper, coordinate, drawn) if still else aside
+    aside = aside_of(view, paper, coordinate, drawn) if aside is None else aside
     return _arrow(view, paper, coordinate, body, aside, still)
 
 
@@ -257,7 +257,7 @@ def aside_of(view: View, paper: Paper, coordinate: Symbol, drawn: Sequence[str] 
     asides = [share * ASIDE * way for way in (side, -side) for share in (1.0, 0.75, 0.5)]
     room = paper.middle - EDGE
     inside = [a for a in asides if all(np.all(abs(e + a - paper.middle) < room) for e in ends)]
-    arrow, strokes = np.linspace(*ends, SAMPLES)[:, None], places(drawn)
+    arrow, strokes = np.linspace(ends[0], ends[1], SAMPLES)[:, None], places(drawn)
     distances = [np.linalg.norm(arrow + a - strokes, axis=2).min() for a in inside]
     clear = (a for a, distance in zip(inside, distances, strict=True) if distance > CLEAR)
     widest = inside[int(np.argmax(distances))] if inside else asides[2]
