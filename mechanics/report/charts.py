@@ -139,11 +139,11 @@ def _grid(x: Axis, y: Axis) -> str:
 def _number(value: float) -> str:
     """A tick as SVG text: 2.5, 20,000, 2·10 to the power 6."""
     if not value or 1e-4 < abs(value) < 1e5:
-        text = f"{value:.10g}" if abs(value) < 1e4 else f"{value:,.0f}"
+        text, after = f"{value:.10g}" if abs(value) < 1e4 else f"{value:,.0f}", ""
     else:
         digits, exponent = f"{value:.3e}".split("e")
-        text = f"{float(digits):g}·{power(int(exponent))}"
-    return text.replace("-", "\u2212")
+        text, after = f"{float(digits):g}·", power(int(exponent))
+    return text.replace("-", "\u2212") + after
 
 
 def power(exponent: int) -> str:
