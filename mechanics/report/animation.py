@@ -13,7 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.report.coordinates import aside_of
-from mechanics.report.drawing import HEIGHT, WIDTH, directions, few_of, paper_for, picture
+from mechanics.report.drawing import (
+    HEIGHT,
+    WIDTH,
+    directions,
+    few_of,
+    paper_for,
+    picture,
+    plain_picture,
+)
 from mechanics.report.projection import View
 from mechanics.report.style import colours, drawing_rules
 from mechanics.scene import Scene
@@ -76,7 +84,8 @@ def moving_picture(
         for t in np.linspace(0, duration, count)
     ]
     paper = paper_for(views)
-    asides = [aside_of(views[0], paper, q) for q in few_of(scene)]
+    large, small = plain_picture(views[0], paper, moving=True)
+    asides = [aside_of(views[0], paper, q, [*large, *small]) for q in few_of(scene)]
     frames = [picture(view, paper, asides) for view in views]
     corner = directions(views[0], paper, [part for frame in frames for part in frame])
     moving = "".join(_moving(part, duration) for part in zip(*frames, strict=True))

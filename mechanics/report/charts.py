@@ -137,4 +137,15 @@ def _grid(x: Axis, y: Axis) -> str:
 
 
 def _number(value: float) -> str:
-    return f"{value:.4g}".replace("-", "\u2212") if value else "0"
+    """A tick as SVG text: 2.5, 20,000, 2·10 to the power 6."""
+    if not value or 1e-4 < abs(value) < 1e5:
+        text, after = f"{value:.10g}" if abs(value) < 1e4 else f"{value:,.0f}", ""
+    else:
+        digits, exponent = f"{value:.3e}".split("e")
+        text, after = f"{float(digits):g}·", power(int(exponent))
+    return text.replace("-", "\u2212") + after
+
+
+def power(exponent: int) -> str:
+    """A power of ten as SVG text."""
+    return f'10<tspan class="power" dy="-.45em">{str(exponent).replace("-", chr(0x2212))}</tspan>'

@@ -51,7 +51,8 @@ def _bodies(view: View, *few: Symbol) -> list[str]:
 
 def _marked(view: View, coordinate: Symbol) -> list[str]:
     paper = paper_for([view], (coordinate,), SIZE)
-    return [*_bodies(view, coordinate), coordinate_picture(view, paper, coordinate)]
+    bodies = _bodies(view, coordinate)
+    return [*bodies, coordinate_picture(view, paper, coordinate, bodies)]
 
 
 def _element(scene: Scene, parts: list[str], names: tuple[str, ...]) -> str:

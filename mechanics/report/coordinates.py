@@ -7,13 +7,14 @@ Which of the two a coordinate is, and where it begins, is found from poses of th
 other coordinates held.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from sympy import Symbol
 
 from mechanics.report import ink
+from mechanics.report.labels import places
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene import Body, RigidBody
@@ -33,6 +34,8 @@ ARROW = 20.0
 """Length of the arrow of a coordinate that is about zero, in pixels: it shows the sense alone."""
 ASIDE, EDGE = 44.0, 16.0
 """Pixels from a body to the arrow of a length, or less, where that stands beyond the edge."""
+CLEAR = 14.0
+"""Pixels from the arrow of a length to what is drawn."""
 AXES = 62.0
 """Length of the axes of a body that a quaternion turns, in pixels."""
 
@@ -136,7 +139,11 @@ def _axis(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 
 def coordinate_picture(
-    view: View, paper: Paper, coordinate: Symbol, aside: np.ndarray | None = None
+    view: View,
+    paper: Paper,
+    coordinate: Symbol,
+    drawn: Sequence[str] = (),
+    aside: np.ndarray | None = None,
 ) -> str:
     """The arc or arrow of a coordinate, from zero to where it is.
 
@@ -145,6 +152,8 @@ def coordinate_picture(
     view : View
     paper : Paper
     coordinate : Symbol
+    drawn : sequence of str
+        Ground and bodies: an arrow stands clear of them.
     aside : ndarray, optional
         Pixels by which an arrow stands beside its body, see `aside_of`. None in a picture that does
         not move: then what is almost zero is drawn large enough to show its sense.
@@ -159,7 +168,8 @@ def coordinate_picture(
         shift = view.projection.T @ view.slack.get(body.centre, np.zeros(2))
         turn = turn._replace(centre=turn.centre + shift)
         return _arc(view, paper, coordinate, turn, rod, still)
-    return _arrow(view, paper, coordinate, body, aside)
+    aside = aside_of(view, paper, coordinate, drawn) if aside is None else aside
+    return _arrow(view, paper, coordinate, body, aside, still)
 
 
 def _reaches(view: View, body: Body, turn: Turn) -> bool:
@@ -211,17 +221,15 @@ def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, st
 
 
 def _arrow(
-    view: View, paper: Paper, coordinate: Symbol, body: Body, aside: np.ndarray | None
+    view: View, paper: Paper, coordinate: Symbol, body: Body, aside: np.ndarray, still: bool
 ) -> str:
     end = paper.place(view.point(body.centre))
     start = paper.place(set_to(view, coordinate, 0.0).point(body.centre))
     along = unit(paper.turn(view.shift(body.centre, coordinate)))
     if not along.any():
         return ""
-    if aside is None:
-        aside = aside_of(view, paper, coordinate)
-        if np.hypot(*(end - start)) < 12:
-            end = start + ARROW * along
+    if still and np.hypot(*(end - start)) < 12:
+        end = start + ARROW * along
     start, end = start + aside, end + aside
     size = min(8.0, 0.5 * float(np.hypot(*(end - start))))
     tick = 9 * normal(along)
@@ -236,8 +244,8 @@ def _arrow(
     )
 
 
-def aside_of(view: View, paper: Paper, coordinate: Symbol) -> np.ndarray:
-    """Pixels from a body to the arrow of a coordinate, on the side that leads outwards."""
+def aside_of(view: View, paper: Paper, coordinate: Symbol, drawn: Sequence[str] = ()) -> np.ndarray:
+    """Pixels from a body to the arrow of a coordinate: outwards, but clear of what is drawn."""
     body = moved(view, coordinate)
     if body is None:
         return np.zeros(2)
@@ -246,10 +254,14 @@ def aside_of(view: View, paper: Paper, coordinate: Symbol) -> np.ndarray:
     ends = [paper.place(at.point(body.centre)) for at in (view, set_to(view, coordinate, 0.0))]
     outward = side @ (ends[0] - paper.middle)
     side = side if outward > 1 or (abs(outward) <= 1 and side[1] > 0) else -side
-    asides = [share * ASIDE * side for share in (1.0, 0.75, 0.5)]
+    asides = [share * ASIDE * way for way in (side, -side) for share in (1.0, 0.75, 0.5)]
     room = paper.middle - EDGE
-    inside = (a for a in asides if all(np.all(abs(e + a - paper.middle) < room) for e in ends))
-    return next(inside, asides[-1])
+    inside = [a for a in asides if all(np.all(abs(e + a - paper.middle) < room) for e in ends)]
+    arrow, strokes = np.linspace(ends[0], ends[1], SAMPLES)[:, None], places(drawn)
+    distances = [np.linalg.norm(arrow + a - strokes, axis=2).min() for a in inside]
+    clear = (a for a, distance in zip(inside, distances, strict=True) if distance > CLEAR)
+    widest = inside[int(np.argmax(distances))] if inside else asides[2]
+    return next(clear, widest)
 
 
 def coordinate_words(view: View, coordinate: Symbol) -> str:

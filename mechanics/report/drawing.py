@@ -7,6 +7,7 @@ point is drawn as the uniform rod, or as the ellipse, that has its inertia.
 import re
 from collections.abc import Mapping, Sequence
 from html import escape
+from itertools import pairwise
 
 import numpy as np
 from sympy import Symbol
@@ -30,7 +31,9 @@ from mechanics.scene import Body, Position, RigidBody, Scene
 from mechanics.scene.loads import Force, Gravity, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
-PUSHED = 96.0
+UNMARKED = 56.0
+"""Margin where no coordinates are marked beyond the bodies."""
+PUSHED = 100.0
 """Room for the arrow of a force beyond its point, or for a spring before it."""
 # Beyond this many bodies only the first and the last are named.
 FEW = 4
@@ -98,8 +101,9 @@ def paper_for(
     """
     scene = views[0].scene
     pushed = any(isinstance(o, Force) or is_slack_at_anchor(views[0], o) for o in scene.loads)
-    margin = PUSHED if pushed and size[0] == WIDTH else MARGIN * size[0] / WIDTH
     few = few_of(scene) if few is None else few
+    margin = PUSHED if pushed else MARGIN if few else UNMARKED
+    margin = margin if size[0] == WIDTH else MARGIN * size[0] / WIDTH
     points = [view.point(point) for view in views for point in view.loaded]
     for view in views:
         points += [corner for body in scene.bodies for corner in outline(view, body)]
@@ -137,13 +141,12 @@ def picture(view: View, paper: Paper, asides: Sequence[np.ndarray] | None = None
     """
     scene = view.scene
     named = scene.bodies if len(scene.bodies) <= FEW else (scene.bodies[0], scene.bodies[-1])
-    few = few_of(scene)
-    arrows = [
-        coordinate_picture(view, paper, q, None if asides is None else asides[k])
-        for k, q in enumerate(few)
-    ]
     moves = asides is not None
     large, small = plain_picture(view, paper, moves)
+    arrows = [
+        coordinate_picture(view, paper, q, [*large, *small], None if asides is None else asides[k])
+        for k, q in enumerate(few_of(scene))
+    ]
     return [
         *large,
         *arrows,
@@ -393,7 +396,7 @@ def _words(body: Body) -> str:
 
 def _label(view: View, paper: Paper, body: Body) -> str:
     centre = paper.place(view.point(body.centre))
-    if isinstance(body, RigidBody) and body.outlines:
+    if isinstance(body, RigidBody) and (body.outlines or _is_rod_or_oval_in_space(view, body)):
         at = _clear_corner(view, paper, body)
         return ink.text(at + 18 * unit(at - paper.middle), _words(body))
     if isinstance(body, RigidBody) and (rail(view, body) is None or len(outline(view, body)) > 1):
@@ -401,26 +404,40 @@ def _label(view: View, paper: Paper, body: Body) -> str:
         side = -sense * normal(unit(arm)) if np.hypot(*arm) > 1 else np.array([0.7, 0.7])
         anchor = "start" if side[0] > 0.3 else "end" if side[0] < -0.3 else "middle"
         driven = any(isinstance(load, Torque) and load.on == body.name for load in view.scene.loads)
-        return ink.text(centre + (44 if driven else 20) * side, _words(body), "name", anchor)
+        # The arrow of a torque is above its point.
+        away = 44 if driven and side[1] < 0.5 else 20
+        return ink.text(centre + away * side, _words(body), "name", anchor)
     if not view.scene.reactions:
         return ink.text(centre, escape(body.name))
     if trace(view, body) is not None:
         return ink.text(centre + 22 * unit(centre - paper.middle), escape(body.name))
-    # A block has its coordinate on one half of its outer side, and its name on the other.
     below = 1 if centre[1] >= paper.middle[1] - 1 else -1
+    way = rail(view, body)
+    if way is None or abs(way[0]) < abs(way[1]):
+        # A point, or a block that goes up and down, with its coordinate beside it.
+        away = 22 if way is None else 40
+        return ink.text(centre + np.array([0, away * below]), escape(body.name))
+    # Any other block has its coordinate on one half of its outer side, and its name on the other.
     return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")
 
 
 def _clear_corner(view: View, paper: Paper, body: Body) -> np.ndarray:
     """The pixel of a body's outlines that is far out, and far from those of all others."""
-    own = [paper.place(corner) for corner in outline(view, body)]
-    others = [
-        paper.place(corner)
-        for other in view.scene.bodies
-        if other is not body
-        for corner in outline(view, other)
-    ]
+    own = _edge(view, paper, body)
+    others = [p for b in view.scene.bodies if b is not body for p in _edge(view, paper, b)]
     others = others or [paper.place(view.point(body.centre))]
     apart = [min(float(np.hypot(*(at - other))) for other in others) for at in own]
     out = [float(np.hypot(*(at - paper.middle))) for at in own]
     return own[int(np.argmax(np.add(apart, out)))]
+
+
+def _edge(view: View, paper: Paper, body: Body) -> list[np.ndarray]:
+    """Pixels of a body's corners and of the middles between them."""
+    corners = [paper.place(corner) for corner in outline(view, body)]
+    return [*corners, *((one + other) / 2 for one, other in pairwise(corners))]
+
+
+def _is_rod_or_oval_in_space(view: View, body: Body) -> bool:
+    corners = np.array(outline(view, body))
+    straight = int(np.linalg.matrix_rank(corners - corners[0], tol=1e-9)) == 1
+    return not view.planar and (straight or len(corners) > 20)

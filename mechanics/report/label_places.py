@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mechanics.report.labels import LETTER, TEXT, places
+from mechanics.report.labels import TEXT, places, width
 
 HALF_HEIGHT = 8.0
 OTHERS, FAR, OUTSIDE = 12.0, 60.0, 50.0
@@ -24,6 +24,8 @@ MOST = 0.4
 
 Box = np.ndarray
 """Left, top, right, bottom, in pixels."""
+GAP = np.array([-4.0, -1.0, 4.0, 1.0])
+"""Pixels between a name and what is beside it, as a box is larger for them."""
 
 
 def apart(parts: Sequence[str], fixed: Sequence[str], size: tuple[float, float]) -> list[str]:
@@ -73,7 +75,7 @@ def apart(parts: Sequence[str], fixed: Sequence[str], size: tuple[float, float])
 def box_of(match: re.Match[str]) -> Box:
     """Where a name is, from its element."""
     x, y, anchor, content = float(match[1]), float(match[2]), match[3], match[4]
-    wide = LETTER * len(re.sub(r"<[^>]*>|&\w+;", lambda m: "" if m[0][0] == "<" else "-", content))
+    wide = width(content)
     left = x - {"start": 0.0, "middle": wide / 2, "end": wide}[anchor]
     return np.array([left, y - HALF_HEIGHT, left + wide, y + HALF_HEIGHT])
 
@@ -102,10 +104,13 @@ def _cost(
     box: Box, shift: np.ndarray, others: np.ndarray, strokes: np.ndarray, size: tuple[float, float]
 ) -> float:
     at = box + _both(shift)
-    inside = np.all((strokes > at[:2]) & (strokes < at[2:]), axis=1).sum()
+    wide = at + GAP
+    inside = np.all((strokes > wide[:2]) & (strokes < wide[2:]), axis=1).sum()
     beyond = max(0.0, -at[0], -at[1], at[2] - size[0], at[3] - size[1])
     away = float(np.hypot(*shift)) / FAR
-    return float(OTHERS * overlap(at, others) + LINES * inside + away + OUTSIDE * beyond / 100)
+    return float(
+        OTHERS * overlap(at, others + GAP) + LINES * inside + away + OUTSIDE * beyond / 100
+    )
 
 
 def overlap(box: Box, others: np.ndarray) -> float:

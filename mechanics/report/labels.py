@@ -26,6 +26,7 @@ AWAY = 15.0
 TEXT = re.compile(
     r'<text class="[\w-]+" x="(-?[\d.]+)" y="(-?[\d.]+)"[^>]*text-anchor="(\w+)">(.*?)</text>'
 )
+SUBSCRIPT = re.compile(r'font-size="72%">([^<]*)<')
 LETTER = 7.5
 """Pixels of a letter, about."""
 LEAST = 26.0
@@ -130,13 +131,20 @@ def places(parts: Sequence[str]) -> np.ndarray:
     for x, y in re.findall(r'cx="(-?[\d.]+)" cy="(-?[\d.]+)"', "".join(parts)):
         found.append(np.array([float(x), float(y)]))
     for x, y, anchor, content in TEXT.findall("".join(parts)):
-        wide = LETTER * len(re.sub(r"<[^>]*>", "", content))
+        wide = width(content)
         left = {"start": 0.0, "middle": -wide / 2, "end": -wide}[anchor]
         found += [
             np.array([float(x) + left + wide * share, float(y)])
             for share in np.linspace(0, 1, 1 + int(wide / 8))
         ]
     return np.array(found)
+
+
+def width(content: str) -> float:
+    """Pixels of a name, about; letters of a subscript are small."""
+    small = sum(map(len, SUBSCRIPT.findall(content)))
+    letters = len(re.sub(r"&\w+;", "-", re.sub(r"<[^>]*>", "", content)))
+    return LETTER * (letters - 0.28 * small)
 
 
 def _room(place: np.ndarray, obstacles: np.ndarray, at: np.ndarray) -> float:

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from html import escape
 from math import ceil, floor, log10
 
-from mechanics.report.charts import COLOURS, Axis
+from mechanics.report.charts import COLOURS, Axis, power
 from mechanics.report.notation import svg_name
-from mechanics.report.trade_plot import power
 from mechanics.trade.amplitude import Amplitude
 from mechanics.trade.dropping import ENOUGH
 

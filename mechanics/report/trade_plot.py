@@ -10,7 +10,7 @@ from html import escape
 from itertools import groupby
 from math import ceil, floor, isfinite, log10
 
-from mechanics.report.charts import Axis
+from mechanics.report.charts import Axis, power
 from mechanics.report.trade_style import STYLE
 from mechanics.trade import Measurement, Trade
 
@@ -126,11 +126,6 @@ def key(line: Curve) -> str:
         f'<line class="line {line.family}" stroke-dasharray="{line.dash}" x1="1" y1="4" x2="27"'
         ' y2="4"/></svg>'
     )
-
-
-def power(exponent: int) -> str:
-    """A power of ten as SVG text."""
-    return f'10<tspan class="power" dy="-.45em">{str(exponent).replace("-", chr(0x2212))}</tspan>'
 
 
 def _plain(m: Measurement) -> bool:

@@ -77,7 +77,7 @@ def _side(side: Side) -> list[Piece]:
             if found and not signed:
                 part = f"- {part[1:].lstrip()}" if part[0] == "-" else f"+ {part}"
             found.append(Piece(part, classes))
-    return found
+    return found or [Piece("0")]  # a sum of no terms
 
 
 def _equal(latex: str) -> Piece:
