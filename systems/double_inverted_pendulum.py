@@ -40,6 +40,20 @@ l1, l2, J1, J2 = parameters(
         "inertia of the second rod about its mass centre",
     ),
 )
+h1, h2, h3, h4, h5, h6, h7, h8 = parameters(
+    "h1 h2 h3 h4 h5 h6 h7 h8",
+    units="kg kg*m kg*m kg*m^2 kg*m^2 kg*m^2 N*m N*m",
+    meanings=(
+        "mass of cart and rods",
+        "moment of mass that the first joint carries",
+        "moment of mass of the second rod",
+        "inertia of the first rod and of the mass at its end, about its lower end",
+        "product of inertia between the rods",
+        "inertia of the second rod about its lower end",
+        "weight's moment at the first joint",
+        "weight's moment at the second joint",
+    ),
+)
 FIRST, SECOND = part(Rod(L1), mass=m1), part(Rod(L2), mass=m2)
 
 
@@ -72,7 +86,20 @@ def scene() -> Scene:
             reaction("Y2", at=joint, on="rod2", by="rod1", along=ground.y),
         ),
         inputs=(u,),
-        definitions={l1: L1 / 2, l2: L2 / 2, J1: FIRST.inertia, J2: SECOND.inertia},
+        definitions={
+            l1: L1 / 2,
+            l2: L2 / 2,
+            J1: FIRST.inertia,
+            J2: SECOND.inertia,
+            h1: m0 + m1 + m2,
+            h2: m1 * l1 + m2 * L1,
+            h3: m2 * l2,
+            h4: m1 * l1**2 + m2 * L1**2 + J1,
+            h5: m2 * l2 * L1,
+            h6: m2 * l2**2 + J2,
+            h7: (m1 * l1 + m2 * L1) * g,
+            h8: m2 * l2 * g,
+        },
         example={"theta1": 0.3, "theta2": -0.2},
     )
 
@@ -80,14 +107,6 @@ def scene() -> Scene:
 # Names of the source for what its later lines repeat, typed as it prints them.
 x_dot, w1, w2 = x.diff(), theta1.diff(), theta2.diff()
 x_ddot, a1, a2 = x_dot.diff(), w1.diff(), w2.diff()
-h1 = m0 + m1 + m2
-h2 = m1 * l1 + m2 * L1
-h3 = m2 * l2
-h4 = m1 * l1**2 + m2 * L1**2 + J1
-h5 = m2 * l2 * L1
-h6 = m2 * l2**2 + J2
-h7 = (m1 * l1 + m2 * L1) * g
-h8 = m2 * l2 * g
 half = Rational(1, 2)
 E_kin_cart = half * m0 * x_dot**2
 E_kin_p1 = half * m1 * ((x_dot + l1 * w1 * cos(theta1)) ** 2 + (l1 * w1 * sin(theta1)) ** 2)
@@ -107,6 +126,10 @@ PUBLISHED = (
         h1 * x_ddot + h2 * a1 * cos(theta1) + h3 * a2 * cos(theta2),
         h2 * w1**2 * sin(theta1) + h3 * w2**2 * sin(theta2) + u,
         label="momentum along the rail",
+        latex=(
+            r"h_1\ddot{x}+h_2\ddot{\theta}_1\cos(\theta_1)+h_3\ddot{\theta}_2\cos(\theta_2)"
+            r"= (h_2\dot{\theta}_1^{2}\sin(\theta_1) + h_3\dot{\theta}_2^{2}\sin(\theta_2) + u)"
+        ),
     ),
     published(
         "row 2",
@@ -114,6 +137,11 @@ PUBLISHED = (
         h2 * cos(theta1) * x_ddot + h4 * a1 + h5 * cos(theta1 - theta2) * a2,
         h7 * sin(theta1) - h5 * w2**2 * sin(theta1 - theta2),
         label="Lagrange's equation for the first rod",
+        latex=(
+            r"h_2\cos(\theta_1)\ddot{x} + h_4\ddot{\theta}_1"
+            r" + h_5\cos(\theta_1-\theta_2)\ddot{\theta}_2"
+            r"= (h_7\sin(\theta_1) - h_5\dot{\theta}_2^{2}\sin(\theta_1-\theta_2))"
+        ),
     ),
     published(
         "row 3",
@@ -121,6 +149,11 @@ PUBLISHED = (
         h3 * cos(theta2) * x_ddot + h5 * cos(theta1 - theta2) * a1 + h6 * a2,
         h5 * w1**2 * sin(theta1 - theta2) + h8 * sin(theta2),
         label="Lagrange's equation for the second rod",
+        latex=(
+            r"h_3\cos(\theta_2)\ddot{x} + h_5\cos(\theta_1-\theta_2)\ddot{\theta}_1"
+            r" + h_6\ddot{\theta}_2"
+            r"= (h_5\dot{\theta}_1^{2}\sin(\theta_1-\theta_2) + h_8\sin(\theta_2))"
+        ),
     ),
     published(
         "E_kin",
@@ -134,5 +167,9 @@ PUBLISHED = (
         PotentialEnergy(),
         m1 * g * l1 * cos(theta1) + m2 * g * (L1 * cos(theta1) + l2 * cos(theta2)),
         label="potential energy",
+        latex=(
+            r"E_{\text{pot.}} = m_1 g  l_1 \cos(\theta_1)"
+            r" + m_2 g (L_1 \cos(\theta_1) + l_2 \cos(\theta_2))"
+        ),
     ),
 )

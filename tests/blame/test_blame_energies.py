@@ -22,17 +22,17 @@ TruthOf = Callable[[str], Equations]
 FINE = "the equations are right, this energy is not: "
 
 EQUATIONS = """
-h1 = m0 + m1 + m2
-h2 = m1*l1 + m2*L1
-h3 = m2*l2
-h4 = m1*l1**2 + m2*L1**2 + J1
-h5 = m2*l2*L1
-h6 = m2*l2**2 + J2
-h7 = (m1*l1 + m2*L1)*g
-h8 = m2*l2*g
-h1*x_ddot + h2*theta1_ddot*cos(theta1) + h3*theta2_ddot*cos(theta2) = h2*theta1_dot**2*sin(theta1) + h3*theta2_dot**2*sin(theta2) + u
-h2*cos(theta1)*x_ddot + h4*theta1_ddot + h5*cos(theta1 - theta2)*theta2_ddot = h7*sin(theta1) - h5*theta2_dot**2*sin(theta1 - theta2)
-h3*cos(theta2)*x_ddot + h5*cos(theta1 - theta2)*theta1_ddot + h6*theta2_ddot = h5*theta1_dot**2*sin(theta1 - theta2) + h8*sin(theta2)
+c1 = m0 + m1 + m2
+c2 = m1*l1 + m2*L1
+c3 = m2*l2
+c4 = m1*l1**2 + m2*L1**2 + J1
+c5 = m2*l2*L1
+c6 = m2*l2**2 + J2
+c7 = (m1*l1 + m2*L1)*g
+c8 = m2*l2*g
+c1*x_ddot + c2*theta1_ddot*cos(theta1) + c3*theta2_ddot*cos(theta2) = c2*theta1_dot**2*sin(theta1) + c3*theta2_dot**2*sin(theta2) + u
+c2*cos(theta1)*x_ddot + c4*theta1_ddot + c5*cos(theta1 - theta2)*theta2_ddot = c7*sin(theta1) - c5*theta2_dot**2*sin(theta1 - theta2)
+c3*cos(theta2)*x_ddot + c5*cos(theta1 - theta2)*theta1_ddot + c6*theta2_ddot = c5*theta1_dot**2*sin(theta1 - theta2) + c8*sin(theta2)
 """  # noqa: E501
 ENERGY = (
     "T = m0*x_dot**2/2 + m1/2*((x_dot + l1*theta1_dot*cos(theta1))**2"
@@ -90,7 +90,7 @@ def test_equations_that_follow_from_a_wrong_energy_say_so(truth_of: TruthOf) -> 
 def test_a_right_energy_is_not_blamed_for_wrong_equations(truth_of: TruthOf) -> None:
     truth = truth_of("double_inverted_pendulum")
     right = ENERGY.replace("J2*theta1_dot", "J2*theta2_dot")
-    wrong = EQUATIONS.replace("+ h8*sin", "- h8*sin")
+    wrong = EQUATIONS.replace("+ c8*sin", "- c8*sin")
     *_, third, energy = told(truth, wrong + right)
     assert third == ("REFUTED", ("gravity reversed", UNBALANCED))
     assert energy == ("PROVED", ())
@@ -100,7 +100,7 @@ def test_a_check_looks_at_what_stands_beside(truth_of: TruthOf) -> None:
     """The energy is right, and so it is not searched; it tells of the equation all the same."""
     truth = truth_of("double_inverted_pendulum")
     right = ENERGY.replace("J2*theta1_dot", "J2*theta2_dot")
-    wrong = EQUATIONS.replace("+ h8*sin", "- h8*sin")
+    wrong = EQUATIONS.replace("+ c8*sin", "- c8*sin")
     *_, third, _ = mechanics.check(truth, wrong + right).judged
     assert third.blame is not None
     assert third.blame.explanations == ("gravity reversed", UNBALANCED)

@@ -41,11 +41,13 @@ def text(rotation: str) -> str:
 @pytest.mark.campaign
 def test_the_energy_is_blamed_and_not_the_equations(truth, edits) -> None:
     found = mechanics.check(truth("double_inverted_pendulum"), text(WRONG))
-    verdicts = {entry.statement.tag: entry.finding.verdict.name for entry in found.judged}
+    definitions, statements = found.judged[:8], found.judged[8:]
+    assert {entry.finding.verdict.name for entry in definitions} == {"PROVED"}
+    verdicts = {entry.statement.tag: entry.finding.verdict.name for entry in statements}
     assert verdicts == {
         "(1)": "PROVED", "(2)": "PROVED", "(3)": "PROVED", "(kin)": "REFUTED", "(pot)": "PROVED",
     }  # fmt: skip
-    kinetic = found.judged[3]
+    kinetic = statements[3]
     assert edits(kinetic) == [("SYMBOL", r"\dot\theta_1", r"\dot\theta_2")]
     (words,) = kinetic.blame.explanations
     assert words.startswith("the equations are right, this energy is not")
@@ -54,7 +56,7 @@ def test_the_energy_is_blamed_and_not_the_equations(truth, edits) -> None:
 
 def test_with_the_other_rotation_all_is_right(truth) -> None:
     found = mechanics.check(truth("double_inverted_pendulum"), text(RIGHT))
-    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"] * 5
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"] * (8 + 5)
 
 
 def by_lagrange(rotation) -> LagrangesMethod:

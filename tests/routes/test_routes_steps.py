@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 from linkages import slider_crank
@@ -124,6 +125,21 @@ def test_a_rate_is_shown_by_the_chain_rule_before_it_is_collected() -> None:
     assert expand(value(second.right) - by_hand) == 0
     (crossed,) = [x for x in lines if x.between]
     assert crossed.between == "v_{B,{x}} p_{y} - v_{B,{y}} p_{x}"
+
+
+@pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
+@pytest.mark.parametrize("route", ["moving_point", "kane"])
+def test_what_loads_do_is_a_product_before_it_is_multiplied_out(route, make) -> None:
+    lines = [x for step in steps_of(by_route(route, make())) for x in step.lines]
+    pairs = [
+        (one, two)
+        for one, two in pairwise(lines)
+        if isinstance(one.left, str) and one.left == two.left and "multiplied" in two.label
+    ]
+    for one, two in pairs:
+        assert expand(value(one.right) - value(two.right)) == 0
+        assert [t.source for t in one.right] == [t.source for t in two.right]
+    assert len(pairs) == (make is not two_mass_chain.scene)  # which has no moments
 
 
 @pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)

@@ -14,7 +14,7 @@ from mechanics.kinematics import chain
 from mechanics.kinematics.motion import BodyMotion, Motions, body_motions
 from mechanics.program.builder import Node
 from mechanics.program.derivatives import gradient
-from mechanics.program.vectors import Vector, add, cross, dot, scale, times
+from mechanics.program.vectors import Vector, add, cross, dot, scale, subtract, times
 from mechanics.routes.kane import unknown_reactions
 from mechanics.routes.loads import Wrench, acting_reactions, applied, by_body
 from mechanics.routes.steps.writer import (
@@ -24,6 +24,7 @@ from mechanics.routes.steps.writer import (
     arrival,
     kinematics,
     pressed_step,
+    worked_loads,
     worked_out,
 )
 
@@ -45,8 +46,10 @@ def steps(writer: Writer) -> tuple[Step, ...]:
     ]
     parts = [_active(writer, bodies, groups, speed) for speed in shown]
     active = [
-        numbers(rf"{force}_{{<<{name}>>}}", tuple(terms) or S.Zero)
-        for name, terms in zip(names, parts, strict=True)
+        worked_loads(
+            numbers, rf"{force}_{{<<{name}>>}}", _products(writer, bodies, groups, speed), terms
+        )
+        for speed, name, terms in zip(shown, names, parts, strict=True)
     ]
     against = [_inertia(writer, bodies, speed) for speed in shown]
     inertia = [
@@ -57,7 +60,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
     ends: list[tuple[str, Expr]] = []
     for k, name in enumerate(names):
         terms = (*parts[k], *against[k])
-        words = f"({active[k].number}) and ({inertia[k].number}) into {_law(force, name)}"
+        words = f"({active[k][-1].number}) and ({inertia[k].number}) into {_law(force, name)}"
         lines = worked_out(numbers, terms, words)
         rows += lines
         ends.append((lines[-1].number, Add(*(term.value for term in terms))))
@@ -78,7 +81,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         Step(
             "Generalized active forces",
             "Each load times the partial velocity of the point where it acts." + left_out,
-            tuple(active),
+            tuple(line for lines in active for line in lines),
         ),
         Step(
             "Generalized inertia forces",
@@ -141,6 +144,25 @@ def _active(
                 power = power + dot(moment, _partial(motion.turning.omega, speed))
             merged[load.name] = merged[load.name] + power if load.name in merged else power
     return [*writer.of_loads(merged)]
+
+
+def _products(
+    writer: Writer, bodies: Sequence[BodyMotion], groups: list[list[Wrench]], speed: Node
+) -> dict[str, Expr]:
+    """For each load, force times partial velocity and couple times partial angular velocity."""
+    found: dict[str, Expr] = {}
+    for motion, wrenches in zip(bodies, groups, strict=True):
+        slope = _partial(motion.centre.velocity, speed)
+        turn = _partial(motion.turning.omega, speed) if motion.turning is not None else None
+        for load in wrenches:
+            at, power = slope, Add()
+            if turn is not None:
+                at = add(slope, cross(turn, subtract(load.at, motion.centre.position)))
+                power = _times(writer.vector(load.couple), writer.vector(turn))
+            if not all(entry.is_zero for entry in load.force):
+                power += _times(writer.vector(load.force), writer.vector(at))
+            found[load.name] = found.get(load.name, Add()) + power
+    return found
 
 
 def _inertia(writer: Writer, bodies: Sequence[BodyMotion], speed: Node) -> list[Term]:

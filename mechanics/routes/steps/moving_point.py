@@ -13,7 +13,14 @@ from mechanics.program.builder import Node
 from mechanics.program.vectors import Vector, cross, dot, scale, subtract, times
 from mechanics.routes.moving_point import Balance, Candidates, Choice, candidates, choose
 from mechanics.routes.moving_point_terms import load_terms, moment_centre
-from mechanics.routes.steps.writer import Numbers, Writer, arrival, collected_from, worked_out
+from mechanics.routes.steps.writer import (
+    Numbers,
+    Writer,
+    arrival,
+    collected_from,
+    worked_loads,
+    worked_out,
+)
 
 LARGEST_SCENE = 6
 """Equations up to which every term is written out; beyond, those of one free body are."""
@@ -95,7 +102,7 @@ def _linear(
     ]
     terms = _loads(writer, found, balance)
     force = writer.letter("active")
-    lines.append(numbers(rf"\sum {force}", _side(terms)))
+    lines.append(numbers(rf"\sum {force}", _side(terms), "loads along that direction"))
     lines.append(numbers(rf"\sum {force}", rf"\dot{{{momentum}}}", "principle of linear momentum"))
     return lines, terms, [Term(-rate)]
 
@@ -148,7 +155,8 @@ def _angular(
     lines.append(numbers(cross_name, moving, between=formula if moving != 0 else ""))
     terms = _loads(writer, found, balance)
     torque = rf"\sum \tau_{{{letter}}}"
-    lines.append(numbers(torque, _side(terms), "moments of the loads"))
+    products = _products(writer, found, balance)
+    lines += worked_loads(numbers, torque, products, terms, "moments of the loads")
     law = rf"\dot{{{spin}}}_{{{letter}}} + {cross_name}"
     lines.append(numbers(torque, law, "principle of angular momentum about a moving point"))
     along = balance.principle.along
@@ -215,6 +223,19 @@ def _loads(writer: Writer, found: Candidates, balance: Balance) -> list[Term]:
         if factor != 0:
             terms.append(Term(factor * symbols[r], str(symbols[r])))
     return terms
+
+
+def _products(writer: Writer, found: Candidates, balance: Balance) -> dict[str, Expr]:
+    """For each load, its moment about the moving point as brackets of components."""
+    axis, along = balance.principle.axis, balance.principle.along
+    centre = moment_centre(found, balance)
+    moments: dict[str, Expr] = {}
+    for index in writer.mechanism.subtree(balance.principle.root):
+        for load in found.loads[index]:
+            (rest,) = writer.printer.expanded((dot(axis, load.couple) + dot(along, load.force),))
+            moment = _moment(writer, axis, (subtract(load.at, centre), load.force))
+            moments[load.name] = moments.get(load.name, Add()) + moment + rest
+    return moments
 
 
 def _side(terms: list[Term]) -> tuple[Term, ...] | Expr:

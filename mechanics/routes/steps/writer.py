@@ -204,6 +204,22 @@ def worked_out(
     return tuple(lines)
 
 
+def worked_loads(
+    numbers: Numbers,
+    left: str,
+    products: Mapping[str, Expr],
+    terms: Sequence[Term],
+    label: str = "",
+) -> list[Line]:
+    """What loads do, each as the product that a person forms, then carried out."""
+    formed = [replace(term, value=products.get(term.source, term.value)) for term in terms]
+    lines = [numbers(left, tuple(formed) or Rational(0), label)]
+    if formed != list(terms):
+        words = ("multiplied out", *_identities(multiplied_out(formed)))
+        lines.append(numbers(left, tuple(terms), "; ".join(words)))
+    return lines
+
+
 def collected_from(terms: Sequence[Term]) -> str:
     """What is said of a sum that is collected: with the identity that it takes."""
     return "; ".join(("collected", *_identities(multiplied_out(terms))))
