@@ -71,7 +71,7 @@ def _round(notation: str, folder: Path, seconds: float, tally: Tally) -> None:
     command = [
         sys.executable, "-m", "benchmarks.fuzz.target", notation, str(folder),
         str(folder / "corpus"), f"-max_total_time={seconds:.0f}", "-max_len=4096", "-timeout=600",
-        "-rss_limit_mb=0", "-print_final_stats=0", "-reload=0",
+        "-rss_limit_mb=0", "-print_final_stats=0", "-reload=0", f"-artifact_prefix={folder}/",
     ]  # fmt: skip
     done = subprocess.run(command, capture_output=True, check=False)
     tally.seconds += time.monotonic() - start

@@ -46,10 +46,8 @@ class Group:
 
     Attributes
     ----------
-    name : str
     written, right : Terms
         All its terms on either side; of a coefficient, without its acceleration.
-    origin : tuple of str
     about : Expr or None
         What the terms are the coefficient of.
     summed : bool
@@ -78,7 +76,6 @@ def differences(
 
     Parameters
     ----------
-    reference : Reference
     statement : Statement
         Refuted.
     repaired : Published, optional
@@ -167,7 +164,6 @@ def meant(reference: Reference, expression: Expr, right: Expr | None = None) -> 
 
     Parameters
     ----------
-    reference : Reference
     expression : Expr
         What is written, as a residual.
     right : Expr, optional

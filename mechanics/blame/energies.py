@@ -34,7 +34,6 @@ class WrongEnergy:
     ----------
     index : int
         Of its statement.
-    row : Published
     kinetic, potential : Expr
         How much of each is too much, in the scene's symbols.
     mixed : bool

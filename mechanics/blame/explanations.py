@@ -44,8 +44,6 @@ def explanations(
 
     Parameters
     ----------
-    reference : Reference
-    statements : sequence of Statement
     findings : sequence of Finding
         Their verdicts; only what is REFUTED is explained.
 

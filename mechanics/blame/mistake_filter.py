@@ -32,12 +32,8 @@ class Stated:
     ----------
     index : int
         Of the statement.
-    row : Published
-    residual : Expr
     factors : tuple of (Symbol, Expr)
         Of the unknowns that it holds.
-    rest : Expr
-    refuted : bool
     """
 
     index: int

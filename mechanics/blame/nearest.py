@@ -35,7 +35,6 @@ class Candidate:
 
     Attributes
     ----------
-    words : str
     pieces : tuple of (Origin, Terms)
     known : bool
         Whether the pieces are those of the derivation.
@@ -105,8 +104,6 @@ def nearest(
 
     Parameters
     ----------
-    written : Terms
-    candidates : iterable of Candidate
     moving : collection of Symbol
         Speeds, accelerations and inputs, which no factor holds.
     accelerations : collection of Symbol

@@ -39,7 +39,6 @@ class Origin:
 
     Attributes
     ----------
-    kind : Kind
     body : str
         On which the piece acts, or whose momentum it is; empty for a constraint.
     name : str

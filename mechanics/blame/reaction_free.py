@@ -21,7 +21,6 @@ def reduced_rows(view: View, tied: tuple[int, ...]) -> tuple[Row, ...]:
 
     Parameters
     ----------
-    view : View
     tied : tuple of int
         Indices of speeds that the constraints determine, as `tied_speeds` finds them.
     """

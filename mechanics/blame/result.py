@@ -30,7 +30,6 @@ class Edit:
 
     Attributes
     ----------
-    mistake : Mistake
     written : str
         What stands there, in the person's own notation; empty where a term is missing.
     right : str

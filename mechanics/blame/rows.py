@@ -67,7 +67,6 @@ class Moment:
     ----------
     about : str
         The moment centre, or what it is beside; empty for linear momentum.
-    row : Row
     carried : Expr
         BC x m a_B along the axis, a part of the row.
     """

@@ -28,7 +28,6 @@ def shortest(one: Terms, two: Terms, *, summed: bool = False) -> tuple[Expr, Exp
 
     Parameters
     ----------
-    one, two : Terms
     summed : bool
         Whether sines and cosines of sums are liked as well as those of single angles.
 

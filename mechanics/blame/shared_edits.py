@@ -23,7 +23,6 @@ def shared(
 
     Parameters
     ----------
-    reference : Reference
     statements : sequence of Statement
         Refuted.
     repairs : sequence of tuple of Repair

@@ -24,7 +24,6 @@ class View:
 
     Attributes
     ----------
-    derivation : Derivation
     in_rates : bool
         Whether in q' and q''; else in u and u'.
     """

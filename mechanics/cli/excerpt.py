@@ -54,7 +54,6 @@ def excerpt(error: BaseException, words: str, arguments: Sequence[str]) -> str:
 
     Parameters
     ----------
-    error : BaseException
     words : str
         What it says.
     arguments : sequence of str

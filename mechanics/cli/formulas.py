@@ -35,8 +35,6 @@ def formulas(
 
     Parameters
     ----------
-    entries : sequence of str
-    option : str
     symbols : mapping of str to Symbol
         Parameters, by name.
     more : bool

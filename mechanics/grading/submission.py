@@ -1,7 +1,7 @@
 """What a student hands in, as things that `check` reads.
 
     a.tex, a.txt, a.md, a.m    text        a.c, a.h    C        a.ipynb    its cells
-    a.py    its last function, or the one that is asked for, which is run
+    a.py    its last function that is no part of another, or the one that is asked for, which is run
 
 Code in Python is only run where that is allowed.
 """
@@ -9,8 +9,9 @@ Code in Python is only run where that is allowed.
 import inspect
 import json
 import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from types import FunctionType
+from types import CodeType, FunctionType
 from typing import Any
 
 from mechanics.claims.code.python_call import Unsaid
@@ -33,7 +34,7 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
     Parameters
     ----------
     function : str, optional
-        Of a Python file or notebook; its last one when not given.
+        Of a Python file or notebook; when not given, the last one that is no part of another.
     run_python : bool
         Whether code in Python may be run.
 
@@ -88,11 +89,33 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
     ]
     if not own:
         names, own = _methods(path, names)
-    chosen = function or (own[-1] if own else "")
+    chosen = function or (_last(names, own) if own else "")
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
     return names[chosen]
+
+
+def _last(names: Mapping[str, Any], own: Sequence[str]) -> str:
+    """The last function that no other one speaks of, as these are parts of it."""
+    parts = {
+        name
+        for one in own
+        if isinstance(names[one], FunctionType)
+        for name in _spoken(names[one].__code__) - {one}
+    }
+    return next((n for n in reversed(own) if n not in parts and _takes(names[n])), own[-1])
+
+
+def _spoken(code: CodeType) -> set[str]:
+    """Names of others in a function, and in those that are defined in it."""
+    inner = [_spoken(part) for part in code.co_consts if isinstance(part, CodeType)]
+    return {*code.co_names}.union(*inner)
+
+
+def _takes(thing: Any) -> bool:
+    """Whether it has an argument; a function without one is a program."""
+    return not isinstance(thing, FunctionType) or thing.__code__.co_argcount > 0
 
 
 def _placeholders(kind: type) -> dict[str, Unsaid]:

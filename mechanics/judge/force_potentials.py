@@ -3,7 +3,7 @@
     F = -k (r - l) e_r        V = k (r - l)^2 / 2        dV/dq_i = -F . dr/dq_i
 
 A scene has no potential for such a force or torque, and its energy is right without; a person's
-energy is right with it, too. A part with speeds does no part of it; what holds inputs or time has
+energy is right with it, too. Parts with speeds or inputs do no part of it; what holds time has
 none.
 """
 
@@ -57,7 +57,8 @@ def right_with_potentials(
 
 def _potentials(scene: Scene) -> Iterator[tuple[str, Expr]]:
     constants = {*scene.q, *scene.parameters}
-    rest = {plain_symbol(q, 1): S.Zero for q in scene.coordinates} | dict.fromkeys(scene.u, S.Zero)
+    rates = (plain_symbol(q, 1) for q in scene.coordinates)
+    rest = dict.fromkeys((*rates, *scene.u, *scene.input_symbols), S.Zero)
     for load in scene.loads:
         if not isinstance(load, Force | Torque):
             continue
@@ -77,7 +78,9 @@ def _arms(scene: Scene, load: Force | Torque) -> list[Matrix]:
         on, by = _turns(scene, load.on), _turns(scene, load.by)
     else:
         place = scene.position(load.at)
-        on, by = [place.diff(q) for q in scene.q], _carried(scene, load.by, place)
+        moving = [place.diff(q) for q in scene.q]
+        on = _carried(scene, load.on, place) if load.on else moving
+        by = _carried(scene, load.by, place)
     return [one - other for one, other in zip(on, by, strict=True)]
 
 

@@ -280,6 +280,11 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
     moves = any(scene.plain(side).free_symbols & moving for side in letter.sides)
     first = letter.said or (*LETTERS.get(letter.name, ((OWN,),)),)[0][0]
     constant = first == "frequency"  # of what a text calls omega
+    nothing = (
+        f"{letter.name} has the unit {words(written or ())}, as which it means nothing: say what"
+    )
+    if written is not None and not moves and {*letter.sides} & {*scene.input_symbols}:
+        return Settled(replace(statement, doubt=nothing))  # U = F: an input by another name
     if written is None or first not in UNITS or not (moves or constant):
         return Settled(statement)
     if first in QUANTITIES and (letter.said or sum(map(len, LETTERS[letter.name])) == 1):
@@ -287,8 +292,7 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
         return Settled(_first(truth, statement, first))
     if first in QUANTITIES and not letter.said and letter.name not in ENERGY_NAMES:
         # h is an energy in some books, r^2 phi' in others, of which the rate is judged.
-        doubt = f"{letter.name} has the unit {words(written)}, as which it means nothing: say what"
-        return Settled(replace(statement, doubt=doubt))
+        return Settled(replace(statement, doubt=nothing))
     needed = words(dimension_of_unit(UNITS[first], first) or ())
     message = f"{letter.name} as {_article(first)} has the unit {needed}, this has {words(written)}"
     return _of_no_dimension(statement, MixedDimensions(message, words(written), needed))

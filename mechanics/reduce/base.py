@@ -45,7 +45,6 @@ def bases(graphs: Graphs, name: str) -> Iterator[Base]:
     ----------
     graphs : Graphs
         Of the equations, no parameter fixed.
-    name : str
 
     Raises
     ------

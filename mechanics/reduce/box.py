@@ -131,7 +131,6 @@ def complete(
     ----------
     inputs : sequence of str
         What it depends on beside fixed parameters.
-    known : Quantities
     box : mapping of str to (Fraction, Fraction)
     of : str
         The output, for messages.

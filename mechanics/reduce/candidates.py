@@ -14,7 +14,6 @@ def candidates(
 
     Parameters
     ----------
-    program : Program
     speeds : collection of str
         Inputs of which products are Coriolis and centrifugal terms.
     numbers : collection of str

@@ -77,7 +77,6 @@ def deviations(of: Plan, box: Mapping[str, Interval]) -> list[Interval]:
 
     Parameters
     ----------
-    of : Plan
     box : mapping of str to Interval
         Of each input without a number: two numbers, or arrays of one entry a box.
     """

@@ -39,7 +39,6 @@ class Edit:
     ----------
     node : int
         Of the program.
-    kind : Kind
     """
 
     node: int
@@ -58,7 +57,6 @@ def values(
 
     Parameters
     ----------
-    program : Program
     domain : Domain
     inputs : mapping of str to values of the domain
     edits : mapping of int to Kind

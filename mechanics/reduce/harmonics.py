@@ -38,7 +38,6 @@ class Polynomials:
 
     Attributes
     ----------
-    program : Program
     box : mapping of str to (Fraction, Fraction)
     numbers : mapping of str to Fraction
         Inputs that have one value.

@@ -107,10 +107,8 @@ def sequence(start: Start, unit: Array, error: float, measure: Measure) -> tuple
 
     Parameters
     ----------
-    start : Start
     unit : (outputs,) array
         What is one for the deviation of each output; 0 where it must not deviate at all.
-    error : float
     measure : callable
         Of edits and a level: what no deviation is larger than, for each output, well enough to
         know whether it is beyond the level in units; infinite where that is not known.

@@ -34,7 +34,6 @@ class Enclosure:
 
     Attributes
     ----------
-    finding : Finding
     boxes : int
         Parts that were looked at.
     deviations : tuple of Interval
@@ -58,8 +57,6 @@ def bound(
 
     Parameters
     ----------
-    subject : str
-    program : Program
     box : mapping of str to (Fraction, Fraction)
         A range for every input.
     edits : mapping of int to Kind
@@ -101,12 +98,10 @@ def estimate(program: Program, box: Box, edits: Edits, unit: Array, parts: int) 
 
     Parameters
     ----------
-    program : Program
     box : mapping of str to (Fraction, Fraction)
     edits : mapping of int to Kind
     unit : (outputs,) array
         By which deviations are compared.
-    parts : int
     """
     numbers = {name: low for name, (low, high) in box.items() if low == high}
     of = plan(program, edits, numbers)

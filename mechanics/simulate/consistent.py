@@ -35,8 +35,6 @@ class Suggestion:
 
     Attributes
     ----------
-    names : tuple of str
-    values : array
     given : tuple of bool
         Whether the value was asked for, and has to be kept.
     kept : tuple of bool

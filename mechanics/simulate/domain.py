@@ -66,7 +66,6 @@ def domain(
 
     Parameters
     ----------
-    model : Model
     p : array
         Parameters in the model's order.
     inputs, parameters : mapping

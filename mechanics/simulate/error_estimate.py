@@ -73,7 +73,6 @@ def error_estimate(
 
     Parameters
     ----------
-    flow : Flow
     start : array, shape (n + m,)
     times : array, shape (N,)
         Of the samples that were asked for.

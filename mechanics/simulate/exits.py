@@ -35,10 +35,8 @@ def watched(
 
     Parameters
     ----------
-    domain : Domain
     start : float
         Time at which the first stretch begins, in s.
-    stretches : iterator of Stretch
     beyond : bool
         Whether to go on outside of the domain.
     """
@@ -113,7 +111,6 @@ def at_the_start(name: str, domain: Domain, state: Array, beyond: bool) -> tuple
     ----------
     name : str
         Of the scene.
-    domain : Domain
     state : array
         At the start.
     beyond : bool

@@ -27,7 +27,6 @@ def flow(model: Model, p: Array, signals: Signals, inputs: Mapping[str, Any]) ->
 
     Parameters
     ----------
-    model : Model
     p : array
         Parameters in the model's order.
     signals : Signals

@@ -35,8 +35,6 @@ def states_on_manifold(model: Model, count: int, seed: int) -> States:
 
     Parameters
     ----------
-    model : Model
-    count : int
     seed : int
         The same one gives the same states.
 

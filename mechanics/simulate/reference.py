@@ -94,7 +94,6 @@ def reference(problem: Problem, digits: int = 30) -> Reference:
     ----------
     problem : Problem
         Initial values, parameters and inputs are taken for the rationals that their doubles are.
-    digits : int
 
     Raises
     ------

@@ -90,7 +90,6 @@ def growth(problem: Problem, scale: Array) -> Growth:
 
     Parameters
     ----------
-    problem : Problem
     scale : array, shape (n + m,)
         Size of each entry, in which errors are measured.
     """

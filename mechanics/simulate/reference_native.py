@@ -51,10 +51,8 @@ class Recurrence:
 
     Parameters
     ----------
-    compiler : str or None
     bits : int
         P.
-    rules : Recurrences
     constants : sequence of int
         Those of the rules.
     """

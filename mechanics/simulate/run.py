@@ -51,14 +51,12 @@ class Begin:
 
     Attributes
     ----------
-    model : Model
     p : array
         Parameters in the model's order.
     inputs : mapping
         As they were given.
     signals : Signals
         Of the model's inputs.
-    moving : Flow
     state : array, shape (n + m,)
         On the constraints.
     branch : str
@@ -165,7 +163,6 @@ def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:
 
     Parameters
     ----------
-    start : Begin
     times : array, shape (N,)
         That were asked for.
     found : Samples

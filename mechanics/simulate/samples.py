@@ -63,12 +63,10 @@ def sample(
 
     Parameters
     ----------
-    flow : Flow
     start : array, shape (n + m,)
         On the constraints.
     times : array, shape (N,)
         Increasing.
-    by : Tolerance
     progress : callable, optional
         Told the share that is done, after every step.
     watch : Watching

@@ -34,7 +34,6 @@ class Crossing:
         In s.
     leaving : bool
         Whether it ceases to hold.
-    sentence : str
     """
 
     condition: str

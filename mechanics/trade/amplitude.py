@@ -39,7 +39,6 @@ class Amplitude:
 
     Attributes
     ----------
-    coordinate, unit : str
     place : str
         The equilibrium.
     limit : float
@@ -64,8 +63,6 @@ def amplitudes(case: Case, at: Equilibrium, choice: Choice) -> tuple[Amplitude, 
 
     Parameters
     ----------
-    case : Case
-    at : Equilibrium
     choice : Choice
         How to integrate, with an error well below `ENOUGH`: a fixed step, which takes no notice of
         how small a motion is.

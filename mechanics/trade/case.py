@@ -42,7 +42,6 @@ class Case:
 
     Attributes
     ----------
-    equations : Equations
     horizon : float
         In s.
     initial, parameters : mapping of str to float

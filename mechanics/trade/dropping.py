@@ -66,7 +66,6 @@ def dropped(case: Case, derive: Derive, choice: Choice) -> tuple[Dropped, ...]:
 
     Parameters
     ----------
-    case : Case
     derive : callable
         Equations of a scene, by one route.
     choice : Choice

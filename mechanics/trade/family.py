@@ -56,8 +56,6 @@ class Family:
         What errors are measured against, and what shows how far it can be trusted.
     solutions : tuple of Solution
         By these, for each state.
-    spread : float
-    seed : int
     elsewhere : callable, optional
         Errors of choices on the first so many states, by workers; without it they are computed
         here.
@@ -99,10 +97,8 @@ def family(
 
     Parameters
     ----------
-    case : Case
     scale : array, shape (n + m,)
         Largest magnitude of each entry along the motion from the start.
-    count : int
     seed : int
         Of the pseudo-random numbers.
     spread : float

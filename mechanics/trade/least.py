@@ -31,7 +31,6 @@ class Fidelity:
 
     Attributes
     ----------
-    name : str
     operations : int
         Of the right-hand side; 0 where there is no such model.
     seconds : tuple of float
@@ -57,8 +56,6 @@ class LeastModel:
     ----------
     choice : Choice
         How all of them are integrated.
-    fidelities : tuple of Fidelity
-    amplitudes : tuple of Amplitude
     notes : tuple of str
         About equilibria.
     """
@@ -76,7 +73,6 @@ def least_model(
 
     Parameters
     ----------
-    case : Case
     truth : Truth
         Of the motion from the example.
     measurements : tuple of Measurement

@@ -32,7 +32,6 @@ class Equilibrium:
 
     Attributes
     ----------
-    linear : Linear
     growth : float
         Largest real part of a pole, in 1/s; zero for poles on the imaginary axis.
     distance : float
@@ -62,7 +61,6 @@ def equilibria(
 
     Parameters
     ----------
-    equations : Equations
     parameters : mapping of str to float
         What differs from the typical values.
     near : Suggestion

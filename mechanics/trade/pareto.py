@@ -10,7 +10,6 @@ def pareto(measurements: Sequence[Measurement], alike: float = 0.0) -> tuple[int
 
     Parameters
     ----------
-    measurements : sequence of Measurement
     alike : float
         Share of an error by which a slower one has to be below it, to be more than the same.
     """

@@ -51,7 +51,6 @@ def recommend(
 
     Parameters
     ----------
-    target, horizon : float
     pick : Solved or None
         What is the cheapest.
     trained : sequence of Trained

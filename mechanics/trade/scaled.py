@@ -39,7 +39,6 @@ class Part:
         ``"damper c"``, ``"inertia of pendulum"``.
     value : Expr or None
         Its size, where that is one expression.
-    unit : str
     scene : Scene
         With the part multiplied by `share`.
     """

@@ -38,8 +38,6 @@ class Solved:
 
     Attributes
     ----------
-    trained : Trained
-    measurement : Measurement
     slope : float
         By which the logarithm of the bound grows with that of the amount.
     """
@@ -66,16 +64,12 @@ def cheapest_that_meets(
 
     Parameters
     ----------
-    case : Case
     truth : Truth
         Of the example.
     found : Survey
         What is measured is added to it.
     trained : sequence of Trained
         The ladders, on the first `few` states.
-    around : Family
-    target : float
-    few : int
     price : callable, optional
         Of a choice, infinite for one that is not wanted; by default the time on the example.
     """

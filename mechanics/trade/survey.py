@@ -55,7 +55,6 @@ class Survey:
 
     Attributes
     ----------
-    measurements : list of Measurement
     runs : dict of Choice to callable
     states : dict of Choice to array
         Of every choice at the case's times.
@@ -223,7 +222,6 @@ def near_front(
 
     Parameters
     ----------
-    measurements : sequence of Measurement
     price : callable
         Infinite for what is not wanted.
     """

@@ -43,7 +43,6 @@ class Trained:
 
     Attributes
     ----------
-    choice : Choice
     errors : array, shape (count,)
         Largest along the way, in the stated norm; infinite where a run failed.
     """

@@ -53,7 +53,6 @@ class Yardstick:
         What the reference took.
     end : tuple of str
         The state at the end in decimals, by entry.
-    truth : Truth
     norm : str
         How an error is made a number.
     """
@@ -103,7 +102,6 @@ def yardstick(case: Case, digits: int = DIGITS) -> tuple[Case, Yardstick, tuple[
 
     Parameters
     ----------
-    case : Case
     digits : int
         That the reference has at least.
 

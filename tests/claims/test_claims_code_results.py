@@ -33,11 +33,12 @@ def test_keys_of_the_state_are_what_their_values_are_the_rates_of() -> None:
     assert verdict(exchanged) is Verdict.REFUTED
 
 
-def test_code_that_ends_the_program_does_not_end_ours() -> None:
+@pytest.mark.parametrize("end", [SystemExit(0), GeneratorExit()], ids=repr)
+def test_code_that_ends_the_program_does_not_end_ours(end: BaseException) -> None:
     def leaves(theta, theta_dot, u, m, l, g):  # type: ignore[no-untyped-def]
-        raise SystemExit(0)
+        raise end
 
-    with pytest.raises(InputError, match="SystemExit"):
+    with pytest.raises(InputError, match=type(end).__name__):
         check(SCENE, leaves)
 
 

@@ -157,3 +157,10 @@ def test_a_function_that_a_later_cell_binds_again_is_the_later_one(
     path.write_text(json.dumps({"cells": cells}))
     (function,) = things_in(path, run_python=True)
     assert function(0) == 0
+
+
+def test_the_function_is_the_last_one_that_is_no_part_of_another(tmp_path: Path) -> None:
+    path = tmp_path / "parts.py"
+    path.write_text("def f(x):\n    return g(x) + 1\n\ndef g(x):\n    return 2*x\n")
+    (function,) = things_in(path, run_python=True)
+    assert function(3) == 7

@@ -55,10 +55,8 @@ class Right:
 
     Attributes
     ----------
-    derivation : Derivation
     rows : tuple
         Lagrange's equations, or all free-body equations.
-    unknowns : tuple of Symbol
     free : bool
         Whether the rows are free-body equations.
     """

@@ -29,15 +29,7 @@ MET = 0.6
 
 @dataclass(frozen=True, eq=False)
 class Added:
-    """Makes these edits.
-
-    Attributes
-    ----------
-    claim : Claim
-    problem : Problem
-    wrongs : Wrongs
-    words : Words
-    """
+    """Makes these edits."""
 
     claim: Claim
     problem: Problem

@@ -9,10 +9,6 @@ class Budget:
 
     A step is one node of a statement, looked at by one stage of the search or by one proof: about
     a millisecond.
-
-    Attributes
-    ----------
-    left : int
     """
 
     left: int

@@ -43,8 +43,6 @@ class Change:
         The node that is replaced, in its forest; of a term that is added, the sum.
     node : Node or None
         What stands there instead; None for a term or factor that is left out.
-    mistake : Mistake
-    cost : float
     at : int
         The node whose value is known with the change: `index`, or the function around it.
     values : tuple of int

@@ -28,7 +28,6 @@ class Circular:
 
     Attributes
     ----------
-    factors : tuple of Node
     values : tuple of int
         Its residue at each point.
     """

@@ -42,8 +42,6 @@ class Claim:
     ----------
     reference : Reference
         What it is compared with.
-    row : Published
-    written : Written
     entries : tuple of Node
         As many as the row compares.
     kept : frozenset of int or str
@@ -91,8 +89,6 @@ def claim_of(
 
     Parameters
     ----------
-    reference : Reference
-    statement : Statement
     put : mapping of Symbol to Expr, optional
         What stands for the person's symbols: by a convention, or as values of parameters.
 

@@ -30,7 +30,6 @@ class Piece:
     ----------
     undone : int
         A bit for each difference.
-    changes : tuple of Change
     """
 
     undone: int
@@ -50,7 +49,6 @@ class Cover:
     ----------
     left : int
         Bits of the differences that none of them undoes.
-    pieces : tuple of Piece
     """
 
     left: int

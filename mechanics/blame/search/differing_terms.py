@@ -57,7 +57,6 @@ class Wrongs:
 
     Attributes
     ----------
-    each : tuple of Wrong
     cleared : bool
         Whether sums in denominators were multiplied out.
     """

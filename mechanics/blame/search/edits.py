@@ -12,14 +12,7 @@ from mechanics.claims.tree import Node
 
 @dataclass(frozen=True, eq=False)
 class Maker:
-    """Makes edits.
-
-    Attributes
-    ----------
-    forest : Forest
-    sheets : tuple of Sheet
-    words : Words
-    """
+    """Makes edits."""
 
     forest: Forest
     sheets: tuple[Sheet, ...]

@@ -47,7 +47,6 @@ class Option:
     ----------
     size : int
         Number of wrongs.
-    pieces : list of Piece
     found : list of tuple of Change
         Sets of edits that undo every wrong one at a time, the cheapest first.
     """
@@ -63,7 +62,6 @@ class Several:
 
     Attributes
     ----------
-    growth : Growth
     changes : sequence of Change
         Single edits.
     """

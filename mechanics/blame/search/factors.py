@@ -35,7 +35,6 @@ class Factor:
 
     Attributes
     ----------
-    nodes : tuple of Node
     inverse : dict
         Residues of one over the product.
     """
@@ -54,7 +53,6 @@ def factors(grown: Grown, words: Words, following: set[Symbol]) -> tuple[Factor,
     Parameters
     ----------
     grown : mapping of Symbol or None to Problem
-    words : Words
     following : set of Symbol
         What cannot be doubled.
     """

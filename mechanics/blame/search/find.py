@@ -33,13 +33,7 @@ EQUALLY = 0.45
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """Edits that together make an equality hold.
-
-    Attributes
-    ----------
-    problem : Problem
-    changes : tuple of Change
-    """
+    """Edits that together make an equality hold."""
 
     problem: Problem
     changes: tuple[Change, ...]

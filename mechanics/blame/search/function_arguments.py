@@ -81,13 +81,7 @@ def valued(make: Maker, edits: Iterable[tuple[int, Inner]]) -> Iterator[Change]:
 
 @dataclass(frozen=True)
 class Inside:
-    """Edits of what a function is taken of.
-
-    Attributes
-    ----------
-    forest : Forest
-    words : Words
-    """
+    """Edits of what a function is taken of."""
 
     forest: Forest
     words: Words

@@ -23,14 +23,7 @@ MOST_EXPONENT = 4
 
 @dataclass(frozen=True, eq=False)
 class Growth:
-    """How a problem grows with every quantity.
-
-    Attributes
-    ----------
-    claim : Claim
-    problem : Problem
-    words : Words
-    """
+    """How a problem grows with every quantity."""
 
     claim: Claim
     problem: Problem

@@ -19,13 +19,7 @@ from mechanics.claims.tree import Call, Node, Number, Power, Product
 
 @dataclass(frozen=True, eq=False)
 class Inserted:
-    """Makes these edits.
-
-    Attributes
-    ----------
-    make : Maker
-    circular : tuple of Circular
-    """
+    """Makes these edits."""
 
     make: Maker
     circular: tuple[Circular, ...]

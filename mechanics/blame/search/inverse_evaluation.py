@@ -32,13 +32,10 @@ class Sheet:
 
     Attributes
     ----------
-    forest : Forest
-    point : Point
     builder : Builder
         Makes expressions of nodes.
     target : int
         What the root has to be.
-    has : list of int
     needs : list of int or None
         None where that is not known, as inside of functions.
     squares : dict of int to int

@@ -38,10 +38,8 @@ class Pieces:
 
     Attributes
     ----------
-    problem : Problem
     steps : sequence of (Change, sequence of int)
         Single edits, none of which is enough, and what they add to the residual.
-    wrongs : Wrongs
     """
 
     problem: Problem

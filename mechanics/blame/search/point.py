@@ -129,12 +129,7 @@ class Point:
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """The points of one derivation, each made when it is first asked for.
-
-    Attributes
-    ----------
-    truth : Equations
-    """
+    """The points of one derivation, each made when it is first asked for."""
 
     truth: Equations
     _motions: dict[tuple[bool, bool, bool], Motion] = field(default_factory=dict)

@@ -41,15 +41,10 @@ class Forest:
 
     Attributes
     ----------
-    definitions : mapping of str to Node
     kept : frozenset of int or str
         Entries and definitions that are not edited.
-    nodes : list of Node
     parent : list of int
         -1 for the root.
-    kids : list of list of int
-    place : list of Place
-    copies : dict of Place to list of int
     rates : list of int
         How often a node is differentiated: that of the derivative around it, through sums only.
         Deeper inside 0: there a node alone tells nothing.

@@ -46,12 +46,7 @@ MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")
 
 @dataclass(frozen=True, eq=False)
 class Tokens:
-    """Makes these edits.
-
-    Attributes
-    ----------
-    make : Maker
-    """
+    """Makes these edits."""
 
     make: Maker
 

@@ -31,7 +31,6 @@ class Word:
 
     Attributes
     ----------
-    symbol : Symbol
     name : Name
         As the person writes it.
     values : tuple of int
@@ -52,9 +51,6 @@ class Words:
 
     Attributes
     ----------
-    truth : Equations
-    written : Written
-    sheets : sequence of Sheet
     held : iterable of Symbol
         Symbols that were written, which come first.
     """

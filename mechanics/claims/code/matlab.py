@@ -373,8 +373,10 @@ def _list(node: Any, scope: Scope) -> str:
 
 
 def _indices(call: Any, name: str, scope: Scope) -> list[str]:
-    (arguments,) = (c for c in call.children if c.type == "arguments")
-    parts = named(arguments)
+    arguments = [c for c in call.children if c.type == "arguments"]
+    if not arguments:
+        raise refuse(call)
+    parts = named(arguments[0])
     found = []
     for axis, part in enumerate(parts):
         if part.type == "spread_operator" or words(part) == ":":

@@ -246,7 +246,7 @@ def _returned(
             warnings.simplefilter("ignore")
             found = [np.asarray(part, dtype=float) for part in parts_of(function(**arguments))]
         numbers = [float(number) for part in found for number in part.flat]
-    except (Exception, SystemExit) as error:
+    except (Exception, SystemExit, GeneratorExit) as error:
         raise _Failed(error) from error
     if not all(isfinite(number) for number in numbers):
         raise _Failed(ArithmeticError("what it returns is not finite"))

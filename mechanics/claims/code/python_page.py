@@ -99,7 +99,12 @@ class Page:
         text = "\n".join(self.lines) + "\n"
         linecache.cache[origin] = (len(text), None, text.splitlines(keepends=True), origin)
         space = {"np": np, "__name__": "code", "__builtins__": BUILTINS, **names}
-        exec(compile(ast.parse(text, origin), origin, "exec"), space)
+        try:
+            parsed = ast.parse(text, origin)
+        except SyntaxError as error:
+            what = (error.text or "").strip()
+            raise Unread(f"line {error.lineno}: {what!r} is not read") from None
+        exec(compile(parsed, origin, "exec"), space)
         return space
 
 

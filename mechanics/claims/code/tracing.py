@@ -195,7 +195,7 @@ def _called(
             explorer.failure = RAISED if _raises(error) else ERROR
             return None
         raise InputError(f"{title}{_where(origin, error, given)}") from None
-    except (Exception, SystemExit) as error:
+    except (Exception, SystemExit, GeneratorExit) as error:
         raise InputError(f"{title} cannot be traced{_where(origin, error, given)}") from None
     explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))

@@ -39,7 +39,6 @@ class Folder:
 
     Attributes
     ----------
-    path : Path
     part : int
         Motions in a part.
     done : frozenset of int
@@ -64,7 +63,6 @@ def opened(path: Path, about: Mapping[str, Any]) -> Iterator[Folder]:
 
     Parameters
     ----------
-    path : Path
     about : mapping
         What is computed, as JSON has it, and the motions in a part.
 

@@ -32,7 +32,6 @@ class Lanes:
 
     Parameters
     ----------
-    program : Program
     inputs : mapping of str to str
         What each input is in C.
     prefix : str

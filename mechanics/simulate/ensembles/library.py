@@ -35,7 +35,6 @@ class Library:
         y' from the state and from what is held.
     moving : int
         Entries of the state whose errors count: the first ones.
-    compiler : str
     source : callable
         Of the function, to C text that follows the arithmetic of lanes.
     loaded : callable
@@ -78,7 +77,6 @@ class Library:
         per_motion : arrays with one row a motion, contiguous
         call : callable
             Of the C function, the number of motions, addresses of their rows, and of memory.
-        threads : int
         """
         count = len(per_motion[0])
         bounds = np.linspace(0, count, threads + 1).astype(int).tolist()

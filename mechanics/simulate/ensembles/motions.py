@@ -38,7 +38,6 @@ class Motions:
 
     Attributes
     ----------
-    model : Model
     start : array, shape (batch, n + m)
         (q, u) at t = 0; on the constraints.
     inputs : array, shape (batch, k)

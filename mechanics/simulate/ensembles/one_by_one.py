@@ -28,7 +28,6 @@ def one_by_one(motions: Motions, method: Method) -> Run:
 
     Parameters
     ----------
-    motions : Motions
     method : Method
         All adaptive ones are DOP853, whose steps are counted with those that were refused; its
         `by` is the tolerance.

@@ -32,7 +32,6 @@ def spread(executor: Executor, task: Task, start: Array, held: Array) -> Found:
     Parameters
     ----------
     executor : concurrent.futures.Executor
-    task : Task
     start, held : arrays, shapes (batch, size) and (batch, k)
     """
     text, count = to_text(task), len(start)

@@ -110,12 +110,10 @@ def integrated(
     ----------
     library : Library
         Of the method.
-    method : Method
     start, held : arrays, shapes (batch, size) and (batch, k)
         Contiguous.
     times : array, shape (N,)
         Increasing from 0.
-    threads : int
     """
     solve = _fixed if method.name in FIXED else _adaptive
     return solve(library, method, start, held, times, threads)

@@ -30,7 +30,6 @@ def task_of(model: Model, method: Method, times: Array) -> Task:
 
     Parameters
     ----------
-    model : Model
     method : Method
         Its name may be ``"auto"``; its `by` is the tolerance, or the step.
     times : array, shape (N,)

@@ -41,7 +41,6 @@ class Task(NamedTuple):
         The right-hand side.
     moving : int
         Entries of its state that are coordinates and speeds: all, or all but the time.
-    method : Method
     times : array, shape (N,)
         In s.
     """

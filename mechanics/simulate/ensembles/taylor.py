@@ -37,10 +37,6 @@ def order(share: float) -> int:
 def taylor_source(of: Held) -> str:
     """C text with everything that a block of lanes needs.
 
-    Parameters
-    ----------
-    of : Held
-
     Raises
     ------
     ExpressionError

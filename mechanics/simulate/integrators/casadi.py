@@ -32,7 +32,6 @@ class Plugin:
     ----------
     name : str
         Of the member.
-    family : str
     plugin : str
         What CasADi calls it.
     options : mapping
@@ -144,8 +143,6 @@ def _unsolved(both: ca.Function, problem: Problem, steps: int) -> str:
     ----------
     both : ca.Function
         The solver, with the integrals of the rates as quadratures.
-    problem : Problem
-    steps : int
     """
     found = both(x0=problem.start, p=problem.p)
     states, slopes = np.array(found["xf"]), np.array(found["qf"])

@@ -34,7 +34,6 @@ class Span:
     ----------
     begin : float
         Where the first one begins, in s.
-    count : int
     step : float
         Length of each, in s.
     rest : float

@@ -15,7 +15,6 @@ class Rate:
 
     Parameters
     ----------
-    problem : Problem
     kind : numpy.float64 or numpy.float32
         The precision of the compiled right-hand side.
 
