@@ -3,7 +3,6 @@
 import inspect
 import re
 from collections.abc import Mapping
-from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -12,7 +11,7 @@ import casadi
 from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
-from mechanics.claims.code.c_plus_plus import SUFFIXES
+from mechanics.claims.code.cpp_functions import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import read_cpp, read_matlab, with_code
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
@@ -79,10 +78,8 @@ def read(
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
-            plain = partial(read_c, scene, text, function, names, about, origin)
-            if thing.suffix not in SUFFIXES:
-                return plain()
-            return with_code(plain, partial(read_cpp, scene, text, function, names, about, origin))
+            reader = read_cpp if thing.suffix in SUFFIXES else read_c
+            return reader(scene, text, function, names, about, origin)
         options = {"names": names, "notation": notation, "about": about}
         if thing.suffix == ".m" and notation is None:
             return with_code(

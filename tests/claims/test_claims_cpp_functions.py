@@ -6,8 +6,6 @@ import pytest
 from mechanics.claims.code.cpp_functions import in_python
 from mechanics.claims.code.python_page import Unread
 
-pytest.importorskip("tree_sitter_cpp")
-
 
 def function(text: str):
     (one,) = in_python(text, "page.cpp", None)
@@ -52,3 +50,29 @@ def test_what_is_filled_is_returned_and_loops_are_followed() -> None:
 def test_what_is_not_known_is_refused_by_its_line(body: str) -> None:
     with pytest.raises(Unread, match="line 2"):
         function(f"double f(double x) {{\n{body}\n}}")
+
+
+def test_a_method_is_called_with_the_members_that_it_reads() -> None:
+    one = function(
+        "struct Cart { double a(double u) const { return u/mass(2); }\n"
+        "  double mass(int n) const { return n*m; } double m = 1.0; };"
+    )
+    assert one(u=6.0, m=3.0) == 1.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "double f(double x) { return f(x); }",
+        "double f(double x) { return x; }\ndouble f(float x) { return 2*x; }",
+        "double sin(double x) { return x; }\ndouble f(double x) { return sin(x); }",
+        "double g(double m) { return k*m; }\ndouble f(double k) { return g(k); }",
+        "double h(double x) { double c = 1; return c*x; }\n"
+        "double f(double x) { double c = 2; return c*h(x); }",
+        "double half(int n) { return n*0.5; }\ndouble f(double x) { return half(2.9)*x; }",
+        "#ifdef FAST\n#define K 2\n#else\n#define K 3\n#endif\ndouble f(double x) { return K*x; }",
+    ],
+)
+def test_what_means_two_things_is_refused(text: str) -> None:
+    with pytest.raises(Unread):
+        function(text)

@@ -9,9 +9,6 @@ import mechanics
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
 
-pytest.importorskip("tree_sitter_matlab")
-
-
 MASSES = """
 function run
 m1 = 1; k1 = 2;

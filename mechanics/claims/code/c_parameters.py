@@ -8,8 +8,8 @@ but for capitals is that parameter, where the scene has no other.
 """
 
 import re
+from collections.abc import Sequence
 
-from mechanics.claims.code.c_plus_plus import with_variables_passed
 from mechanics.claims.names import Vocabulary
 from mechanics.program.c.tokens import blanked
 
@@ -22,7 +22,7 @@ ONE = rf"(\w+)\s*=\s*({NUMBER})"
 DECLARED = re.compile(
     rf"\b(?:(?:static|const)\s+)*(?:double|float)\s+(?:const\s+)?({ONE}(?:\s*,\s*{ONE})*)\s*;"
 )
-FUNCTION = re.compile(r"\b(?:double|float|void|int)\s+\w+\s*\([^(){};]*\)\s*\{")
+HEAD = re.compile(r"\b(double|float|void|int)\s+(\w+)\s*\(([^(){};]*)\)\s*\{")
 
 
 def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, ...]]:
@@ -33,7 +33,7 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, 
     text : str
     vocabulary : Vocabulary
     """
-    if not FUNCTION.search(text):
+    if not HEAD.search(text):
         return text, ()
     notes: dict[str, str] = {}
 
@@ -49,7 +49,30 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, 
     found = DECLARED.sub(lambda m: passed(m, re.findall(ONE, m[1])), found)
     if not notes:
         return text, ()
-    return with_variables_passed(found, list(notes)), tuple(notes.values())
+    return _passed(found, list(notes)), tuple(notes.values())
+
+
+def _passed(text: str, names: Sequence[str]) -> str:
+    """Functions that read variables without a value, with these as arguments."""
+    own = ", ".join(f"double {name}" for name in names)
+    calls = [
+        re.compile(rf"\b{m[2]}\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)") for m in HEAD.finditer(text)
+    ]
+    pieces, at = [], 0
+    for match in HEAD.finditer(text):
+        arguments = ", ".join(filter(None, (match[3].strip(), own)))
+        pieces += [_called(text[at : match.start()], calls, names)]
+        pieces += [f"{match[1]} {match[2]}({arguments}) {{"]
+        at = match.end()
+    return "".join((*pieces, _called(text[at:], calls, names)))
+
+
+def _called(text: str, functions: list[re.Pattern[str]], names: Sequence[str]) -> str:
+    """Calls of functions of the file with these names passed on."""
+    passed = ", ".join(names)
+    for function in functions:
+        text = function.sub(lambda m: f"{m[0][:-1]}{', ' if m[1].strip() else ''}{passed})", text)
+    return text
 
 
 def _parameter(name: str, vocabulary: Vocabulary) -> str:

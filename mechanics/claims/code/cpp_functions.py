@@ -9,7 +9,7 @@ order, and Eigen's q(1) an entry.
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from mechanics.claims.code import array_language
@@ -38,7 +38,8 @@ CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
 INTEGERS = ("int", "long", "unsigned", "size_t", "short")
 
-NUMBER = re.compile(r"[-+.\deE]+[fFlL]?")
+SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
 WHOLE = re.compile(r"\{?\s*(?:\d+[uUlL]*|[\w.]+\.size\(\))\s*\}?")
 
 
@@ -51,18 +52,28 @@ class Scope:
     arguments : list of str
     fields : dict of str to list of str
         Of arguments that are structs.
+    functions : dict of str to node
+    printed : dict of str to Scope
+        Of functions that it may call.
+    references : set of str
+        Numbers that it writes where its caller says.
     """
 
     arguments: list[str]
     fields: dict[str, list[str]]
-    functions: set[str]
+    functions: dict[str, Any]
+    printed: dict[str, "Scope"]
     constants: dict[str, str] = field(default_factory=dict)
     locals: set[str] = field(default_factory=set)
     integers: set[str] = field(default_factory=set)
     aliases: dict[str, str] = field(default_factory=dict)
     filled: dict[str, None] = field(default_factory=dict)
     free: dict[str, None] = field(default_factory=dict)
+    references: set[str] = field(default_factory=set)
+    shapes: dict[str, int] = field(default_factory=dict)
+    outputs: list[str] = field(default_factory=list)
     returns: bool = True
+    numbers: bool = False
 
 
 def _language() -> object:
@@ -80,33 +91,145 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         For what is not read, by line and column.
     """
     root = tree(_language, text, "tree-sitter-cpp")
-    nodes = {_title(node): node for node in within(root, "function_definition")}
-    if not nodes or (wanted and wanted not in nodes):
-        raise Unread(f"there is no function {wanted or ''} in it")
     if (wrong := first_error(root)) is not None:
         raise refuse(wrong)
-    used = {words(one) for node in nodes.values() for one in within(node, "identifier")}
-    for one in (*within(root, "preproc_def"), *within(root, "preproc_function_def")):
-        value = words(one.child_by_field_name("value") or one).strip()
-        if words(one.child_by_field_name("name")) in used and not NUMBER.fullmatch(value):
-            raise refuse(one, "a macro that is no number is not read")
+    nodes = _functions(root)
+    if not nodes or (wanted and wanted not in nodes):
+        raise Unread(f"there is no function {wanted or ''} in it")
+    _refuse_conditions(root)
+    constants, integers = _numbers(root, nodes)
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
-    structs = {words(s.child_by_field_name("name")): _fields(s) for s in types}
+    structs = {words(s.child_by_field_name("name")): s for s in types}
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     called = {other for others in calls.values() for other in others}
     chosen = [wanted] if wanted else [n for n in nodes if n not in called]
-    if called:
-        raise refuse(nodes[min(called)], "functions that call each other are not read")
-    page, constants = Page(), dict[str, str]()
-    for name in (n for n in nodes if n in chosen):
-        scope = _scope(nodes[name], structs, {*nodes})
-        _function(page, nodes[name], name, scope)
-        constants |= scope.constants
-    for name, value in constants.items():
-        page.put(0, 0, f"{name} = {value}")
+    scopes: dict[str, Scope] = {}
+    bodies: dict[str, Page] = {}
+    for name in _callees_first(chosen, calls, nodes):
+        scope = _scope(nodes[name], structs, nodes, scopes)
+        scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
+        bodies[name] = Page()
+        for one in named(nodes[name].child_by_field_name("body")):
+            _statement(bodies[name], one, 1, scope)
+        scopes[name] = scope
+    page = Page()
+    for name in (n for n in nodes if n in bodies):
+        _function(page, nodes[name], name, scopes[name], bodies[name], name in chosen)
+    page.constants({n: s.constants for n, s in scopes.items()} or {"": constants})
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
     return tuple(space[name] for name in chosen)
+
+
+def _functions(root: Any) -> dict[str, Any]:
+    """Functions by their names, without those that only make objects.
+
+    Raises
+    ------
+    Unread
+        For two of one name, and for one of the library's.
+    """
+    nodes: dict[str, Any] = {}
+    for node in within(root, "function_definition"):
+        if node.child_by_field_name("type") is None:
+            continue
+        name = _title(node)
+        if name in nodes or name in LIBRARY or name == "pow":
+            raise refuse(node, f"{name} is the name of two functions: rename it")
+        nodes[name] = node
+    return nodes
+
+
+def _refuse_conditions(root: Any) -> None:
+    """Refuse what is compiled in some places only, but a guard, a default and C's linkage."""
+    for node in within(root, "preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif"):
+        name = node.child_by_field_name("name")
+        inside = [one for one in named(node) if one != name]
+        first = inside[0] if inside else None
+        guard = (
+            node.type == "preproc_ifdef" and first is not None
+            and first.type == "preproc_def"
+            and words(first.child_by_field_name("name")) == words(name)
+        )  # fmt: skip
+        if not guard and (name is None or words(name) != "__cplusplus"):
+            raise refuse(node, "what is compiled depends on a condition: write one branch")
+
+
+def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]]:
+    """Macros and constants of the file and of its classes, and which of them are integers.
+
+    Members that are no constants are arguments: a value that objects begin with is none of theirs.
+    """
+    constants: dict[str, str] = {}
+    integers: set[str] = set()
+    used = {words(one) for node in nodes.values() for one in within(node, "identifier")}
+    for one in within(root, "preproc_def", "preproc_function_def"):
+        name = words(one.child_by_field_name("name"))
+        body = one.child_by_field_name("value")
+        number = words(body).partition("//")[0].partition("/*")[0].strip() if body else ""
+        number = number[1:-1].strip() if number[:1] == "(" and number[-1:] == ")" else number
+        if name not in used:
+            continue
+        if not NUMBER.fullmatch(number) or name in constants:
+            raise refuse(one, "a macro that is no number is not read")
+        constants[safe(name)] = number.rstrip("fFlLuU")
+        integers |= {safe(name)} if WHOLE.fullmatch(number) else set()
+    scope = Scope([], {}, {}, {}, constants=constants)
+    for node in within(root, "declaration", "field_declaration"):
+        fixed = {"const", "constexpr"} & {*words(node).split()}
+        if _owner(node) if node.type == "declaration" else not fixed:
+            continue
+        kind = words(node.child_by_field_name("type"))
+        values = node.children_by_field_name("default_value")
+        for declarator in node.children_by_field_name("declarator"):
+            value = declarator.child_by_field_name("value") or (values[0] if values else None)
+            if value is None or len(values) > 1:
+                continue
+            parts = named(value) if value.type == "initializer_list" else [value]
+            if len(parts) != 1 or within(declarator, "array_declarator", "function_declarator"):
+                raise refuse(node)
+            name = safe(words(within(declarator, "identifier", "field_identifier")[0]))
+            if name in constants:
+                raise refuse(node, f"{name} is the name of two numbers: rename one")
+            constants[name] = _value(parts[0], replace(scope, numbers=True, integers=integers))
+            whole = kind in INTEGERS or (kind == "auto" and _whole(parts[0], scope))
+            integers |= {name} if whole else set()
+    if unknown := scope.free:
+        raise refuse(root, f"{', '.join(unknown)}: nothing gives it a value")
+    return constants, integers
+
+
+def _owner(node: Any) -> Any:
+    """The function that a declaration stands in; None for one of the file."""
+    while node is not None and node.type not in ("function_definition", "lambda_expression"):
+        node = node.parent
+    return node
+
+
+def _callees_first(
+    chosen: list[str], calls: dict[str, set[str]], nodes: dict[str, Any]
+) -> list[str]:
+    """The functions that are wanted and those that they call, each behind what it calls.
+
+    Raises
+    ------
+    Unread
+        For one that calls itself.
+    """
+    order: list[str] = []
+
+    def visit(name: str, above: tuple[str, ...]) -> None:
+        if name in above:
+            raise refuse(nodes[name], f"{name} calls itself")
+        for other in sorted(calls[name]):
+            if other not in order:
+                visit(other, (*above, name))
+        if name not in order:
+            order.append(name)
+
+    for name in chosen or list(nodes):
+        visit(name, ())
+    return order
 
 
 def _declarator(node: Any) -> Any:
@@ -124,13 +247,22 @@ def _title(node: Any) -> str:
 
 
 def _fields(struct: Any) -> list[str]:
+    for one in within(struct, "field_declaration"):
+        if words(one.child_by_field_name("type")) in INTEGERS:
+            raise refuse(one, "integers of a struct are not read")
     return [safe(words(one)) for one in within(struct, "field_identifier")]
 
 
 def _calls(node: Any, functions: dict[str, Any]) -> set[str]:
-    names = {words(one).split("::")[-1] for call in within(node, "call_expression")
-             for one in [call.child_by_field_name("function")]}  # fmt: skip
-    return {name for name in names if name in functions and name != _title(node)}
+    heads = (call.child_by_field_name("function") for call in within(node, "call_expression"))
+    declared = (one.child_by_field_name("declarator") for one in within(node, "declaration"))
+    arrays = {words(name) for one in declared for name in within(one, "identifier")[:1]}
+    return {name for head in heads if (name := _called(head)) in functions and name not in arrays}
+
+
+def _called(head: Any) -> str:
+    """f, this->f and Cart::f as the name of a function."""
+    return re.split(r"::|this->", words(head))[-1]
 
 
 def _variable(declarator: Any) -> str:
@@ -141,11 +273,13 @@ def _variable(declarator: Any) -> str:
     return safe(words(found[0]))
 
 
-def _scope(node: Any, structs: dict[str, list[str]], functions: set[str]) -> Scope:
+def _scope(
+    node: Any, structs: dict[str, Any], functions: dict[str, Any], printed: dict[str, Scope]
+) -> Scope:
     parameters = _declarator(node).child_by_field_name("parameters")
     arguments: list[str] = []
     fields: dict[str, list[str]] = {}
-    outputs = []
+    outputs, references, integers = [], set(), set()
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
@@ -153,18 +287,24 @@ def _scope(node: Any, structs: dict[str, list[str]], functions: set[str]) -> Sco
         arguments.append(_variable(declarator))
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
-            fields[arguments[-1]] = structs[kind]
+            fields[arguments[-1]] = _fields(structs[kind])
+        if kind in INTEGERS:
+            integers.add(arguments[-1])
         if "const" not in words(one).split() and declarator.type != "identifier":
             outputs.append(arguments[-1])
-    scope = Scope(arguments, fields, functions)
+            if declarator.type == "reference_declarator" and kind in ("double", "float"):
+                references.add(arguments[-1])
+    scope = Scope(arguments, fields, functions, printed)
+    scope.references, scope.integers = references, integers
     kind = words(node.child_by_field_name("type") or node)
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
-    }
+    } | {_root(one) for one in within(node, "update_expression")}
     scope.locals = changed - {*arguments}
     if kind in ("void", "int"):
         scope.returns = False
-        scope.filled = dict.fromkeys(o for o in outputs if o in changed)
+        scope.outputs = [o for o in outputs if o in changed]
+        scope.filled = dict.fromkeys(scope.outputs)
         scope.arguments = [a for a in arguments if a not in scope.filled]
         scope.locals |= scope.filled.keys()
     return scope
@@ -174,12 +314,11 @@ def _root(target: Any) -> str:
     return safe(words(within(target, "identifier")[0])) if within(target, "identifier") else ""
 
 
-def _function(page: Page, node: Any, name: str, scope: Scope) -> None:
-    body = Page()
-    for one in named(node.child_by_field_name("body")):
-        _statement(body, one, 1, scope)
+def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: bool) -> None:
     used = {safe(words(one)) for one in within(node.child_by_field_name("body"), "identifier")}
-    given = [a for a in scope.arguments if a in used]
+    if not main and not scope.returns:
+        raise refuse(node, f"{name} returns no number, and another function calls it")
+    given = [a for a in scope.arguments if a in used or not main]
     extra = [n for n in scope.free if n not in given]
     page.put(line_of(node), 0, f"def {name}({joined([*given, *extra])}):", opens=True)
     start = page.lines
@@ -194,9 +333,10 @@ def _function(page: Page, node: Any, name: str, scope: Scope) -> None:
             depth = (len(text) - len(text.lstrip())) // 4
             page.put(number, depth, text.strip(), opens=text.rstrip().endswith(":"))
     if not scope.returns:
-        outputs = [n for n in scope.filled if n in used]
+        outputs = [n for n in scope.outputs if n in used]
         page.compound = True
-        page.put(len(start), 1, f"return {joined([f'vector({n})' for n in outputs])}")
+        whole = [f"{n} = vector({n})" for n in outputs if n not in scope.references]
+        page.put(len(start), 1, "; ".join([*whole, f"return {joined(outputs)}"]))
     page.compound = True
 
 
@@ -272,14 +412,20 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if target:
             scope.aliases[name] = target
             continue
-        if value is not None and value.type == "number_literal" and name not in scope.locals:
-            scope.constants[name] = _number(value)
+        if kind == "auto" and value is not None and _whole(value, scope):
+            scope.integers.add(name)
+        array = declarator.type == "array_declarator"
+        inner = named(value) if value is not None and value.type == "initializer_list" else []
+        number = inner[0] if len(inner) == 1 and _is_scalar(kind) and not array else value
+        if number is not None and number.type == "number_literal" and name not in scope.locals:
+            scope.constants[name] = _number(number)
             continue
+        if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
+            scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
         if value is None or (value.type == "argument_list" and not _is_scalar(kind)):
             page.put(line, depth, f"{name} = None")
-        elif value.type == "initializer_list" and _is_scalar(kind):
-            inner = named(value)
+        elif value.type == "initializer_list" and _is_scalar(kind) and not array:
             page.put(line, depth, f"{name} = {_value(inner[0], scope) if inner else '0.0'}")
         else:
             page.put(line, depth, f"{name} = {_value(value, scope)}")
@@ -302,6 +448,8 @@ def _changed(node: Any, scope: Scope) -> str:
     if node.type == "update_expression":
         name = _read(_root(node), scope)
         return f"{name} = {name} {words(node.child_by_field_name('operator'))[0]} 1"
+    if node.type in ("comma_expression", "binary_expression"):
+        return _streamed(node, scope)
     if node.type != "assignment_expression":
         raise refuse(node)
     left, right = (node.child_by_field_name(f) for f in ("left", "right"))
@@ -312,6 +460,8 @@ def _changed(node: Any, scope: Scope) -> str:
         value = f"{OPERATIONS[sign[0]]}({_value(left, scope)}, {value})"
     if left.type == "identifier":
         name = safe(words(left))
+        if name in scope.integers and not _whole(right, scope):
+            raise refuse(node, "what is rounded to an integer is not read")
         scope.locals.add(name)
         return f"{name} = {value}"
     name, indices = _entry(left, scope)
@@ -321,6 +471,27 @@ def _changed(node: Any, scope: Scope) -> str:
         scope.locals.add(name)
         scope.filled.setdefault(name)
     return f"{name} = put({joined([name, value, *(f'({i}) + 1' for i in indices)])})"
+
+
+def _streamed(node: Any, scope: Scope) -> str:
+    """f << a, b"""
+    first = node
+    parts: list[Any] = []
+    while first.type == "comma_expression":
+        if parts:
+            raise refuse(node)
+        first, rest = (first.child_by_field_name(f) for f in ("left", "right"))
+        while rest.type == "comma_expression":
+            parts.append(rest.child_by_field_name("left"))
+            rest = rest.child_by_field_name("right")
+        parts.append(rest)
+    name = safe(words(first.child_by_field_name("left")))
+    if words(first.child_by_field_name("operator")) != "<<" or name not in scope.locals:
+        raise refuse(node)
+    values = [_value(one, scope) for one in (first.child_by_field_name("right"), *parts)]
+    width = scope.shapes.get(name, 1)
+    rows = (values[k : k + width] for k in range(0, len(values), width))
+    return f"{name} = block({joined([f'({joined(row)},)' for row in rows])})"
 
 
 def _entry(node: Any, scope: Scope) -> tuple[str, list[str]]:
@@ -343,7 +514,10 @@ def _entry(node: Any, scope: Scope) -> tuple[str, list[str]]:
 
 
 def _number(node: Any) -> str:
-    return words(node).rstrip("fFlLuU").replace("'", "")
+    text = words(node).replace("'", "")
+    if not NUMBER.fullmatch(text):
+        raise refuse(node)
+    return text.rstrip("fFlLuU")
 
 
 def _read(name: str, scope: Scope) -> str:
@@ -419,7 +593,9 @@ def _binary(node: Any, scope: Scope) -> str:
     sign = words(node.child_by_field_name("operator"))
     left, right = (_value(side, scope) for side in sides)
     if sign in OPERATIONS:
-        return f"{OPERATIONS[sign]}({left}, {right})"
+        return (
+            f"({left} {sign} {right})" if scope.numbers else f"{OPERATIONS[sign]}({left}, {right})"
+        )
     if sign == "/":
         if all(_whole(side, scope) for side in sides):
             return f"quotient({left}, {right})"
@@ -454,10 +630,12 @@ def _place(node: Any, scope: Scope) -> str:
 
 def _call(node: Any, scope: Scope) -> str:
     head, given = (node.child_by_field_name(f) for f in ("function", "arguments"))
+    name = _called(head)
+    if name in scope.printed and name not in scope.locals:
+        return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":
         return _place(node, scope)
-    name = words(head).split("::")[-1]
-    if words(head).startswith(("static_cast<double>", "static_cast<float>")):
+    if words(head).startswith(("static_cast<double>", "static_cast<float>", "double", "float")):
         return _value(named(given)[0], scope)
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
@@ -468,3 +646,16 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)
     raise refuse(node)
+
+
+def _call_of(name: str, node: Any, scope: Scope) -> str:
+    """A call of a function of the file, which is passed the members that it reads."""
+    callee, given = scope.printed[name], named(node.child_by_field_name("arguments"))
+    for argument, value in zip(callee.arguments, given, strict=False):
+        if argument in callee.integers and not _whole(value, scope):
+            raise refuse(value, "what is rounded to an integer is not read")
+    passed = [n for n in callee.free if n not in callee.arguments]
+    if hidden := [n for n in passed if n in scope.locals or n in scope.arguments]:
+        raise refuse(node, f"{', '.join(hidden)} means two things: rename one")
+    values = [*(_value(v, scope) for v in given), *(_read(n, scope) for n in passed)]
+    return f"{name}({joined(values)})"

@@ -120,17 +120,14 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     for name in wanted:
         wanted += [other for other in calls[name] if other not in wanted]
     page = Page()
-    constants: dict[str, str] = {}
     flags: dict[str, None] = {}
     scopes = {name: _scope(nodes[name], {*nodes}, known) for name in wanted}
     bodies = [(name, node) for name, node in nodes.items() if name in wanted]
     for name, node in bodies:
         caller = next((n for n in nodes if name in solved and name in calls[n]), "")
         _function(page, node, scopes[name], chosen, _before(nodes.get(caller), scopes[name], known))
-        constants |= scopes[name].constants
         flags |= dict.fromkeys(scopes[name].flags)
-    for name, value in constants.items():
-        page.put(0, 0, f"{name} = {value}")
+    page.constants({name: scopes[name].constants for name, _ in bodies})
     own = {name: getattr(array_language, name) for name in vars(array_language)
            if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
     space = page.module(origin, own)

@@ -15,7 +15,6 @@ import numpy as np
 
 from mechanics.errors import InputError
 
-INSTALL = "pip install 'mechanics[code]'"
 WIDTH = 4
 LONGEST = 64
 """Turns of a loop."""
@@ -76,6 +75,21 @@ class Page:
         self.lines.append(here + code)
         self.compound = opens
 
+    def constants(self, of_functions: dict[str, dict[str, str]]) -> None:
+        """Numbers of functions, as those of the file.
+
+        Raises
+        ------
+        Unread
+            Where one name has two values.
+        """
+        values: dict[str, str] = {}
+        for name, value in (pair for own in of_functions.values() for pair in own.items()):
+            if values.setdefault(name, value) != value:
+                raise Unread(f"{name} is {values[name]} and {value}: rename one")
+        for name, value in values.items():
+            self.put(0, 0, f"{name} = {value}")
+
     def module(self, origin: str, names: dict[str, Any]) -> dict[str, Any]:
         """What the page defines.
 
@@ -113,7 +127,7 @@ def tree(language: Callable[[], object], text: str, package: str) -> Any:
 
         grammar = language()
     except ImportError:
-        raise Unread(f"{package} is not installed: {INSTALL}") from None
+        raise Unread(f"{package} is not installed: pip install tree-sitter {package}") from None
     return Parser(Language(grammar)).parse(text.encode()).root_node
 
 

@@ -30,8 +30,6 @@ from mechanics.claims.code.c_parameters import with_parameters
 from mechanics.claims.code.c_person import defaults, known_meaning, of_the_header, without_comments
 from mechanics.claims.code.c_place import placed
 from mechanics.claims.code.c_plain import plain
-from mechanics.claims.code.c_plus_plus import SUFFIXES as CPP
-from mechanics.claims.code.c_plus_plus import in_c as in_plain_c
 from mechanics.claims.code.c_target import Instructions
 from mechanics.claims.code.c_untyped import with_types
 from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
@@ -126,7 +124,10 @@ def read_function(
         return replace(outputs, notes=notes, doubt=doubt, names=outputs.names or called.returned)
 
     sizes = dict.fromkeys(called.wanted)
-    found = _read(scene, title, called.wanted, sizes, run, names, about, called.apart, called.text)
+    found = _read(
+        scene, title, called.wanted, sizes, run, names, about, called.apart, called.text,
+        called.standing.values(),
+    )  # fmt: skip
     return replace(found, remarks=(*found.remarks, *called.remarks))
 
 
@@ -190,8 +191,6 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord, whole = "", text
     try:
-        if origin.endswith(CPP):
-            text = in_plain_c(without_comments(text), origin)
         passed, valued = with_parameters(without_comments(text), Vocabulary(scene))
         text = passed if valued else text
         if re.search(r"\bvoid\b", text):
@@ -287,7 +286,7 @@ def _known(formulas: Mapping[Expr, Formula], assigned: Assignments | None = None
 def _read(
     scene: Scene, title: str, wanted: Sequence[str], sizes: Mapping[str, int | None], run: Run,
     names: Mapping[str, str] | None, about: str | None,
-    apart: Mapping[str, Apart] | None = None, text: str = "",
+    apart: Mapping[str, Apart] | None = None, text: str = "", standing: Iterable[Expr] = (),
 ) -> Reading:  # fmt: skip
     apart = {n: a for n, a in (apart or {}).items() if n in wanted}
     given = {n: m for n, m in (names or {}).items() if m not in WORDS}
@@ -301,6 +300,8 @@ def _read(
     parted |= vectors_of_motion(naming, [n for n in wanted if sizes[n] is None])
     scalars = [n for n in wanted if n not in given and sizes[n] in (None, 1) and n not in parted]
     open_names = [Name(0, n) for n in scalars if n not in STEPS]
+    # A number of the code that stands for a parameter leaves it to no other name.
+    open_names += [Name(0, str(s)) for e in standing for s in sorted(e.free_symbols, key=str)]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
     try:
         arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
