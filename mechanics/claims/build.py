@@ -43,6 +43,8 @@ from mechanics.scene.symbols import by_name
 
 LARGEST_NUMBER = 1000
 """What a function may be taken of, where that is a number."""
+MOST_PARTS = 200_000
+"""Of an expression that is written out: products of many matrices share what they are made of."""
 
 Value = Any
 """An expression, or a matrix of them."""
@@ -56,6 +58,13 @@ def _small(base: Expr, exponent: Expr) -> bool:
         return False
     bits = max((max(abs(n.p), n.q).bit_length() for n in base.atoms(Rational)), default=1)
     return bool(bits * abs(exponent.p) <= 2 * LARGEST)
+
+
+def _parts(entry: Expr, counted: dict[Any, int]) -> int:
+    """How many nodes an expression has, each counted wherever it stands."""
+    if entry not in counted:
+        counted[entry] = 1 + sum(_parts(part, counted) for part in entry.args)
+    return counted[entry]
 
 
 def _is_number(value: Any) -> bool:
@@ -95,7 +104,10 @@ class Builder:
         """
         value = self.value(node)
         entries = list(value) if isinstance(value, MatrixBase) else [value]
+        parts: dict[Any, int] = {}
         for entry in entries:
+            if _parts(entry, parts) > MOST_PARTS:
+                raise Refused(node.at, f"too large: {MOST_PARTS:,} symbols and numbers at most")
             # SymPy's is_real differentiates large expressions for minutes: numbers only.
             if entry.has(nan, oo, -oo, zoo, I) or (entry.is_number and entry.is_real is False):
                 raise Refused(node.at, f"this has no finite real value: {str(entry)[:40]}")

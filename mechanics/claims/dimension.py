@@ -89,9 +89,11 @@ def arguments(naming: Naming, factors: Sequence[Node], apart: Container[int] = (
     whole: list[int] = []
     plain: list[int] = []
     unknown: list[int] = []
-    for k in range(1, len(factors) + 1):
-        held = [name for factor in factors[:k] for name in names_in(factor)]
-        found = _total([dimension(naming, factor) for factor in factors[:k]])
+    held: list[Name] = []
+    found: Dimension | None = NONE
+    for k, factor in enumerate(factors, 1):
+        held += names_in(factor)
+        found = _total([found, dimension(naming, factor)])
         if not held or found not in (None, NONE):
             continue
         last, behind = factors[k - 1], factors[k] if k < len(factors) else None
