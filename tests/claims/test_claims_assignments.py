@@ -86,5 +86,4 @@ def test_what_uses_a_value_that_is_not_read_has_no_verdict(body: str, tmp_path: 
     ],
 )
 def test_a_branch_that_is_wrong_is_refuted(body: str, tmp_path: Path) -> None:
-    pytest.importorskip("tree_sitter_matlab")
     assert worst(body, tmp_path) is Verdict.REFUTED
