@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import Name, Node, names
 
+NOT_USED = "values in the code are not used"
+"""In a note on a parameter that a person's code gives a value."""
 PRODUCT = "is read as the product"
 """In a note on letters that stand side by side."""
 

@@ -15,7 +15,7 @@ from sympy import Expr, Integer, Rational, S, Symbol
 
 from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_momenta import derived
-from mechanics.claims.code.c_parameters import NOT_USED
+from mechanics.claims.lines import NOT_USED
 from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations

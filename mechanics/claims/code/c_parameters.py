@@ -10,10 +10,10 @@ but for capitals is that parameter, where the scene has no other.
 import re
 from collections.abc import Sequence
 
+from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Vocabulary
 from mechanics.program.c.tokens import blanked
 
-NOT_USED = "values in the code are not used"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
 DEFINED = re.compile(
     rf"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?({NUMBER})\)?[ \t]*\r?$", re.MULTILINE

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, matlab
-from mechanics.claims.code.c_parameters import NOT_USED
 from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
+from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.errors import InputError
 from mechanics.scene import Scene

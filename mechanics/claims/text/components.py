@@ -9,11 +9,18 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mechanics.claims.lines import Entry, Line, Unread
+from mechanics.claims.lines import NOT_USED, Entry, Line, Unread, is_constant
+from mechanics.claims.names import Naming
 from mechanics.claims.tree import Name, Node, ended, names, parts, with_parts
 
 HEAD = re.compile(r"^[ \t]*(?:partial[ \t]+)?(?:model|block|class)[ \t]+(\w+)", re.MULTILINE)
 VARIABLES = re.compile(r"^[ \t]*(?:(?:input|output|flow)[ \t]+)*Real[ \t]+([^;]*);", re.MULTILINE)
+VALUE = re.compile(
+    r"^[ \t]*parameter[ \t]+Real[ \t]+(\w+)[ \t]*(?:\([^;()]*\))?"
+    r"[ \t]*=[ \t]*([-+\d.eE]+)(?![\w.*/^+-])",
+    re.MULTILINE,
+)
+"""A number that a parameter has."""
 STRING = re.compile(r'"[^"\n]*"|\([^()]*\)')
 NOT_READ = "parts of a model that are not read: write its equations as one model"
 
@@ -56,6 +63,15 @@ def in_components(lines: Sequence[Entry], text: str) -> list[Entry]:
         variables = frozenset(words[0] for words in told if words)
         found.append(Part(head.start(), end, name, variables))
     return [_named(line, text, found) for line in lines] if found else list(lines)
+
+
+def with_values(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry]:
+    """The lines of a model, each with what parameters of the scene the model gives values."""
+    pairs = [pair for pair in VALUE.findall(text) if is_constant(pair[0], naming)]
+    notes = tuple(f"{name} = {number}: {NOT_USED}" for name, number in dict(pairs).items())
+    return [
+        replace(one, notes=(*one.notes, *notes)) if isinstance(one, Line) else one for one in lines
+    ]
 
 
 def _unread(line: Entry) -> Entry:

@@ -17,7 +17,7 @@ from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_cons
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.assignments import in_sequence
-from mechanics.claims.text.components import in_components
+from mechanics.claims.text.components import in_components, with_values
 from mechanics.claims.text.declarations import has_columns, operators
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
@@ -63,7 +63,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     clean = prepared(text)
     try:
         lines = in_components(_lines(clean, text, 0, naming, origin), text)
-        return in_sequence(lines, text, naming)
+        return with_values(in_sequence(lines, text, naming), text, naming)
     except Refused as reason:
         whole = reason
     # One line that cannot be read does not spoil the others.
@@ -81,7 +81,8 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     if not any(isinstance(line, Line) for line in found):
         words = located(text, whole.at, whole.words, origin)
         return [Unread(" ".join(text.split())[:200], words, whole.at)]
-    return in_sequence(in_components(found, text), text, naming)
+    lines = in_sequence(in_components(found, text), text, naming)
+    return with_values(lines, text, naming)
 
 
 def _statements(clean: str) -> Iterator[tuple[str, int]]:
