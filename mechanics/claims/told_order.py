@@ -1,12 +1,14 @@
 """Which entry of an array is which, where a comment or a sentence tells it.
 
 % z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
+% y(1) -> x   % y(2) -> x_dot
 """
 
 import re
 
 from mechanics.claims.names import Naming
 from mechanics.claims.text.letters import plain
+from mechanics.errors import InputError
 from mechanics.scene.symbols import DOTS
 
 STATES = ("state", "states", "x", "y", "z", "s", "q", "st", "X", "Y")
@@ -27,6 +29,11 @@ def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
         With its comments.
     array : str
     naming : Naming
+
+    Raises
+    ------
+    InputError
+        Where it is told that entries are momenta.
     """
     of = [rf"(?<![\w.]){re.escape(array)}", *([STATE] if array in STATES else [])]
     for comment in COMMENT.finditer(text):
@@ -35,7 +42,27 @@ def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
                 opened = OPENS.match(comment[0], match.end())
                 if opened is not None and (entries := _entries(opened["list"], naming)):
                     return entries
-    return ()
+    return _one_by_one(text, array, naming)
+
+
+def _one_by_one(text: str, array: str, naming: Naming) -> tuple[str, ...]:
+    """What comments call each entry: y(1) from 1, y[0] from 0."""
+    one = re.compile(
+        rf"(?<![\w.]){re.escape(array)}([(\[])(\d)[)\]][ \t]*(?:=|->|:|is\b)[ \t]*(\S+)"
+    )
+    told = {
+        int(place) - (bracket == "("): word
+        for comment in COMMENT.finditer(text)
+        for bracket, place, word in one.findall(comment[0])
+    }
+    for place, word in told.items():
+        if naming.lookup(plain(word)[0]) is None and naming.momentum(plain(word)[0]):
+            raise InputError(
+                f"entry {place + 1} of {array} is the momentum {word}: momenta in a state are not"
+                " read, write it with speeds"
+            )
+    whole = set(told) == {*range(len(told))}
+    return _entries(" ".join(told[place] for place in sorted(told)), naming) if whole else ()
 
 
 def _entries(words: str, naming: Naming) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.cpp_functions import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
-from mechanics.claims.code.read_arrays import read_cpp, read_matlab, with_code
+from mechanics.claims.code.read_arrays import has_function, read_cpp, read_matlab
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
@@ -81,11 +81,8 @@ def read(
             reader = read_cpp if thing.suffix in SUFFIXES else read_c
             return reader(scene, text, function, names, about, origin)
         options = {"names": names, "notation": notation, "about": about}
-        if thing.suffix == ".m" and notation is None:
-            return with_code(
-                lambda: read_file(scene, thing, **options),
-                lambda: read_matlab(scene, file_text(thing), names, about, str(thing)),
-            )
+        if thing.suffix == ".m" and notation is None and has_function(text := file_text(thing)):
+            return read_matlab(scene, text, names, about, str(thing))
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")

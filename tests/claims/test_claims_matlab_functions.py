@@ -8,6 +8,7 @@ import pytest
 import mechanics
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
+from mechanics.errors import InputError
 
 MASSES = """
 function run
@@ -72,3 +73,48 @@ def test_a_struct_of_parameters(tmp_path: Path, factor: str, verdict: str) -> No
         "end\n"
     )
     assert mechanics.check(load("rod_pendulum").scene(), path).verdict.name == verdict
+
+
+@pytest.mark.parametrize(("text", "value"), [("-x^2*3", -12.0), ("(-x)^2", 4.0), ("1 - -x^2", 5.0)])
+def test_a_power_binds_more_than_a_sign(text: str, value: float) -> None:
+    (function,) = functions(f"function y = f(x)\ny = {text};\nend")
+    assert function(x=2.0) == value
+
+
+def test_a_power_of_a_power_wants_brackets() -> None:
+    with pytest.raises(Unread, match="brackets"):
+        functions("function y = f(x)\ny = 2^x^2;\nend")
+
+
+def test_a_function_inside_of_another_has_its_numbers_and_what_it_computes() -> None:
+    inner = "  function r = f(~, x)\n    r = c*x;\n  end\n"
+    text = f"function run()\n\nL = 2;\nk = 3;\nc = k*L;\n\n{inner}\nend\n"
+    (function,) = functions(text, "L", "k")
+    assert function(x=2.0) == 12.0
+
+
+STATE = """function dz = f(z, u, p)
+[l, g, m] = p{:};
+%s
+dz(%d) = z(%d);
+dz(%d) = %s*g*sin(z(%d))/2/l + 3*u(1)/(m*l^2);
+end
+"""
+
+
+@pytest.mark.parametrize("first", [1, 2])
+@pytest.mark.parametrize(("factor", "verdict"), [("3", "PROVED"), ("2", "REFUTED")])
+def test_the_order_of_a_state_is_what_its_rates_show(
+    tmp_path: Path, first: int, factor: str, verdict: str
+) -> None:
+    path = tmp_path / "f.m"
+    last = 3 - first
+    path.write_text(STATE % ("", first, last, last, factor, first))
+    assert mechanics.check(load("rod_pendulum").scene(), path).verdict.name == verdict
+
+
+def test_momenta_are_not_taken_for_speeds(tmp_path: Path) -> None:
+    path = tmp_path / "f.m"
+    path.write_text(STATE % ("% z(1) -> theta\n% z(2) -> p_theta", 1, 2, 2, "3", 1))
+    with pytest.raises(InputError, match="momentum p_theta"):
+        mechanics.check(load("rod_pendulum").scene(), path)

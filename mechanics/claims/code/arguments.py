@@ -106,6 +106,9 @@ def arguments_of(
     matches: list[Match] = []
     state: tuple[Expr, ...] = ()
     own = {naming.symbol(n, 0) for n in names if n not in parted and naming.knows(n)}
+    own |= {
+        TIME if w == "t" else naming.symbol(w, 0) for n in names for w in _words(given.get(n, ""))
+    }
     used = {k for k, (_, symbols) in enumerate(groups) if symbols and own.issuperset(symbols)}
     unexplained: list[str] = []
     for name in names:
@@ -140,9 +143,9 @@ def arguments_of(
                 values[name] = (values[name],)
         found = values[name]
         entries = (found,) if isinstance(found, Expr) else tuple(found)
-        if set(entries) >= {*scene.q, *scene.u} and len(entries) > 1:
+        if {*entries} & {*scene.q} and {*entries} & {*scene.u}:
             state = entries
-        if name in parted and why not in SAID and _contradicted(naming, apart, name, entries):
+        if name in parted and why not in SAID and contradicted(naming, apart, name, entries):
             unexplained.append(name)
             continue
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
@@ -183,10 +186,14 @@ def _groups(
     return groups
 
 
+def _words(meaning: str) -> list[str]:
+    """Names that are given for one argument."""
+    return meaning.replace(",", " ").split()
+
+
 def _given(naming: Naming, name: str, meaning: str, size: int | None) -> Value:
-    words = meaning.replace(",", " ").split()
     found: list[Expr] = []
-    for word in words:
+    for word in _words(meaning):
         target = naming.vocabulary.lookup(word)
         if target is None and word != "t":
             raise InputError(f"argument {name}={meaning}: the scene has no {word!r}")
@@ -289,12 +296,13 @@ def _by_spelling(naming: Naming, order: Sequence[str]) -> list[tuple[str, int] |
     ]  # fmt: skip
 
 
-def _contradicted(
+def contradicted(
     naming: Naming, apart: Mapping[str, Apart] | None, name: str, entries: Sequence[Expr]
 ) -> bool:
-    """Whether the code calls an entry by the name of another coordinate than it is taken for."""
-    moving = {*naming.vocabulary.scene.q}
-    for place, names in (apart or {})[name].places.items():
+    """Whether the code calls an entry by the name of another coordinate or input."""
+    moving = {*naming.vocabulary.scene.q, *naming.vocabulary.scene.input_symbols}
+    known = (apart or {}).get(name)
+    for place, names in known.places.items() if known else ():
         meant = {naming.symbol(n, 0) for n in names if naming.knows(n)} & moving
         if meant and place < len(entries) and entries[place] not in meant:
             return True
@@ -311,11 +319,17 @@ def _group(
             scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
             value: Value = symbols[0] if scalar else tuple(symbols)
             why = "the usual name of such a vector"
-            if words in (INPUTS, PARAMETERS) and not scalar and len(symbols) > 1:
+            if words in (INPUTS, PARAMETERS) and not scalar and not _numbered(symbols):
                 order = " ".join(str(symbol) for symbol in symbols)
                 why = f"{why}, {GUESSED_ORDER}: --name '{name}={order}' gives it"
             return value, why, k
     return None
+
+
+def _numbered(symbols: Sequence[Expr]) -> bool:
+    """Whether names say their order: tau1, tau2, or one alone."""
+    ends = [NUMBER.search(str(symbol)) for symbol in symbols]
+    return len(ends) == 1 or [int(e[0]) for e in ends if e] == [*range(1, len(ends) + 1)]
 
 
 def _speed(naming: Naming, name: str, own: Container[Expr | None]) -> Symbol | None:

@@ -40,7 +40,6 @@ ARRAYS = ("zeros", "ones", "eye", "diag")
 CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
 OPERATIONS = {
     "+": "plus", "-": "minus", "*": "times", ".*": "each_times", "./": "each_over",
-    ".^": "each_power",
 }  # fmt: skip
 COMPARED = {"==": "==", "~=": "!=", "!=": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 SHOWN = frozenset(
@@ -115,7 +114,9 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         raise refuse(wrong)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
-    chosen = [n for n in nodes if n in solved] or _uncalled(nodes, calls)
+    around = {n: _around(node) for n, node in nodes.items()}
+    returning = {n: calls[n] for n, node in nodes.items() if _outputs(node)} or calls
+    chosen = [n for n in nodes if n in solved] or _uncalled(returning)
     wanted = list(chosen)
     for name in wanted:
         wanted += [other for other in calls[name] if other not in wanted]
@@ -125,7 +126,8 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     bodies = [(name, node) for name, node in nodes.items() if name in wanted]
     for name, node in bodies:
         caller = next((n for n in nodes if name in solved and name in calls[n]), "")
-        _function(page, node, scopes[name], chosen, _before(nodes.get(caller), scopes[name], known))
+        before = _before(around[name] or nodes.get(caller), node, scopes[name], known)
+        _function(page, node, scopes[name], chosen, before)
         flags |= dict.fromkeys(scopes[name].flags)
     page.constants({name: scopes[name].constants for name, _ in bodies})
     own = {name: getattr(array_language, name) for name in vars(array_language)
@@ -145,8 +147,16 @@ def _name(function: Any) -> Any:
     return function.child_by_field_name("name")
 
 
-def _before(caller: Any, scope: Scope, known: Callable[[str], bool]) -> list[Any]:
-    """What the function that has another one solved computes for its arguments."""
+def _around(node: Any) -> Any:
+    """The function inside of which a node stands; None for one of the file."""
+    outer = node.parent
+    while outer is not None and outer.type != "function_definition":
+        outer = outer.parent
+    return outer
+
+
+def _before(caller: Any, node: Any, scope: Scope, known: Callable[[str], bool]) -> list[Any]:
+    """What the function that has another one solved, or is around it, computes for it."""
     if caller is None:
         return []
     outer = _scope(caller, scope.functions, known)
@@ -156,6 +166,9 @@ def _before(caller: Any, scope: Scope, known: Callable[[str], bool]) -> list[Any
     }  # fmt: skip
     found: dict[str, Any] = {}
     todo = [a for a in scope.arguments if a in table]
+    if caller == _around(node):
+        used = {safe(words(one)) for one in within(node, "identifier")} - scope.locals
+        todo = [name for name in table if name in used - {*scope.arguments}]
     while todo:
         name = todo.pop()
         if name in found or name in outer.constants:
@@ -179,9 +192,9 @@ def _solves(node: Any) -> bool:
     return any(name.startswith(SOLVERS) for name in called)
 
 
-def _uncalled(nodes: dict[str, Any], calls: dict[str, list[str]]) -> list[str]:
-    found = [n for n in nodes if not any(n in others for others in calls.values())]
-    return found or list(nodes)[:1]
+def _uncalled(calls: dict[str, list[str]]) -> list[str]:
+    found = [n for n in calls if not any(n in others for others in calls.values())]
+    return found or list(calls)[:1]
 
 
 def _outputs(node: Any) -> list[str]:
@@ -198,9 +211,16 @@ def _targets(node: Any) -> Iterator[tuple[Any, Any]]:
     """What is assigned in a function, and its value."""
     for one in within(node, "assignment"):
         left = one.child_by_field_name("left")
+        if _around(one) != node or _is_list(one):
+            continue
         parts = named(left) if left.type == "multioutput_variable" else [left]
         for part in parts:
             yield part, one.child_by_field_name("right")
+
+
+def _is_list(node: Any) -> bool:
+    """[m, g] = p{:}, which says nothing but that m and g are parameters."""
+    return re.search(r"=\s*(?:deal\()?\w+\{:\}", words(node)) is not None
 
 
 def _base(target: Any) -> str:
@@ -264,7 +284,8 @@ def _function(page: Page, node: Any, scope: Scope, chosen: list[str], before: li
 def words_used(argument: str, node: Any) -> bool:
     """Whether a function uses an argument, and not its fields alone."""
     uses = [one for one in within(node, "identifier") if safe(words(one)) == argument]
-    return sum(one.parent.child_by_field_name("object") != one for one in uses) > 1
+    whole = [one for one in uses if "{:}" not in words(one.parent)]
+    return sum(one.parent.child_by_field_name("object") != one for one in whole) > 1
 
 
 def replace_scope(scope: Scope, main: bool) -> Scope:
@@ -291,6 +312,10 @@ def _block(page: Page, owner: Any, depth: int, scope: Scope) -> None:
 def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
     line, kind = line_of(node), node.type
     match kind:
+        case "function_definition":
+            pass
+        case "assignment" if _is_list(node):
+            page.put(line, depth, "pass")
         case "assignment":
             left, right = (node.child_by_field_name(f) for f in ("left", "right"))
             page.put(line, depth, _assignment(left, right, scope))
@@ -435,16 +460,24 @@ def expression(node: Any, scope: Scope) -> str:
 
 
 def _binary(node: Any, scope: Scope) -> str:
-    left, right = (expression(part, scope) for part in named(node))
+    first, second = named(node)
     sign = next(words(c) for c in node.children if not c.is_named)
+    if sign in ("^", ".^"):
+        if second.type == "binary_operator":
+            raise refuse(node, "a power of a power is not read: write brackets")
+        before = ""
+        while first.type == "unary_operator":  # the grammar has (-m)^2 for -m^2
+            before += words(first.children[0])
+            (first,) = named(first)
+        power = "each_power" if sign == ".^" else "power"
+        return f"({before}{power}({expression(first, scope)}, {expression(second, scope)}))"
+    left, right = expression(first, scope), expression(second, scope)
     if sign in OPERATIONS:
         return f"{OPERATIONS[sign]}({left}, {right})"
     if sign == "/":
         return f"over({left}, {right})"
     if sign == "\\":
         return f"under({left}, {right})"
-    if sign == "^":
-        return f"power({left}, {right})"
     raise refuse(node)
 
 

@@ -15,6 +15,8 @@ from mechanics.claims.code.arguments import named_entries
 from mechanics.claims.code.closure_numbers import called_by, held, owner_of
 from mechanics.claims.code.computed_numbers import derived
 from mechanics.claims.code.containers import is_number
+from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.objects import attributes
 from mechanics.claims.code.unpacking import Apart, in_python
 from mechanics.claims.names import Naming
@@ -42,6 +44,8 @@ class Signature:
         Names of what it returns, where it has some.
     standing : dict of str to Expr
         What numbers stand for that it holds besides.
+    steps : dict of str to Expr
+        Numbers that may be the time of a step, ``dt = 0.01``.
     remarks : tuple of str
     text : str
         Of the function, where it is at hand.
@@ -51,6 +55,7 @@ class Signature:
     apart: dict[str, Apart]
     returned: tuple[str, ...]
     standing: dict[str, Expr]
+    steps: dict[str, Expr]
     remarks: tuple[str, ...]
     text: str
 
@@ -104,7 +109,9 @@ def signature_of(
         *([f"{title}: {', '.join(others)} of the code: numbers; --name 'mine=scene' (names=) reads"
            " them as the scene's"] if others else []),
     ]  # fmt: skip
-    return Signature(tuple(wanted), apart, returned, standing, tuple(remarks), text)
+    held_ones = (other.split(" = ")[0] for other in others)
+    steps: dict[str, Expr] = {name: STEP for name in held_ones if name in STEPS}
+    return Signature(tuple(wanted), apart, returned, standing, steps, tuple(remarks), text)
 
 
 def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> bool:

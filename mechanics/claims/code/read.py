@@ -6,19 +6,22 @@ The code itself is read, so that its own formulas are judged, for all values of 
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import permutations
 from pathlib import Path
 from typing import Any
 
 import casadi
-from sympy import Expr, Matrix, S
+from sympy import Expr, Matrix, S, cos, sin
 
 from mechanics.claims.about import WORDS
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import (
+    SAID,
     Arguments,
     arguments_of,
+    contradicted,
     named_entries,
     vectors_of_motion,
 )
@@ -45,10 +48,13 @@ from mechanics.claims.code.formulas import (
     of_graph,
 )
 from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.liveness import demands_of
+from mechanics.claims.code.local_numbers import with_local_numbers
 from mechanics.claims.code.numerical_check import doubt_when_called
 from mechanics.claims.code.out_arguments import returning
 from mechanics.claims.code.outputs import (
+    MOST_ORDERED,
     claims,
     in_order,
     named_by_title,
@@ -63,6 +69,7 @@ from mechanics.claims.code.unpacking import Apart, in_c
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
 from mechanics.claims.guess import guess
+from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
 from mechanics.claims.told_order import told_order
@@ -90,6 +97,7 @@ def read_function(
     function: Callable[..., Any],
     names: Mapping[str, str] | None = None,
     about: str | None = None,
+    text: str = "",
 ) -> Reading:
     """Statements of a Python function on numbers and NumPy arrays, by tracing it.
 
@@ -103,6 +111,8 @@ def read_function(
         What arguments are: ``{"state": "x x_dot theta theta_dot", "force": "F"}``.
     about : str, optional
         What it returns, where that is not plain.
+    text : str
+        Of its author's file, where that is in another language.
 
     Raises
     ------
@@ -110,14 +120,20 @@ def read_function(
         When an argument is unexplained, or the code hides a formula.
     """
     size = len(scene.q) + len(scene.u)
-    function = returning(unwrapped(function), size, names or {})
+    vocabulary = Vocabulary(scene)
+    function = with_local_numbers(unwrapped(function), {*vocabulary.constants, *(names or {})})
+    function = returning(function, size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
-    called = signature_of(function, Naming(Vocabulary(scene)), names or {}, title)
+    called = signature_of(function, Naming(vocabulary), names or {}, title)
 
     def run(given: Arguments) -> Outputs:
         passed = [symbol for value in given.values.values() for symbol in _entries(value)]
         standing, told = beside(function, called.standing, passed)
         outputs = trace(function, given.values, standing)
+        if called.steps and len(_all(outputs)) == size:
+            stepping = trace(function, given.values, {**standing, **called.steps})
+            if {entry.subs(STEP, 0) for entry in _all(stepping)} == {*scene.q, *scene.u}:
+                outputs, standing = stepping, {**standing, **called.steps}
         doubt = doubt_when_repeated(function, given.values, outputs, standing)
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
         notes = (*outputs.notes, *told)
@@ -125,7 +141,7 @@ def read_function(
 
     sizes = dict.fromkeys(called.wanted)
     found = _read(
-        scene, title, called.wanted, sizes, run, names, about, called.apart, called.text,
+        scene, title, called.wanted, sizes, run, names, about, called.apart, text or called.text,
         called.standing.values(),
     )  # fmt: skip
     return replace(found, remarks=(*found.remarks, *called.remarks))
@@ -306,27 +322,22 @@ def _read(
     try:
         arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
     except InputError as error:
-        try:  # x, x_dot, theta, theta_dot: what the code calls entries may fit this order only
-            arguments = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
-        except InputError:
-            by_rates = _state_by_rates(naming, wanted, sizes, given, apart, run)
-            if by_rates is None:
-                raise error from None
-            arguments = by_rates
-    outputs = run(arguments)
-    told = set(arguments.state) and any(
-        m.why == "as given" for m in arguments.matches if len(m.meaning.split()) > 1
-    )
-    if arguments.state and not told and not in_order(scene, outputs.values, arguments.state):
-        other = arguments_of(naming, wanted, sizes, given, interleaved=True, apart=apart)
-        again = run(other)
-        if in_order(scene, again.values, other.state):
-            arguments, outputs = other, again
+        arranged = _arranged(naming, wanted, sizes, given, apart, run)
+        if arranged is None:
+            raise error from None
+        arguments, outputs = arranged
+    else:
+        outputs = run(arguments)
+        holds = arguments.state and not _is_said(arguments)
+        if holds and not _fits(scene, outputs, arguments.state):
+            arranged = _arranged(naming, wanted, sizes, given, apart, run, arguments)
+            arguments, outputs = arranged or (arguments, outputs)
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
     about = about or named_by_title(
         title, sum(len(value) for value in outputs.values), len(scene.u)
     )
+    passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
     found = claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)
@@ -337,29 +348,93 @@ def _read(
     return Reading(statements, arguments.matches, ())
 
 
-def _state_by_rates(
+def _is_said(arguments: Arguments) -> bool:
+    """Whether somebody says what the entries of the state are."""
+    words = " ".join(map(str, arguments.state))
+    return any(m.meaning == words and m.why in SAID for m in arguments.matches)
+
+
+def _fits(scene: Scene, outputs: Outputs, state: Sequence[Expr]) -> bool:
+    """Whether rates of coordinates are where the state has them, and sines those of angles."""
+    entries = _all(outputs)
+    if any(entry.has(STEP) for entry in entries):
+        entries = [entry.diff(STEP).subs(STEP, 0) for entry in entries]
+    pairs = zip(state, entries, strict=False)
+    if any(rate and symbol in scene.input_symbols for symbol, rate in pairs):
+        return False
+    waves = set().union(*(entry.atoms(cos, sin) for entry in entries))
+    used = set().union(*(wave.free_symbols for wave in waves)) & set(scene.q)
+    return in_order(scene, [Matrix(entries)], state) and (not used or used <= angular(scene))
+
+
+def _arranged(
     naming: Naming, wanted: Sequence[str], sizes: Mapping[str, int | None],
     given: Mapping[str, str], apart: Mapping[str, Apart], run: Run,
-) -> Arguments | None:  # fmt: skip
-    """The arguments where a vector that nothing explains is a state, as the rates returned show."""
+    guess: Arguments | None = None,
+) -> tuple[Arguments, Outputs] | None:  # fmt: skip
+    """The arguments where a vector is a state of the one order that its rates and sines show.
+
+    Raises
+    ------
+    InputError
+        For several that they show.
+    """
     scene = naming.vocabulary.scene
-    blocks = [*scene.q, *scene.u]
-    pairs = [symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair]
-    for name, known in apart.items():
-        parted = known.vector or (known.size or 0) > 1
-        if not parted or name in given or sizes[name] not in (None, len(blocks)):
+    shown: list[tuple[Arguments, Outputs]] = []
+    for name in wanted:
+        known = apart.get(name)
+        is_state = known is not None and (known.vector or (known.size or 0) > 1)
+        if guess is not None:
+            is_state = not isinstance(guess.values[name], Expr) and (
+                tuple(guess.values[name]) == guess.state
+            )
+        if not is_state or name in given:
             continue
-        for order in (blocks, pairs):
+        for order in _orders(scene):
             meant = {**given, name: " ".join(map(str, order))}
+            if sizes[name] not in (None, len(order)) or contradicted(naming, apart, name, order):
+                continue
             try:
-                found = arguments_of(naming, wanted, sizes, meant, apart=apart)
-                outputs = run(found)
+                arguments = arguments_of(naming, wanted, sizes, meant, apart=apart)
+                outputs = run(arguments)
             except InputError:
                 continue
             count = sum(len(value) for value in outputs.values)
-            if count == len(order) and in_order(scene, outputs.values, found.state):
-                return found
-    return None
+            if count == len(order) and _fits(scene, outputs, order):
+                shown.append((arguments, outputs))
+                if [s for s in order if s in scene.q] == [*scene.q]:
+                    return shown[-1]
+    return shown[0] if len(shown) == 1 else None
+
+
+def _orders(scene: Scene) -> Iterator[tuple[Expr, ...]]:
+    """Usual orders of a state: in blocks, in pairs, speeds first, of angles elsewhere.
+
+    Then without a coordinate that nothing may depend upon, and with inputs that are held.
+    """
+    turning = angular(scene)
+    if len(scene.q) != len(scene.u):
+        yield (*scene.q, *scene.u)
+        return
+    speeds = dict(zip(scene.q, scene.u, strict=True))
+    kinds = [tuple(q in turning for q in scene.q)]
+    if len(scene.q) <= MOST_ORDERED:
+        kinds += sorted({*permutations(kinds[0])} - {*kinds})
+    whole: dict[tuple[Expr, ...], None] = {}
+    for kind in kinds:
+        of_kind = {one: iter([q for q in scene.q if (q in turning) is one]) for one in kind}
+        q = [next(of_kind[one]) for one in kind]
+        u = [speeds[one] for one in q]
+        pairs = tuple(symbol for pair in zip(q, u, strict=True) for symbol in pair)
+        whole |= dict.fromkeys(((*q, *u), pairs, (*u, *q)))
+    yield from whole
+    for gone in scene.q if len(scene.q) > 1 else ():
+        kept = [q for q in scene.q if q != gone]
+        yield (*kept, *(speeds[q] for q in (*kept, gone)))
+        if scene.input_symbols:
+            yield (*kept, *(speeds[q] for q in kept), *scene.input_symbols)
+    if scene.input_symbols:
+        yield from ((*order, *scene.input_symbols) for order in whole)
 
 
 def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:
@@ -380,6 +455,10 @@ def bounded_code(nodes: Sequence[Node], origin: str) -> None:
         sizes.append(min(1 + sum(sizes[i] for i in inner), LARGEST_FORMULA + 1))
     if max(sizes, default=0) > LARGEST_FORMULA:
         raise InputError(f"{origin}: its formulas have more than {LARGEST_FORMULA} operations")
+
+
+def _all(outputs: Outputs) -> list[Expr]:
+    return [entry for value in outputs.values for entry in value]
 
 
 def _entries(value: Any) -> list[Expr]:

@@ -3,7 +3,8 @@
 x.m -> its tree -> functions of Python, line by line -> statements
 """
 
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
@@ -12,34 +13,15 @@ from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
 from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Naming, Vocabulary
-from mechanics.errors import InputError
 from mechanics.scene import Scene
 
 FOR_ALL = "read as the scene's, for all values"
 """What is said of numbers that stand for parameters."""
 
 
-def with_code(formulas: Callable[[], Reading], code: Callable[[], Reading]) -> Reading:
-    """The formulas of a file where all of them are read, else its functions where these are.
-
-    Raises
-    ------
-    InputError
-        What is said of the formulas, where neither are.
-    """
-    failure: InputError | None = None
-    try:
-        found = formulas()
-        if all(one.row is not None and not one.doubt for one in found.statements):
-            return found
-    except InputError as error:
-        failure = error
-    try:
-        return code()
-    except InputError:
-        if failure is not None:
-            raise failure from None
-        return found
+def has_function(text: str) -> bool:
+    """Whether a file of MATLAB is code: its equations alone are text."""
+    return re.search(r"^[ \t]*function\b", text, re.MULTILINE) is not None
 
 
 def read_matlab(
@@ -60,7 +42,7 @@ def read_matlab(
         Where one is not read.
     """
     translated = matlab.in_python(text, origin, Naming(Vocabulary(scene)).knows)
-    readings = [read_function(scene, one, names, about) for one in translated.functions]
+    readings = [read_function(scene, one, names, about, text) for one in translated.functions]
     return _together(readings, translated.remarks)
 
 
@@ -70,7 +52,7 @@ def read_cpp(
 ) -> Reading:  # fmt: skip
     """Statements of the functions of a file of C++, as code; as `read_matlab`."""
     functions = cpp_functions.in_python(text, origin, function)
-    return _together([read_function(scene, one, names, about) for one in functions])
+    return _together([read_function(scene, one, names, about, text) for one in functions])
 
 
 def _together(readings: Sequence[Reading], remarks: Sequence[str] = ()) -> Reading:
