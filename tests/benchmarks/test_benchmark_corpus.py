@@ -13,8 +13,8 @@ QUICK = ("taylor_pendulum/tension", "taylor_pendulum/factor", "landau_5/lagrangi
 
 
 def test_cases_have_their_form() -> None:
-    assert len(CASES) >= 804
-    assert len({case.source for case in CASES}) >= 318
+    assert len(CASES) >= 968
+    assert len({case.source for case in CASES}) >= 369
     assert len({case.name for case in CASES}) == len(CASES)
     for case in CASES:
         assert case.input in SUFFIXES, case.name
@@ -33,6 +33,8 @@ def test_scenes_of_cases_exist() -> None:
 
 KNOWN = {
     "pymoca_spring/SpringSystem": "Modelica without the mass, which is 1 there: REFUTED",
+    "rhs_hamilton/Rhs_double_pendulum, mended": "momenta among the states are taken for speeds",
+    "wip_env/dynamics": "numbers inside of a function are not said to be the parameters",
 }
 
 
