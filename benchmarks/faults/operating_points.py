@@ -10,12 +10,12 @@ from typing import Any
 
 from sympy import Rational, Symbol, pi, sin, tan
 
+from benchmarks.faults.deviations import BITS, check_linear, drawn_point
+from benchmarks.faults.poles import DRAWS, SPREAD, check_speed_form, check_stability
 from mechanics.crosscheck.programs import Programs
 from mechanics.errors import InputError
 from mechanics.kernel import Finding, enclose
 from mechanics.linear import Linear, conditions, linearize, speed_form, stability
-from mechanics.linear.deviations import BITS, check_linear, drawn_point
-from mechanics.linear.pole_checks import DRAWS, SPREAD, check_speed_form, check_stability
 from mechanics.program import Builder
 from mechanics.program.sympy_reader import read
 from mechanics.routes.derivation import ROUTES, as_program

@@ -12,7 +12,15 @@ from rich.markup import escape
 
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.progress import working
-from mechanics.cli.values import BeyondOption, RouteOption, SettingsOption, points, sorted_out
+from mechanics.cli.values import (
+    BeyondOption,
+    RouteOption,
+    SettingsOption,
+    malformed,
+    pairs,
+    points,
+    sorted_out,
+)
 from mechanics.cluster import Team, workers
 from mechanics.compiled import compile
 from mechanics.crosscheck import derive
@@ -145,16 +153,12 @@ def ranges(entries: Sequence[str]) -> dict[str, tuple[float, float, int]]:
     InputError
         For an entry that is none, and a name given twice.
     """
-    found: dict[str, tuple[float, float, int]] = {}
-    for entry in entries:
-        name, _, text = (part.strip() for part in entry.partition("="))
+    form = "name=from:to:count", "theta=2.4:2.6:1000"
+    table: dict[str, tuple[float, float, int]] = {}
+    for name, text, entry in pairs(entries, "--vary", *form):
         ends = text.split(":")
-        if not name or len(ends) != 3 or not ends[2].strip().isdecimal():
-            raise InputError(
-                f"--vary {entry!r}: write name=from:to:count, for example --vary theta=2.4:2.6:1000"
-            )
-        if name in found:
-            raise InputError(f"--vary {entry!r}: {name} is given twice")
+        if len(ends) != 3 or not ends[2].strip().isdecimal():
+            raise malformed("--vary", entry, *form)
         low, high = (float(points([f"{name}={end}"], "--vary")[name]) for end in ends[:2])
-        found[name] = low, high, int(ends[2]) if len(ends[2].strip()) < 20 else 10**20
-    return found
+        table[name] = low, high, int(ends[2]) if len(ends[2].strip()) < 20 else 10**20
+    return table

@@ -10,7 +10,7 @@ from typing import Any
 
 from sympy import Expr, Rational, Symbol, asin, atan, cos, pi, sin, sqrt, tan, zoo
 
-from mechanics.cli.values import named, points
+from mechanics.cli.values import pairs, points
 from mechanics.errors import InputError
 from mechanics.nearest import instead
 from mechanics.program.constants import rational
@@ -46,7 +46,7 @@ def formulas(
         As `points`.
     """
     values: dict[str, Expr] = {}
-    for name, text, entry in named(entries, option):
+    for name, text, entry in pairs(entries, option):
         used = {*NAME.findall(text)} - {"pi"}
         formula = used and (more or used & {*symbols} or any(sign in text for sign in "*/^+-("))
         if formula and "=" not in text:

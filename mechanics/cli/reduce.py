@@ -12,9 +12,8 @@ from rich.markup import escape
 from mechanics.cli.files import JsonOption, refuse_unwritable, write
 from mechanics.cli.findings import explain
 from mechanics.cli.load import SystemArgument, is_file, load
-from mechanics.cli.values import RouteOption
+from mechanics.cli.values import RouteOption, pairs
 from mechanics.crosscheck import derive
-from mechanics.errors import InputError
 from mechanics.export import write_c
 from mechanics.export.atomic import named
 from mechanics.export.prefix import free_prefix
@@ -80,14 +79,8 @@ def reduce(
     """
     refuse_unwritable(json_file)
     loaded = load(system)
-    scene, values = loaded.scene(), {}
-    for entry in settings or []:
-        name, equals, text = (part.strip() for part in entry.partition("="))
-        if not equals or not name:
-            raise InputError(f"--set {entry!r}: write name=value, for example --set g=9.81")
-        if name in values:
-            raise InputError(f"--set {entry!r}: {name} is given twice")
-        values[name] = text
+    scene = loaded.scene()
+    values = {name: text for name, text, _ in pairs(settings or [], "--set")}
     with Console(stderr=True).status("deriving") as status:
         equations = derive(scene, route)
         found = find(

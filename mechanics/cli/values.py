@@ -1,8 +1,8 @@
 """Values on the command line: ``--set M=2 --set theta=1/2 --at theta=pi``."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import typer
 from sympy import Expr, Rational, pi
@@ -31,6 +31,9 @@ JudgedAtOption = Annotated[
 ]
 
 
+Value = TypeVar("Value")
+
+
 def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     """Read ``name=value`` entries of an option; decimal numbers or fractions, kept exact.
 
@@ -39,15 +42,7 @@ def assignments(entries: Sequence[str], option: str) -> dict[str, Fraction]:
     InputError
         For an entry that is no assignment, a value that is no number, or a name given twice.
     """
-    found: dict[str, Fraction] = {}
-    for name, text, entry in named(entries, option):
-        try:
-            found[name] = rational(text)
-        except RangeError as error:
-            raise InputError(f"{option} {name}: {error}") from None
-        except (ValueError, ZeroDivisionError):
-            raise _no_number(option, entry, text, "") from None
-    return found
+    return _numbers(entries, option, rational, "")
 
 
 def points(entries: Sequence[str], option: str, accepted: str = " or pi/2") -> dict[str, Expr]:
@@ -58,39 +53,51 @@ def points(entries: Sequence[str], option: str, accepted: str = " or pi/2") -> d
     InputError
         As `assignments`.
     """
-    found: dict[str, Expr] = {}
-    for name, text, entry in named(entries, option):
+    return _numbers(entries, option, _multiple_of_pi, accepted)
+
+
+def _multiple_of_pi(text: str) -> Expr:
+    number, turn = with_pi(text)
+    return Rational(number.numerator, number.denominator) * (pi if turn else 1)
+
+
+def _numbers(
+    entries: Sequence[str], option: str, read: Callable[[str], Value], more: str
+) -> dict[str, Value]:
+    numbers: dict[str, Value] = {}
+    for name, text, entry in pairs(entries, option):
         try:
-            number, turn = with_pi(text)
+            numbers[name] = read(text)
         except RangeError as error:
             raise InputError(f"{option} {name}: {error}") from None
         except (ValueError, ZeroDivisionError):
-            raise _no_number(option, entry, text, accepted) from None
-        found[name] = Rational(number.numerator, number.denominator) * (pi if turn else 1)
-    return found
-
-
-def named(entries: Sequence[str], option: str) -> list[tuple[str, str, str]]:
-    """(name, text, entry) of each entry, no name twice."""
-    found: list[tuple[str, str, str]] = []
-    for entry in entries:
-        name, equals, text = (part.strip() for part in entry.partition("="))
-        if not equals or not name:
-            raise InputError(
-                f"{option} {entry!r}: write name=value, for example {option} theta=0.5"
+            hint = (
+                f"write {option} once for each name"
+                if "=" in text
+                else (f"write 0.5, 1e-3, 1/3{more}")
             )
-        if any(name == known for known, _, _ in found):
+            raise InputError(f"{option} {entry!r}: {text!r} is no number: {hint}") from None
+    return numbers
+
+
+def pairs(
+    entries: Sequence[str], option: str, form: str = "name=value", example: str = "theta=0.5"
+) -> list[tuple[str, str, str]]:
+    """(name, text, entry) of each entry, no name twice."""
+    table: dict[str, tuple[str, str, str]] = {}
+    for entry in entries:
+        name, _, text = (part.strip() for part in entry.partition("="))
+        if not name or not text:
+            raise malformed(option, entry, form, example)
+        if name in table:
             raise InputError(f"{option} {entry!r}: {name} is given twice")
-        found.append((name, text, entry))
-    return found
+        table[name] = name, text, entry
+    return list(table.values())
 
 
-def _no_number(option: str, entry: str, text: str, more: str) -> InputError:
-    if "=" in text:
-        return InputError(
-            f"{option} {entry!r}: {text!r} is no number: write {option} once for each name"
-        )
-    return InputError(f"{option} {entry!r}: {text!r} is no number: write 0.5, 1e-3, 1/3{more}")
+def malformed(option: str, entry: str, form: str, example: str) -> InputError:
+    """The error for an entry that has not the form of its option."""
+    return InputError(f"{option} {entry!r}: write {form}, for example {option} {example}")
 
 
 def sorted_out(
@@ -138,12 +145,5 @@ def names_of(entries: list[str]) -> dict[str, str]:
     InputError
         For what is no such pair, and a name twice.
     """
-    found: dict[str, str] = {}
-    for entry in entries:
-        mine, equals, theirs = (part.strip() for part in entry.partition("="))
-        if not (equals and mine and theirs):
-            raise InputError(f"--name {entry!r}: write mine=the scene's, for example phi=theta")
-        if mine in found:
-            raise InputError(f"--name {entry!r}: {mine} is given twice")
-        found[mine] = theirs
-    return found
+    table = pairs(entries, "--name", "mine=the scene's", "phi=theta")
+    return {mine: theirs for mine, theirs, _ in table}

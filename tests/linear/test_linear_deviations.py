@@ -9,12 +9,12 @@ from quaternions import ball_top
 from steady_scenes import OMEGA, foucault, top
 from sympy import Matrix, Symbol
 
+from benchmarks.faults.deviations import check_linear
+from benchmarks.faults.poles import check_speed_form, check_stability
 from mechanics.checks.agreement import Derived, linear_system
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.linear import Linear, linearize, speed_form
-from mechanics.linear.deviations import check_linear
-from mechanics.linear.pole_checks import check_speed_form, check_stability
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.routes.derivation import ROUTES, as_program

@@ -1,51 +1,9 @@
 """Carts with a rod or a load, with two of them, on a spring."""
 
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _cart(x, mass, rods, g, push, inputs=(), moments=()):
-    """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
-
-    Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "cart", at=O, axis=N.x, distance=x)
-    bodies, joints, ends = (
-        [RigidBody("cart", track.point, N, mass, 0)],
-        [track],
-        {"cart": track.point},
-    )
-    loads = [gravity(-g * N.y)]
-    if push != 0:
-        loads.append(force("push", track.point, push * N.x, on="cart"))
-    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
-        axis = -N.z if up * sense > 0 else N.z
-        joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
-        y = up * joint.frame.y
-        bodies.append(
-            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
-        )
-        joints.append(joint)
-        ends[name] = joint.point.locatenew(f"E {name}", length * y)
-        for on, moment in moments:
-            if on == name:
-                loads.append(torque(f"friction {name}", moment * axis, on=name, by=parent))
-    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
-
-
-def _one(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0):
-    moments = (("rod", moment),) if moment != 0 else ()
-    return _cart(
-        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, moments
-    )
+from benchmarks.corpus.builders import P, cart_pole, cart_with_rods
+from mechanics.scene import parameters
 
 
 def swingup():
@@ -53,7 +11,7 @@ def swingup():
     of the cart."""
     x, theta, F = dynamicsymbols("x theta action")
     mp, mc, l, b, g = P("m_p:kg m_c:kg l:m b:N*s/m g:m/s^2")
-    return _one(
+    return cart_pole(
         x, theta, mc, mp, l / 2, g, F - b * x.diff(), up=1, sense=-1, I=mp * l**2 / 12, inputs=(F,)
     )
 
@@ -62,13 +20,15 @@ def crocoddyl():
     """A bob m2 on l, th from upright, its top at y - l sin(th)."""
     y, th, f = dynamicsymbols("y th f")
     m1, m2, l, g = P("m1:kg m2:kg l:m g:m/s^2")
-    return _one(y, th, m1, m2, l, g, f, up=1, sense=-1, inputs=(f,))
+    return cart_pole(y, th, m1, m2, l, g, f, up=1, sense=-1, inputs=(f,))
 
 
 def _uniform(names, F, sense):
     x, theta, force_ = dynamicsymbols(f"x theta {F}")
     M, m, l, g = parameters(names, units="kg kg m m/s^2")
-    return _one(x, theta, M, m, l, g, force_, up=1, sense=sense, I=m * l**2 / 3, inputs=(force_,))
+    return cart_pole(
+        x, theta, M, m, l, g, force_, up=1, sense=sense, I=m * l**2 / 3, inputs=(force_,)
+    )
 
 
 def gym():
@@ -95,7 +55,7 @@ def guide():
     """A bob M_p on L, theta counterclockwise from upright, frictions of cart and pin."""
     x, theta, F = dynamicsymbols("x theta F")
     Mc, Mp, L, dc, dp, g = P("M_c:kg M_p:kg L:m d_c:N*s/m d_p:N*m*s g:m/s^2")
-    return _one(
+    return cart_pole(
         x,
         theta,
         Mc,
@@ -116,7 +76,7 @@ def derivation():
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, I, bx, bt, g = P("M:kg m_pend:kg l:m I_com:kg*m^2 b_x:N*s/m b_theta:N*m*s g:m/s^2")
     push = F - bx * x.diff()
-    return _one(
+    return cart_pole(
         x, theta, M, m, l, g, push, up=1, sense=1, I=I, inputs=(F,), moment=-bt * theta.diff()
     )
 
@@ -126,7 +86,7 @@ def double():
     x, a, b, F = dynamicsymbols("x theta_1 theta_2 F")
     M, m1, m2, l1, l2, g = P("M:kg m_1:kg m_2:kg l_1:m l_2:m g:m/s^2")
     rods = [("one", "cart", a, -1, 1, m1, l1, 0, l1), ("two", "one", b, -1, 1, m2, l2, 0, 0)]
-    return _cart(x, M, rods, g, F, (F,))
+    return cart_with_rods(x, M, rods, g, F, (F,))
 
 
 def balance():
@@ -134,7 +94,7 @@ def balance():
     q, theta, u = dynamicsymbols("q theta u")
     M, m, J, l, c, gamma, g = P("M:kg m:kg J:kg*m^2 l:m c:N*s/m gamma:N*m*s g:m/s^2")
     push = u - c * q.diff()
-    return _one(
+    return cart_pole(
         q, theta, M, m, l, g, push, up=1, sense=-1, I=J, inputs=(u,), moment=-gamma * theta.diff()
     )
 
@@ -143,21 +103,21 @@ def mathworks():
     """A bob, theta counterclockwise from upright, cart at z with a damping Kd."""
     z, theta, F = dynamicsymbols("z theta F")
     M, m, g, l, Kd = P("M:kg m:kg g:m/s^2 l:m Kd:N*s/m")
-    return _one(z, theta, M, m, l, g, F - Kd * z.diff(), up=1, sense=-1, inputs=(F,))
+    return cart_pole(z, theta, M, m, l, g, F - Kd * z.diff(), up=1, sense=-1, inputs=(F,))
 
 
 def bob():
     """A bob m on l, clockwise from upright, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, u, up=1, sense=1, inputs=(u,))
+    return cart_pole(x, theta, M, m, l, g, u, up=1, sense=1, inputs=(u,))
 
 
 def inertia():
     """A rod with the inertia J about its mass centre, clockwise from upright."""
     x, theta, u = dynamicsymbols("x theta u")
     M, m, L, J, g = P("M:kg m:kg L:m J:kg*m^2 g:m/s^2")
-    return _one(x, theta, M, m, L, g, u, up=1, sense=1, I=J, inputs=(u,))
+    return cart_pole(x, theta, M, m, L, g, u, up=1, sense=1, I=J, inputs=(u,))
 
 
 def gantry():
@@ -166,28 +126,30 @@ def gantry():
     x, theta, u = dynamicsymbols("x theta u")
     m, M, r, dp, dc, g = P("m:kg M:kg r:m dp:N*m*s dc:N*s/m g:m/s^2")
     push = u - dc * x.diff()
-    return _one(x, theta, M, m, r, g, push, up=-1, sense=1, inputs=(u,), moment=-dp * theta.diff())
+    return cart_pole(
+        x, theta, M, m, r, g, push, up=-1, sense=1, inputs=(u,), moment=-dp * theta.diff()
+    )
 
 
 def web():
     """A bob, theta counterclockwise from upright, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
 
 
 def hanging():
     """A bob that hangs at x + l sin(theta) on a free cart."""
     x, theta = dynamicsymbols("x theta")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, 0, up=-1, sense=1)
+    return cart_pole(x, theta, M, m, l, g, 0, up=-1, sense=1)
 
 
 def ctms():
     """A rod that hangs, with the inertia I about its mass centre, friction b of the cart."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, I, b, g = P("M:kg m:kg l:m I:kg*m^2 b:N*s/m g:m/s^2")
-    return _one(x, theta, M, m, l, g, F - b * x.diff(), up=-1, sense=1, I=I, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F - b * x.diff(), up=-1, sense=1, I=I, inputs=(F,))
 
 
 def on_spring():
@@ -195,7 +157,7 @@ def on_spring():
     x, theta = dynamicsymbols("x theta")
     M, m, R, k, d, b, g = P("M:kg m:kg R:m k:N/m d:N*s/m b:N*m*s g:m/s^2")
     push = -k * x - d * x.diff()
-    return _one(x, theta, M, m, R, g, push, up=-1, sense=1, moment=-b * theta.diff())
+    return cart_pole(x, theta, M, m, R, g, push, up=-1, sense=1, moment=-b * theta.diff())
 
 
 def sliding_rod():
@@ -210,11 +172,13 @@ def sliding_rod():
 
     push = epf * cos(om * t) - c1 * x1.diff() - k1 * x1
     moment = -c2 * phi.diff() - k2 * phi
-    return _one(x1, phi, m1, m2, L / 2, g, push, up=-1, sense=1, I=m2 * L**2 / 12, moment=moment)
+    return cart_pole(
+        x1, phi, m1, m2, L / 2, g, push, up=-1, sense=1, I=m2 * L**2 / 12, moment=moment
+    )
 
 
 def hanging_u():
     """A bob mp that hangs at x + l sin(theta) on a cart mc, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     mc, mp, l, g = P("mc:kg mp:kg l:m g:m/s^2")
-    return _one(x, theta, mc, mp, l, g, u, up=-1, sense=1, inputs=(u,))
+    return cart_pole(x, theta, mc, mp, l, g, u, up=-1, sense=1, inputs=(u,))

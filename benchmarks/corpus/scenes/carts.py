@@ -2,13 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
+from benchmarks.corpus.builders import P
+from mechanics.scene import RigidBody, Scene, force, gravity, pin, slide, torque
 
 
 def _cart(x, mass, rods, g, push, *, more=(), inputs=(), order=None):
@@ -85,15 +80,8 @@ def dip():
     return _cart(x, m0, rods, g, u, inputs=(u,))
 
 
-def upright():
-    """Cart M, bob m on l, from upright; pushed by u."""
-    x, theta, u = dynamicsymbols("x theta u")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _cart(x, M, [("rod", "cart", theta, 1, 1, m, l, 0, 0)], g, u, inputs=(u,))
-
-
 def cartpend():
-    """The same with L and a friction d of the cart."""
+    """A bob m on L, from upright, a friction d of the cart; pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     M, m, L, g, d = P("M:kg m:kg L:m g:m/s^2 d:N*s/m")
     return _cart(x, M, [("rod", "cart", theta, 1, 1, m, L, 0, 0)], g, u - d * x.diff(), inputs=(u,))

@@ -3,15 +3,10 @@
 from sympy import sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, Scene, force, parameters, reaction
+from benchmarks.corpus.builders import P
+from mechanics.scene import Particle, Scene, force, reaction
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def _particle(m, rate, push, *, plane=False):

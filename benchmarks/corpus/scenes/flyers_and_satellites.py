@@ -3,6 +3,7 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -12,17 +13,10 @@ from mechanics.scene import (
     force,
     gravity,
     holonomic,
-    parameters,
     reaction,
     rope,
     torque,
 )
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def _rocket(names, m, l, thrust, gimbal, g, inputs):

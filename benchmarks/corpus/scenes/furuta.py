@@ -2,13 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
+from benchmarks.corpus.builders import P
+from mechanics.scene import RigidBody, Scene, gravity, pin, torque
 
 
 def _rotary(

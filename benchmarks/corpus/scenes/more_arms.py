@@ -3,13 +3,8 @@
 from sympy import cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
+from benchmarks.corpus.builders import P
+from mechanics.scene import RigidBody, Scene, gravity, pin, torque
 
 
 def _arm(angles, length, first, second, g, moments, inputs, *, turn=0):

@@ -3,6 +3,7 @@
 from sympy import pi, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -17,12 +18,6 @@ from mechanics.scene import (
 )
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def _two(angles, names, *, rods=False, drag=None):
@@ -119,12 +114,6 @@ def tension():
             reaction("side", at=C, on="bob", by=None, along=N.z),
         ),
     )
-
-
-def simple():
-    """theta, l, m, g."""
-    m, l, g = P("m:kg l:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, l, g)
 
 
 def winding():

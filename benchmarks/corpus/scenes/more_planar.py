@@ -4,25 +4,19 @@ in a wheel."""
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     pin,
     torque,
     weld,
 )
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def car():

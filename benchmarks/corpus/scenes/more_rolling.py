@@ -3,23 +3,17 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     reaction,
     roll,
     rope,
 )
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def hollow():

@@ -3,13 +3,13 @@
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     pin,
     reaction,
     slide,
@@ -17,12 +17,6 @@ from mechanics.scene import (
 )
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def _craft(names, m, J, loads, inputs, *, g=None, sense=1, up="y"):
@@ -145,12 +139,9 @@ def _car(names, forces, inputs, m, I):
     )
 
 
-def bicycle():
+def _bicycle(names, inputs, m, I, a, b, Cf, Cr):
     """Tyres with side forces by small slip angles; a side force of two tyres each."""
-    d, F = dynamicsymbols("steering traction")
-    m, I, a, b, Cf, Cr = P(
-        "MASS:kg INERTIA_Z:kg*m^2 LENGTH_A:m LENGTH_B:m FRICTION_FRONT:N FRICTION_REAR:N"
-    )
+    d, F = inputs
 
     def forces(A, C, u, v, r):
         front, rear = 2 * Cf * (d - (v + a * r) / u), -2 * Cr * (v - b * r) / u
@@ -160,23 +151,19 @@ def bicycle():
             force("drive", C, F * A.x, on="car"),
         )
 
-    return _car("speed lateral_speed yaw_rate", forces, (d, F), m, I)
+    return _car(names, forces, inputs, m, I)
+
+
+def bicycle():
+    """In words."""
+    numbers = P("MASS:kg INERTIA_Z:kg*m^2 LENGTH_A:m LENGTH_B:m FRICTION_FRONT:N FRICTION_REAR:N")
+    return _bicycle("speed lateral_speed yaw_rate", dynamicsymbols("steering traction"), *numbers)
 
 
 def rajamani():
-    """The same in the symbols of the textbook."""
-    d, F = dynamicsymbols("delta F_x")
-    m, I, a, b, Cf, Cr = P("m:kg I_z:kg*m^2 l_f:m l_r:m C_f:N C_r:N")
-
-    def forces(A, C, u, v, r):
-        front, rear = 2 * Cf * (d - (v + a * r) / u), -2 * Cr * (v - b * r) / u
-        return (
-            force("front", C.locatenew("F", a * A.x), front * A.y, on="car"),
-            force("rear", C.locatenew("R", -b * A.x), rear * A.y, on="car"),
-            force("drive", C, F * A.x, on="car"),
-        )
-
-    return _car("V_x V_y r", forces, (d, F), m, I)
+    """In the symbols of the textbook."""
+    numbers = P("m:kg I_z:kg*m^2 l_f:m l_r:m C_f:N C_r:N")
+    return _bicycle("V_x V_y r", dynamicsymbols("delta F_x"), *numbers)
 
 
 def aircraft():

@@ -3,60 +3,17 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, parameters, reaction, slide
+from benchmarks.corpus.builders import P, one_mass, two_masses
+from mechanics.scene import Particle, RigidBody, Scene, force, gravity, reaction, slide
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _line(coordinates, masses, loads, inputs=()):
-    """Two masses on a line, with loads of (N, A, B)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    joints = [
-        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
-        for n, q in zip(("one", "two"), coordinates, strict=True)
-    ]
-    bodies = [
-        RigidBody(n, j.point, N, m, 0)
-        for n, j, m in zip(("one", "two"), joints, masses, strict=True)
-    ]
-    return Scene(
-        "masses on a line",
-        N,
-        O,
-        plane=N.z,
-        joints=joints,
-        bodies=bodies,
-        inputs=inputs,
-        loads=loads(N, *(j.point for j in joints)),
-    )
-
-
-def _single(x, m, push, inputs=(), up=False):
-    N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "mass", at=O, axis=N.x, distance=x)
-    return Scene(
-        "mass",
-        N,
-        O,
-        plane=N.z,
-        joints=(track,),
-        bodies=(RigidBody("mass", track.point, N, m, 0),),
-        inputs=inputs,
-        loads=(force("all", track.point, push * N.x, on="mass"),),
-    )
 
 
 def mck():
     """Wall, spring and damper, mass, spring and damper, mass."""
     x1, x2 = dynamicsymbols("x1 x2")
     m1, m2, k1, k2, c1, c2 = P("m1:kg m2:kg k1:N/m k2:N/m c1:N*s/m c2:N*s/m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -76,7 +33,7 @@ def three():
     """Wall, spring, mass, spring, mass, spring, wall."""
     x1, x2 = dynamicsymbols("x1 x2")
     m1, m2, k1, k2, k3 = P("m1:kg m2:kg k1:N/m k2:N/m k3:N/m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -91,7 +48,7 @@ def absorber():
     """A mass on a spring with a force f_01 cos(omega t), a second one on it."""
     x1, x2 = dynamicsymbols("x_1 x_2")
     m1, m2, k1, k2, f, w = P("m_1:kg m_2:kg k_1:N/m k_2:N/m f_01:N omega:1/s")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -105,7 +62,7 @@ def den_hartog():
     """The same in the symbols of a textbook: M, K, m, k, P_0 sin(omega t)."""
     x1, x2 = dynamicsymbols("x_1 x_2")
     M, m, K, k, P0, w = P("M:kg m:kg K:N/m k:N/m P_0:N omega:1/s")
-    return _line(
+    return two_masses(
         (x1, x2),
         (M, m),
         lambda N, A, B: (
@@ -119,28 +76,28 @@ def pushed():
     """A spring k with the rest position x0, a damping c, a force F."""
     x, F = dynamicsymbols("x F")
     m, k, c, x0 = P("m:kg k:N/m c:N*s/m x0:m")
-    return _single(x, m, F - k * (x - x0) - c * x.diff(), (F,))
+    return one_mass(x, m, F - k * (x - x0) - c * x.diff(), (F,))
 
 
 def linear():
     """m, k, c."""
     x = dynamicsymbols("x")
     m, k, c = P("m:kg k:N/m c:N*s/m")
-    return _single(x, m, -k * x - c * x.diff())
+    return one_mass(x, m, -k * x - c * x.diff())
 
 
 def game():
     """m, k, b."""
     x = dynamicsymbols("x")
     m, k, b = P("m:kg k:N/m b:N*s/m")
-    return _single(x, m, -k * x - b * x.diff())
+    return one_mass(x, m, -k * x - b * x.diff())
 
 
 def components():
     """A spring k, a damper c, a force u to the left."""
     x, u = dynamicsymbols("x u")
     m, k, c = P("m:kg k:N/m c:N*s/m")
-    return _single(x, m, -k * x - c * x.diff() - u, (u,))
+    return one_mass(x, m, -k * x - c * x.diff() - u, (u,))
 
 
 def _slope(sense, name):

@@ -3,6 +3,7 @@
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, double_pendulum, pendulum, spring_pendulum
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -19,146 +20,68 @@ from mechanics.scene import (
 t = dynamicsymbols._t
 
 
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _two(angles, m1, m2, l1, l2, g):
-    """Two bobs, both angles from the downward vertical."""
-    a, b = dynamicsymbols(angles)
-    N, O = ReferenceFrame("N"), Point("O")
-    first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
-    E1 = first.point.locatenew("E1", -l1 * first.frame.y)
-    second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
-    E2 = E1.locatenew("E2", -l2 * second.frame.y)
-    return Scene(
-        "double pendulum",
-        N,
-        O,
-        plane=N.z,
-        joints=(first, second),
-        loads=(gravity(-g * N.y),),
-        bodies=(
-            RigidBody("upper", E1, first.frame, m1, 0),
-            RigidBody("lower", E2, second.frame, m2, 0),
-        ),
-    )
-
-
-def subscripts():
-    """theta_1, m_1, l_1."""
-    return _two("theta_1 theta_2", *P("m_1:kg m_2:kg l_1:m l_2:m g:m/s^2"))
-
-
-def plain():
-    """theta1, m1, l1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
-
-
 def capitals():
     """theta_1, M_1, L_1, G."""
-    return _two("theta_1 theta_2", *P("M_1:kg M_2:kg L_1:m L_2:m G:m/s^2"))
+    return double_pendulum("theta_1 theta_2", *P("M_1:kg M_2:kg L_1:m L_2:m G:m/s^2"))
 
 
 def phis():
     """phi1, m1, L1."""
-    return _two("phi1 phi2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
-
-
-def arms():
-    """theta1, m1, L1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
+    return double_pendulum("phi1 phi2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
 
 
 def th():
     """th1, M1, L1, G."""
-    return _two("th1 th2", *P("M1:kg M2:kg L1:m L2:m G:m/s^2"))
-
-
-def equal():
-    """Equal bobs on equal rods."""
-    m, l, g = P("m:kg l:m g:m/s^2")
-    return _two("theta1 theta2", m, m, l, l, g)
-
-
-def _one(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
-    """A body on a pin, counterclockwise from the downward vertical (clockwise from the upward
-    one)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    axis = -N.z if up else N.z
-    hold = pin("hold", None, "body", at=O, axis=axis, angle=angle)
-    C = hold.point.locatenew("C", (1 if up else -1) * reach * hold.frame.y)
-    loads = [gravity(-g * N.y)] if g != 0 else []
-    if moment != 0:
-        loads.append(torque("moment", moment * axis, on="body"))
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        plane=N.z,
-        bodies=(RigidBody("body", C, hold.frame, m, inertia),),
-        joints=(hold,),
-        inputs=inputs,
-        loads=loads,
-    )
+    return double_pendulum("th1 th2", *P("M1:kg M2:kg L1:m L2:m G:m/s^2"))
 
 
 def damped_torque():
     """A torque tau and a damping B."""
     theta, tau = dynamicsymbols("theta tau")
     m, l, g, B = P("m:kg l:m g:m/s^2 B:N*m*s")
-    return _one(theta, m, 0, l, g, tau - B * theta.diff(), (tau,))
+    return pendulum(theta, m, 0, l, g, tau - B * theta.diff(), (tau,))
 
 
 def rod_upright():
     """A uniform rod of the length l, clockwise from upright, with a torque u."""
     theta, u = dynamicsymbols("theta u")
     m, l, g = P("m:kg l:m g:m/s^2")
-    return _one(theta, m, m * l**2 / 12, l / 2, g, u, (u,), up=True)
+    return pendulum(theta, m, m * l**2 / 12, l / 2, g, u, (u,), up=True)
 
 
 def air():
     """A drag mu times the velocity of the bob."""
     theta = dynamicsymbols("theta")
     m, l, g, mu = P("m:kg l:m g:m/s^2 mu:N*s/m")
-    return _one(theta, m, 0, l, g, -mu * l**2 * theta.diff())
+    return pendulum(theta, m, 0, l, g, -mu * l**2 * theta.diff())
 
 
 def driven():
     """A damping b and a drive A cos(k t)."""
     theta = dynamicsymbols("theta")
     m, R, g, b, A, k = P("m:kg R:m g:m/s^2 b:N*m*s A:N*m k:1/s")
-    return _one(theta, m, 0, R, g, -b * theta.diff() + A * cos(k * t))
+    return pendulum(theta, m, 0, R, g, -b * theta.diff() + A * cos(k * t))
 
 
 def estop():
     """A torque `action`, a friction per moment of inertia."""
     theta, u = dynamicsymbols("theta action")
     m, l, g, f = P("mass:kg length:m gravity:m/s^2 friction:1/s")
-    return _one(theta, m, 0, l, g, u - f * m * l**2 * theta.diff(), (u,))
-
-
-def torque_damped():
-    """A torque u and a damping c."""
-    theta, u = dynamicsymbols("theta u")
-    m, l, g, c = P("m:kg l:m g:m/s^2 c:N*m*s")
-    return _one(theta, m, 0, l, g, u - c * theta.diff(), (u,))
+    return pendulum(theta, m, 0, l, g, u - f * m * l**2 * theta.diff(), (u,))
 
 
 def damped():
     """A damping b."""
     theta = dynamicsymbols("theta")
     m, L, g, b = P("m:kg L:m g:m/s^2 b:N*m*s")
-    return _one(theta, m, 0, L, g, -b * theta.diff())
+    return pendulum(theta, m, 0, L, g, -b * theta.diff())
 
 
 def with_inertia():
     """An inertia I about the pivot, the mass centre at lc, a torque u, a friction b."""
     theta, u = dynamicsymbols("theta u")
     m, b, lc, I, g = P("m:kg b:N*m*s lc:m I:kg*m^2 g:m/s^2")
-    return _one(theta, m, I - m * lc**2, lc, g, u - b * theta.diff(), (u,))
+    return pendulum(theta, m, I - m * lc**2, lc, g, u - b * theta.diff(), (u,))
 
 
 def inverted_spring():
@@ -208,43 +131,25 @@ def cartesian():
     )
 
 
-def _elastic(angle, length, m, g, pull, across=0, order=None):
-    """A bob at the distance `length`, the angle from the downward vertical; pull inwards, across
-    forwards."""
-    N, O = ReferenceFrame("N"), Point("O")
-    B = N.orientnew("B", "Axis", (angle, N.z))
-    C = O.locatenew("C", -length * B.y)
-    return Scene(
-        "spring pendulum",
-        N,
-        O,
-        coordinates=order or (length, angle),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, pull * B.y + across * B.x, on="bob")),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={str(length.func): 2.0, str(angle.func): 0.5},
-    )
-
-
 def elastic():
     """r, theta, k, L0."""
     r, theta = dynamicsymbols("r theta")
     m, k, L0, g = P("m:kg k:N/m L0:m g:m/s^2")
-    return _elastic(theta, r, m, g, k * (r - L0))
+    return spring_pendulum(theta, r, m, g, k * (r - L0))
 
 
 def elastic_wiki():
     """r, theta, k, L_0."""
     r, theta = dynamicsymbols("r theta")
     m, k, L0, g = P("m:kg k:N/m L_0:m g:m/s^2")
-    return _elastic(theta, r, m, g, k * (r - L0))
+    return spring_pendulum(theta, r, m, g, k * (r - L0))
 
 
 def elastic_soton():
     """r, theta, k, l."""
     r, theta = dynamicsymbols("r theta")
     m, k, l, g = P("m:kg k:N/m l:m g:m/s^2")
-    return _elastic(theta, r, m, g, k * (r - l))
+    return spring_pendulum(theta, r, m, g, k * (r - l))
 
 
 def springy():
@@ -253,7 +158,7 @@ def springy():
     theta, l = dynamicsymbols("theta l")
     l0, k, m, g, da, ds = P("l0:m k:N/m m:kg g:m/s^2 da:N*s/m ds:N*s/m")
     pull = k * (l - l0) + m * g + ds * l.diff()
-    return _elastic(theta, l, m, g, pull, -da * l * theta.diff(), order=(theta, l))
+    return spring_pendulum(theta, l, m, g, pull, -da * l * theta.diff(), order=(theta, l))
 
 
 def cone():
@@ -326,7 +231,7 @@ def rod_at():
     return _rod_on_spring(L, a, k)
 
 
-def _bead(r, m, turn, frame_z, g=0):
+def _bead(r, m, turn, g=0):
     """A bead at r on a smooth rod that turns."""
     N, O = ReferenceFrame("N"), Point("O")
     A = N.orientnew("A", "Axis", (turn, N.z))
@@ -349,13 +254,13 @@ def _bead(r, m, turn, frame_z, g=0):
 def bead_vertical():
     """The rod turns in a vertical plane, omega t from the horizontal."""
     m, omega, g = P("m:kg omega:1/s g:m/s^2")
-    return _bead(dynamicsymbols("s"), m, omega * t, None, g)
+    return _bead(dynamicsymbols("s"), m, omega * t, g)
 
 
 def bead_horizontal():
     """The rod turns in a horizontal plane."""
     m, omega = P("m:kg omega:1/s")
-    return _bead(dynamicsymbols("r"), m, omega * t, None)
+    return _bead(dynamicsymbols("r"), m, omega * t)
 
 
 def walker():

@@ -1,65 +1,22 @@
 """Carts with a rod or a load."""
 
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, pin, slide, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _cart(x, mass, rods, g, push, inputs=(), moments=()):
-    """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
-
-    Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "cart", at=O, axis=N.x, distance=x)
-    bodies, joints, ends = (
-        [RigidBody("cart", track.point, N, mass, 0)],
-        [track],
-        {"cart": track.point},
-    )
-    loads = [gravity(-g * N.y)]
-    if push != 0:
-        loads.append(force("push", track.point, push * N.x, on="cart"))
-    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
-        axis = -N.z if up * sense > 0 else N.z
-        joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
-        y = up * joint.frame.y
-        bodies.append(
-            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
-        )
-        joints.append(joint)
-        ends[name] = joint.point.locatenew(f"E {name}", length * y)
-        for on, moment in moments:
-            if on == name:
-                loads.append(torque(f"friction {name}", moment * axis, on=name, by=parent))
-    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
-
-
-def _one(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0):
-    moments = (("rod", moment),) if moment != 0 else ()
-    return _cart(
-        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, moments
-    )
+from benchmarks.corpus.builders import P, cart_pole
 
 
 def lapy():
     """A cart q1 with a bob m2 that hangs on l, q2 from below, pushed by f."""
     q1, q2, f = dynamicsymbols("q1 q2 f")
     m1, m2, l, g = P("m1:kg m2:kg l:m g:m/s^2")
-    return _one(q1, q2, m1, m2, l, g, f, up=-1, sense=1, inputs=(f,))
+    return cart_pole(q1, q2, m1, m2, l, g, f, up=-1, sense=1, inputs=(f,))
 
 
 def bob():
     """A bob m on l, clockwise from upright, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=1, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=1, inputs=(F,))
 
 
 def pymoskito():
@@ -67,7 +24,7 @@ def pymoskito():
     from upright, its top at s - l sin(varphi)."""
     s, phi, F = dynamicsymbols("s varphi F")
     M, m, J, l, D, d, g = P("M:kg m:kg J:kg*m^2 l:m D:N*s/m d:N*m*s g:m/s^2")
-    return _one(
+    return cart_pole(
         s,
         phi,
         M,
@@ -89,7 +46,7 @@ def hussein():
     x, theta, U, Dc, Dp = dynamicsymbols("x theta U_f D_c D_p")
     mc, mp, l, I, bc, bp, g = P("m_c:kg m_p:kg l:m I_p:kg*m^2 b_c:N*s/m b_p:N*m*s g:m/s^2")
     push = U - bc * x.diff() + Dc
-    return _one(
+    return cart_pole(
         x,
         theta,
         mc,
@@ -109,7 +66,7 @@ def hussein_u():
     """The same, pushed by u alone."""
     x, theta, u = dynamicsymbols("x theta u")
     mc, mp, l, I, bc, bp, g = P("m_c:kg m_p:kg l:m I_p:kg*m^2 b_c:N*s/m b_p:N*m*s g:m/s^2")
-    return _one(
+    return cart_pole(
         x,
         theta,
         mc,
@@ -130,14 +87,14 @@ def jing():
     cart."""
     x, theta, u = dynamicsymbols("x theta control")
     M, m, b, l, I, g = P("M:kg m:kg b:N*s/m l:m I:kg*m^2 g:m/s^2")
-    return _one(x, theta, M, m, l, g, u - b * x.diff(), up=1, sense=1, I=I, inputs=(u,))
+    return cart_pole(x, theta, M, m, l, g, u - b * x.diff(), up=1, sense=1, I=I, inputs=(u,))
 
 
 def damped():
     """A bob mp that hangs on l, frictions b of the cart and d of the pin, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     mc, mp, l, b, d, g = P("mc:kg mp:kg l:m b:N*s/m d:N*m*s g:m/s^2")
-    return _one(
+    return cart_pole(
         x,
         theta,
         mc,
@@ -157,7 +114,7 @@ def continuo():
     of the pin, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, I, b, c, g = P("M:kg m:kg l:m I:kg*m^2 b:N*m*s c:N*s/m g:m/s^2")
-    return _one(
+    return cart_pole(
         x,
         theta,
         M,
@@ -177,25 +134,20 @@ def bowl():
     """A bob that hangs on l, friction b of the pin, pushed by Fa."""
     x, theta, Fa = dynamicsymbols("x theta Fa")
     M, m, l, b, g = P("M:kg m:kg l:m b:N*m*s g:m/s^2")
-    return _one(x, theta, M, m, l, g, Fa, up=-1, sense=1, inputs=(Fa,), moment=-b * theta.diff())
-
-
-def free():
-    """A bob that hangs on l from a free block."""
-    x, theta = dynamicsymbols("x theta")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, 0, up=-1, sense=1)
+    return cart_pole(
+        x, theta, M, m, l, g, Fa, up=-1, sense=1, inputs=(Fa,), moment=-b * theta.diff()
+    )
 
 
 def game():
     """A bob, theta counterclockwise from upright, pushed by force."""
     x, theta, F = dynamicsymbols("x theta force")
     M, m, l, g = P("M:kg m:kg length:m cgravity:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
 
 
 def lagoudakis():
     """A uniform rod of half the length CCl, clockwise from upright, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     m, M, l, g = P("CCm:kg CCM:kg CCl:m CCg:m/s^2")
-    return _one(x, theta, M, m, l, g, u, up=1, sense=1, I=m * l**2 / 3, inputs=(u,))
+    return cart_pole(x, theta, M, m, l, g, u, up=1, sense=1, I=m * l**2 / 3, inputs=(u,))

@@ -4,6 +4,7 @@ springs."""
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, double_pendulum, pendulum, spring_pendulum
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -11,7 +12,6 @@ from mechanics.scene import (
     force,
     gravity,
     holonomic,
-    parameters,
     pin,
     reaction,
     torque,
@@ -21,63 +21,35 @@ from mechanics.scene import (
 t = dynamicsymbols._t
 
 
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _two(angles, m1, m2, l1, l2, g):
-    """Two bobs, both angles from the downward vertical."""
-    a, b = dynamicsymbols(angles)
-    N, O = ReferenceFrame("N"), Point("O")
-    first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
-    E1 = first.point.locatenew("E1", -l1 * first.frame.y)
-    second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
-    E2 = E1.locatenew("E2", -l2 * second.frame.y)
-    return Scene(
-        "double pendulum",
-        N,
-        O,
-        plane=N.z,
-        joints=(first, second),
-        loads=(gravity(-g * N.y),),
-        bodies=(
-            RigidBody("upper", E1, first.frame, m1, 0),
-            RigidBody("lower", E2, second.frame, m2, 0),
-        ),
-    )
-
-
 def plain():
     """theta1, m1, l1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
+    return double_pendulum("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
 
 
 def subscripts():
     """theta_1, m_1, l_1."""
-    return _two("theta_1 theta_2", *P("m_1:kg m_2:kg l_1:m l_2:m g:m/s^2"))
+    return double_pendulum("theta_1 theta_2", *P("m_1:kg m_2:kg l_1:m l_2:m g:m/s^2"))
 
 
 def arms():
     """theta1, m1, L1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
+    return double_pendulum("theta1 theta2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
 
 
 def capitals():
     """theta1, M1, L1."""
-    return _two("theta1 theta2", *P("M1:kg M2:kg L1:m L2:m g:m/s^2"))
+    return double_pendulum("theta1 theta2", *P("M1:kg M2:kg L1:m L2:m g:m/s^2"))
 
 
 def equal():
     """Equal bobs on equal rods."""
     m, l, g = P("m:kg l:m g:m/s^2")
-    return _two("theta1 theta2", m, m, l, l, g)
+    return double_pendulum("theta1 theta2", m, m, l, l, g)
 
 
 def phis():
     """phi1, m1, l1."""
-    return _two("phi1 phi2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
+    return double_pendulum("phi1 phi2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
 
 
 def _rods(angles, first, second, g, moments, inputs, *, horizontal=False, between=0, length=None):
@@ -148,78 +120,56 @@ def oliva():
     )
 
 
-def _one(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
-    """A body on a pin, counterclockwise from the downward vertical (clockwise from the upward
-    one)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    axis = -N.z if up else N.z
-    hold = pin("hold", None, "body", at=O, axis=axis, angle=angle)
-    C = hold.point.locatenew("C", (1 if up else -1) * reach * hold.frame.y)
-    loads = [gravity(-g * N.y)] if g != 0 else []
-    if moment != 0:
-        loads.append(torque("moment", moment * axis, on="body"))
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        plane=N.z,
-        bodies=(RigidBody("body", C, hold.frame, m, inertia),),
-        joints=(hold,),
-        inputs=inputs,
-        loads=loads,
-    )
-
-
 def damped_torque():
     """A torque u and a damping c."""
     theta, u = dynamicsymbols("theta u")
     m, l, g, c = P("m:kg l:m g:m/s^2 c:N*m*s")
-    return _one(theta, m, 0, l, g, u - c * theta.diff(), (u,))
+    return pendulum(theta, m, 0, l, g, u - c * theta.diff(), (u,))
 
 
 def modsim():
     """A damping d per moment of inertia."""
     phi = dynamicsymbols("phi")
     m, l, g, d = P("m:kg l:m g:m/s^2 d:1/s")
-    return _one(phi, m, 0, l, g, -d * m * l**2 * phi.diff())
+    return pendulum(phi, m, 0, l, g, -d * m * l**2 * phi.diff())
 
 
 def trolley_lock():
     """A damping dp."""
     theta = dynamicsymbols("theta")
     m, r, dp, g = P("m:kg r:m dp:N*m*s g:m/s^2")
-    return _one(theta, m, 0, r, g, -dp * theta.diff())
+    return pendulum(theta, m, 0, r, g, -dp * theta.diff())
 
 
 def simple_capital():
     """theta, m, L."""
     m, L, g = P("m:kg L:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, L, g)
+    return pendulum(dynamicsymbols("theta"), m, 0, L, g)
 
 
 def simple():
     """theta, m, l."""
     m, l, g = P("m:kg l:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, l, g)
+    return pendulum(dynamicsymbols("theta"), m, 0, l, g)
 
 
 def simple_varphi():
     """varphi, m, l."""
     m, l, g = P("m:kg l:m g:m/s^2")
-    return _one(dynamicsymbols("varphi"), m, 0, l, g)
+    return pendulum(dynamicsymbols("varphi"), m, 0, l, g)
 
 
 def simple_ell():
     """phi, m, ell."""
     m, l, g = P("m:kg ell:m g:m/s^2")
-    return _one(dynamicsymbols("phi"), m, 0, l, g)
+    return pendulum(dynamicsymbols("phi"), m, 0, l, g)
 
 
 def damping_ratio():
     """A friction by the damping ratio epsilon: 2 epsilon omega_0 per moment of inertia."""
     theta = dynamicsymbols("theta")
     M, l, g, e = P("M:kg l:m g:m/s^2 epsilon:1")
-    return _one(theta, M, 0, l, g, -2 * e * sqrt(g / l) * M * l**2 * theta.diff())
+    return pendulum(theta, M, 0, l, g, -2 * e * sqrt(g / l) * M * l**2 * theta.diff())
 
 
 def upright():
@@ -227,7 +177,7 @@ def upright():
     damping c."""
     theta, M = dynamicsymbols("theta M")
     g, m, L, c, I = P("g:m/s^2 m:kg L:m c:N*m*s I:kg*m^2")
-    return _one(theta, m, I - m * L**2 / 4, L / 2, g, M - c * theta.diff(), (M,), up=True)
+    return pendulum(theta, m, I - m * L**2 / 4, L / 2, g, M - c * theta.diff(), (M,), up=True)
 
 
 def one_link():
@@ -323,29 +273,11 @@ def coupled():
     )
 
 
-def _elastic(angle, length, m, g, pull, across=0, order=None):
-    """A bob at the distance `length`, the angle from the downward vertical; pull inwards, across
-    forwards."""
-    N, O = ReferenceFrame("N"), Point("O")
-    B = N.orientnew("B", "Axis", (angle, N.z))
-    C = O.locatenew("C", -length * B.y)
-    return Scene(
-        "spring pendulum",
-        N,
-        O,
-        coordinates=order or (length, angle),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, pull * B.y + across * B.x, on="bob")),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={str(length.func): 2.0, str(angle.func): 0.5},
-    )
-
-
 def elastic_fr():
     """rho, phi, k, l_0."""
     rho, phi = dynamicsymbols("rho phi")
     m, k, l0, g = P("m:kg k:N/m l_0:m g:m/s^2")
-    return _elastic(phi, rho, m, g, k * (rho - l0))
+    return spring_pendulum(phi, rho, m, g, k * (rho - l0))
 
 
 def _pivot(move):

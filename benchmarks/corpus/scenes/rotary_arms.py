@@ -2,44 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, torque
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _arm(angles, length, first, second, g, moments, inputs):
-    """Two links from the horizontal, the second angle from the first link; each (mass, reach,
-    inertia)."""
-    a, b = angles
-    N, O = ReferenceFrame("N"), Point("O")
-    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
-    A = shoulder.frame
-    elbow = pin(
-        "elbow", "one", "two", at=shoulder.point.locatenew("E", length * A.x), axis=A.z, angle=b
-    )
-    (m1, c1, I1), (m2, c2, I2) = first, second
-    loads = [gravity(-g * N.y)] if g != 0 else []
-    loads += [
-        torque("shoulder moment", moments[0] * N.z, on="one"),
-        torque("elbow moment", moments[1] * N.z, on="two", by="one"),
-    ]
-    return Scene(
-        "arm",
-        N,
-        O,
-        plane=N.z,
-        joints=(shoulder, elbow),
-        loads=loads,
-        inputs=inputs,
-        bodies=(
-            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
-            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
-        ),
-    )
+from benchmarks.corpus.builders import P, two_link_arm
+from mechanics.scene import RigidBody, Scene, gravity, pin, torque
 
 
 def spong():
@@ -48,21 +12,21 @@ def spong():
     m1, m2, l1, c1, c2, I1, I2, g = P(
         "m_1:kg m_2:kg l_1:m l_c1:m l_c2:m I_1:kg*m^2 I_2:kg*m^2 g:m/s^2"
     )
-    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (u, v), (u, v))
+    return two_link_arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (u, v), (u, v))
 
 
 def construct():
     """In a horizontal plane."""
     q1, q2, u, v = dynamicsymbols("t1 t2 tau1 tau2")
     m1, m2, l1, c1, c2, I1, I2 = P("m1:kg m2:kg l1:m lc1:m lc2:m Izz1:kg*m^2 Izz2:kg*m^2")
-    return _arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), 0, (u, v), (u, v))
+    return two_link_arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), 0, (u, v), (u, v))
 
 
 def ends():
     """Point masses at the ends of a1, a2."""
     q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
     m1, m2, a1, a2, g = P("m1:kg m2:kg a1:m a2:m g:m/s^2")
-    return _arm((q1, q2), a1, (m1, a1, 0), (m2, a2, 0), g, (u, v), (u, v))
+    return two_link_arm((q1, q2), a1, (m1, a1, 0), (m2, a2, 0), g, (u, v), (u, v))
 
 
 def furuta():

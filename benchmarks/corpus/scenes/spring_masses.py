@@ -3,54 +3,24 @@
 from sympy import cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, one_mass, two_masses
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     reaction,
-    slide,
     torque,
 )
 
 t = dynamicsymbols._t
 
 
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _line(coordinates, masses, loads, inputs=()):
-    """Two masses on a line, with loads of (N, A, B)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    joints = [
-        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
-        for n, q in zip(("one", "two"), coordinates, strict=True)
-    ]
-    bodies = [
-        RigidBody(n, j.point, N, m, 0)
-        for n, j, m in zip(("one", "two"), joints, masses, strict=True)
-    ]
-    return Scene(
-        "masses on a line",
-        N,
-        O,
-        plane=N.z,
-        joints=joints,
-        bodies=bodies,
-        inputs=inputs,
-        loads=loads(N, *(j.point for j in joints)),
-    )
-
-
 def _cookbook(more):
     x1, x2 = dynamicsymbols("x1 x2")
     m1, m2, k1, k2, L1, L2, b1, b2 = P("m1:kg m2:kg k1:N/m k2:N/m L1:m L2:m b1:N*s/m b2:N*s/m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -76,7 +46,7 @@ def three_springs():
     """Wall, spring, mass, spring, mass, spring, wall."""
     x1, x2 = dynamicsymbols("x_1 x_2")
     m1, m2, k1, k2, k3 = P("m_1:kg m_2:kg k_1:N/m k_2:N/m k_3:N/m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -91,25 +61,10 @@ def molecule():
     """Two equal masses on a spring of the length l, free."""
     x1, x2 = dynamicsymbols("x_1 x_2")
     m, k, l = P("m:kg k:N/m l:m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m, m),
         lambda N, A, B: (force("spring", B, -k * (x2 - x1 - l) * N.x, on="two", by="one"),),
-    )
-
-
-def _single(x, m, push, inputs=(), up=False):
-    N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "mass", at=O, axis=N.x, distance=x)
-    return Scene(
-        "mass",
-        N,
-        O,
-        plane=N.z,
-        joints=(track,),
-        bodies=(RigidBody("mass", track.point, N, m, 0),),
-        inputs=inputs,
-        loads=(force("all", track.point, push * N.x, on="mass"),),
     )
 
 
@@ -117,7 +72,7 @@ def kappa():
     """A spring and a damping."""
     x = dynamicsymbols("x")
     m, k, c = P("m:kg spring_const:N/m kappa:N*s/m")
-    return _single(x, m, -k * x - c * x.diff())
+    return one_mass(x, m, -k * x - c * x.diff())
 
 
 def incline():

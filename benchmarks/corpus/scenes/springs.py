@@ -1,27 +1,20 @@
 """Masses on springs, a car's half, an absorber."""
 
-from sympy import sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, two_masses
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     pin,
     slide,
     torque,
 )
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def hanging():
@@ -51,48 +44,13 @@ def table():
     """Wall, spring, mass, spring, mass; x and y from rest."""
     x, y = dynamicsymbols("x y")
     m, k = P("m:kg k:N/m")
-    return _line(
+    return two_masses(
         (x, y),
         (m, m),
-        lambda N, O, A, B: (
+        lambda N, A, B: (
             force("wall", A, -k * x * N.x, on="one"),
             force("between", B, -k * (y - x) * N.x, on="two", by="one"),
         ),
-    )
-
-
-def absorber():
-    """Den Hartog's undamped absorber: M on K, m on k, a force on M."""
-    x1, x2 = dynamicsymbols("x_1 x_2")
-    M, m, K, k, F, w = P("M:kg m:kg K:N/m k:N/m P_0:N omega:1/s")
-    return _line(
-        (x1, x2),
-        (M, m),
-        lambda N, O, A, B: (
-            force("wall", A, (F * sin(w * t) - K * x1) * N.x, on="one"),
-            force("between", B, -k * (x2 - x1) * N.x, on="two", by="one"),
-        ),
-    )
-
-
-def _line(coordinates, masses, loads):
-    N, O = ReferenceFrame("N"), Point("O")
-    joints = [
-        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
-        for n, q in zip(("one", "two"), coordinates, strict=False)
-    ]
-    bodies = [
-        RigidBody(n, j.point, N, m, 0)
-        for n, j, m in zip(("one", "two"), joints, masses, strict=False)
-    ]
-    return Scene(
-        "masses on a line",
-        N,
-        O,
-        plane=N.z,
-        joints=joints,
-        bodies=bodies,
-        loads=loads(N, O, joints[0].point, joints[1].point),
     )
 
 
@@ -128,10 +86,10 @@ def plotutils():
     """Two pendulums with small swings, a spring between them; displacements xone, xtwo."""
     x, y = dynamicsymbols("xone xtwo")
     m1, m2, l1, l2, k, g = P("mone:kg mtwo:kg lone:m ltwo:m k:N/m g:m/s^2")
-    return _line(
+    return two_masses(
         (x, y),
         (m1, m2),
-        lambda N, O, A, B: (
+        lambda N, A, B: (
             force("gravity one", A, -m1 * g * x / l1 * N.x, on="one"),
             force("gravity two", B, -m2 * g * y / l2 * N.x, on="two"),
             force("spring", B, -k * (y - x) * N.x, on="two", by="one"),

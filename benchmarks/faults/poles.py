@@ -16,9 +16,9 @@ import mpmath
 import numpy as np
 from flint import arb, arb_mat
 
+from benchmarks.faults.deviations import BITS, CLOSE, Point, drawn_point
 from mechanics.kernel import Finding, enclose, refuted, supported
 from mechanics.kernel.balls import precision
-from mechanics.linear.deviations import BITS, CLOSE, Point, drawn_point
 from mechanics.linear.first_order import Array, first_order
 from mechanics.linear.form import Linear
 from mechanics.linear.speed_form import NAMES, SpeedForm

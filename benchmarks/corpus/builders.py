@@ -1,0 +1,192 @@
+"""What scenes of the corpus have in common: pendulums, carts with rods, arms, masses on a line."""
+
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    force,
+    gravity,
+    parameters,
+    pin,
+    reaction,
+    slide,
+    torque,
+)
+
+
+def P(text, **more):
+    """Parameters, "m:kg l:m"."""
+    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
+    return parameters(" ".join(names), units=" ".join(units), **more)
+
+
+def pendulum(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
+    """A body on a pin, counterclockwise from the downward vertical (clockwise from the upward
+    one)."""
+    N, O = ReferenceFrame("N"), Point("O")
+    axis = -N.z if up else N.z
+    hold = pin("hold", None, "body", at=O, axis=axis, angle=angle)
+    C = hold.point.locatenew("C", (1 if up else -1) * reach * hold.frame.y)
+    loads = [gravity(-g * N.y)] if g != 0 else []
+    if moment != 0:
+        loads.append(torque("moment", moment * axis, on="body"))
+    return Scene(
+        "pendulum",
+        N,
+        O,
+        plane=N.z,
+        bodies=(RigidBody("body", C, hold.frame, m, inertia),),
+        joints=(hold,),
+        inputs=inputs,
+        loads=loads,
+    )
+
+
+def double_pendulum(angles, m1, m2, l1, l2, g):
+    """Two bobs, both angles from the downward vertical."""
+    a, b = dynamicsymbols(angles)
+    N, O = ReferenceFrame("N"), Point("O")
+    first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
+    E1 = first.point.locatenew("E1", -l1 * first.frame.y)
+    second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
+    E2 = E1.locatenew("E2", -l2 * second.frame.y)
+    return Scene(
+        "double pendulum",
+        N,
+        O,
+        plane=N.z,
+        joints=(first, second),
+        loads=(gravity(-g * N.y),),
+        bodies=(
+            RigidBody("upper", E1, first.frame, m1, 0),
+            RigidBody("lower", E2, second.frame, m2, 0),
+        ),
+    )
+
+
+def spring_pendulum(angle, length, m, g, pull, across=0, order=None):
+    """A bob at the distance `length`, the angle from the downward vertical; pull inwards, across
+    forwards."""
+    N, O = ReferenceFrame("N"), Point("O")
+    B = N.orientnew("B", "Axis", (angle, N.z))
+    C = O.locatenew("C", -length * B.y)
+    return Scene(
+        "spring pendulum",
+        N,
+        O,
+        coordinates=order or (length, angle),
+        bodies=(Particle("bob", C, m),),
+        loads=(gravity(-g * N.y), force("spring", C, pull * B.y + across * B.x, on="bob")),
+        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
+        example={str(length.func): 2.0, str(angle.func): 0.5},
+    )
+
+
+def cart_with_rods(x, mass, rods, g, push, inputs=(), moments=()):
+    """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
+
+    Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
+    """
+    N, O = ReferenceFrame("N"), Point("O")
+    track = slide("track", None, "cart", at=O, axis=N.x, distance=x)
+    bodies, joints, ends = (
+        [RigidBody("cart", track.point, N, mass, 0)],
+        [track],
+        {"cart": track.point},
+    )
+    loads = [gravity(-g * N.y)]
+    if push != 0:
+        loads.append(force("push", track.point, push * N.x, on="cart"))
+    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
+        axis = -N.z if up * sense > 0 else N.z
+        joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
+        y = up * joint.frame.y
+        bodies.append(
+            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
+        )
+        joints.append(joint)
+        ends[name] = joint.point.locatenew(f"E {name}", length * y)
+        for on, moment in moments:
+            if on == name:
+                loads.append(torque(f"friction {name}", moment * axis, on=name, by=parent))
+    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
+
+
+def cart_pole(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0):
+    """A cart with one rod, with a moment in the pin."""
+    moments = (("rod", moment),) if moment != 0 else ()
+    return cart_with_rods(
+        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, moments
+    )
+
+
+def two_link_arm(angles, length, first, second, g, moments, inputs):
+    """Two links from the horizontal, the second angle from the first link; each (mass, reach,
+    inertia)."""
+    a, b = angles
+    N, O = ReferenceFrame("N"), Point("O")
+    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
+    A = shoulder.frame
+    elbow = pin(
+        "elbow", "one", "two", at=shoulder.point.locatenew("E", length * A.x), axis=A.z, angle=b
+    )
+    (m1, c1, I1), (m2, c2, I2) = first, second
+    loads = [gravity(-g * N.y)] if g != 0 else []
+    loads += [
+        torque("shoulder moment", moments[0] * N.z, on="one"),
+        torque("elbow moment", moments[1] * N.z, on="two", by="one"),
+    ]
+    return Scene(
+        "arm",
+        N,
+        O,
+        plane=N.z,
+        joints=(shoulder, elbow),
+        loads=loads,
+        inputs=inputs,
+        bodies=(
+            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
+            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
+        ),
+    )
+
+
+def two_masses(coordinates, masses, loads, inputs=()):
+    """Two masses on a line, with loads of (N, A, B)."""
+    N, O = ReferenceFrame("N"), Point("O")
+    joints = [
+        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
+        for n, q in zip(("one", "two"), coordinates, strict=True)
+    ]
+    bodies = [
+        RigidBody(n, j.point, N, m, 0)
+        for n, j, m in zip(("one", "two"), joints, masses, strict=True)
+    ]
+    return Scene(
+        "masses on a line",
+        N,
+        O,
+        plane=N.z,
+        joints=joints,
+        bodies=bodies,
+        inputs=inputs,
+        loads=loads(N, *(j.point for j in joints)),
+    )
+
+
+def one_mass(x, m, push, inputs=()):
+    """A mass on a line, with all forces along it in one."""
+    N, O = ReferenceFrame("N"), Point("O")
+    track = slide("track", None, "mass", at=O, axis=N.x, distance=x)
+    return Scene(
+        "mass",
+        N,
+        O,
+        plane=N.z,
+        joints=(track,),
+        bodies=(RigidBody("mass", track.point, N, m, 0),),
+        inputs=inputs,
+        loads=(force("all", track.point, push * N.x, on="mass"),),
+    )
