@@ -14,14 +14,18 @@ from mechanics.export.atomic import replaced_file
 from mechanics.report import charts
 from mechanics.report.animation import animation, moving_picture, watchable
 from mechanics.report.charts import Chart
+from mechanics.report.drawing import outline
 from mechanics.report.environment import environment
 from mechanics.report.gif import renderer, write_gif
+from mechanics.report.projection import View
 from mechanics.report.sections import angles, unit_of
 from mechanics.scene import Scene
 from mechanics.simulate.file_names import writable
 
 ENERGY = "_energy"
 REAL_TIME = "The scene in real time"
+FAR = 6.0
+"""Times the size of a scene that its bodies are followed."""
 SUFFIXES = (".svg", ".html", ".gif")
 Columns = Mapping[str, Any]
 """Arrays of shape (N,) by plain name: ``t`` in s, coordinates, inputs, energies."""
@@ -100,11 +104,29 @@ def write_motion(
 def _shown(scene: Scene, columns: Columns) -> tuple[str, Any, dict[str, Any]]:
     """How fast a motion is shown, in words; its times on the page; its coordinates then."""
     coordinates, times = way(scene, columns), np.asarray(columns["t"])
+    near = _near(scene, coordinates, len(times))
+    times, coordinates = times[:near], {name: x[:near] for name, x in coordinates.items()}
     shown, slower = watchable(times, [coordinates[q.name] for q in angles(scene)])
-    if slower == 1:
-        return REAL_TIME, times, coordinates
-    words = f"The first {times[shown - 1]:.2g} s, {slower:.2g} times slower"
+    part = f"The first {times[shown - 1]:.2g} s" if shown < len(columns["t"]) else ""
+    if slower >= 1.05:
+        words = f"{part or 'The scene'}, {slower:.2g} times slower"
+    else:
+        words = f"{part} in real time" if part else REAL_TIME
     return words, slower * times[:shown], {n: x[:shown] for n, x in coordinates.items()}
+
+
+def _near(scene: Scene, coordinates: Mapping[str, Any], count: int) -> int:
+    """How many samples are shown of a motion that leads far away, where bodies would be dots."""
+    view = View(scene, {name: float(x[0]) for name, x in coordinates.items()})
+    corners = [corner for body in scene.bodies for corner in outline(view, body)]
+    corners += [view.point(point) for point in view.loaded]
+    size = float(np.max(np.ptp(np.array(corners), axis=0)))
+    moving = View(scene, view.state, motion=coordinates)
+    paths = np.concatenate([moving.way(body.centre) for body in scene.bodies], axis=1)
+    away = np.abs(paths - paths[0]).max(axis=1)
+    if size == 0 or away.max() <= FAR * size:
+        return count
+    return max(int(np.argmax(away > FAR * size)) * count // len(away), 2)
 
 
 def _chart(columns: Columns, title: str, unit: str, names: Sequence[str]) -> Chart:

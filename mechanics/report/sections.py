@@ -27,10 +27,10 @@ from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 ROUTES = {
     "free_body": "Free bodies",
     "moving_point": "Moving point",
-    "kane": "Kane (program)",
-    "kane_sympy": "Kane (SymPy)",
-    "lagrange": "Lagrange (program)",
-    "lagrange_sympy": "Lagrange (SymPy)",
+    "kane": "Kane",
+    "kane_sympy": "Kane by SymPy",
+    "lagrange": "Lagrange",
+    "lagrange_sympy": "Lagrange by SymPy",
 }
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from mechanics.errors import InputError
 from mechanics.report.animation import COARSE, LARGEST_TURN, SLOW, animation, watchable
-from mechanics.report.motion import supported, write_motion
+from mechanics.report.motion import FAR, moving_figure, supported, write_motion
 from systems import cartpole, double_pendulum, rolling_disc
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -117,6 +117,17 @@ def test_a_gif_shows_the_same_motion_in_its_own_time(tmp_path: Path) -> None:
     assert len(places) == 25
     assert np.ptp(places) > 40
     assert np.allclose(steps, steps.mean(), atol=1)
+
+
+def test_what_leads_far_away_is_followed_while_bodies_are_more_than_dots() -> None:
+    columns = columns_of_a_cart()
+    far = columns | {"x": 100 * columns["t"]}
+    words, picture = moving_figure(cartpole.scene(), far)
+    seconds = float(re.fullmatch(r"The first (\S+) s in real time", words)[1])
+    pole = 1.0
+    assert FAR * pole / 200 < seconds < FAR * pole * 2 / 100
+    assert f"{cartpole.scene().name} in motion, {seconds:.2g}" in picture
+    assert moving_figure(cartpole.scene(), columns)[0] == "The scene in real time"
 
 
 def test_moving_pictures_that_cannot_be_written_are_refused(tmp_path, monkeypatch) -> None:
