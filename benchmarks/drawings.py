@@ -30,7 +30,7 @@ OPTIONS = (
     "--hide-scrollbars",
 )
 SHOTS = ((1280, False), (1280, True), (390, False), (390, True))
-TALL = {1280: 4200, 390: 14500}
+TALL = {1280: 5200, 390: 17500}
 """Pixels that all systems take, by the width."""
 
 
@@ -63,8 +63,9 @@ def page() -> str:
         " body { margin: 1rem; display: grid; gap: 1rem; background: var(--paper);"
         " grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); color: var(--ink);"
         " font: 14px var(--sans); } figure { margin: 0; break-inside: avoid; }"
-        " svg + svg { display: inline-block !important; width: 32% !important;"
-        " margin: .3rem .3rem 0 0; }"
+        " svg + svg { display: inline-block !important; width: calc(50% - .3rem) !important;"
+        " margin: .3rem .3rem 0 0; } @media print { body { display: block; columns: 2; }"
+        " figure { margin-bottom: 1rem; } }"
         f"</style>{figures}</html>"
     )
 

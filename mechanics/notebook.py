@@ -114,21 +114,15 @@ def linear_html(linear: "Linear") -> str:
 
 def trajectory_html(motion: "Trajectory") -> str:
     """The scene as it moves, and its curves."""
-    from mechanics.report.animation import moving_picture
-    from mechanics.report.charts import line_chart
+    from mechanics.report.environment import environment
+    from mechanics.report.motion import motion_charts, moving_figure
 
     parts = [Markup("<p>{}: {}</p>").format(motion.title, motion.note)]
     if motion.scene is not None:
-        moving = {**motion.coordinates, **motion.inputs}
-        parts.append(Markup(moving_picture(motion.scene, motion.times, moving)))
-    groups: dict[str, dict[str, Any]] = {}
-    for name, values in motion.coordinates.items():
-        groups.setdefault(motion.units.get(name, ""), {})[name] = values
-    energies = {"kinetic": motion.kinetic, "potential": motion.potential, "total": motion.total}
-    for unit, curves in (*groups.items(), ("J", energies)):
-        title = ", ".join(curves)
-        parts.append(Markup("<p>{}</p>").format(title))
-        parts.append(Markup(line_chart(title, motion.times.tolist(), curves, unit)))
+        moving = moving_figure(motion.scene, motion.columns)
+        charts = motion_charts(motion.scene, motion.columns, motion.units)
+        shared: Any = environment().get_template("parts.html").module
+        parts.append(shared.figures(moving, charts))
     return _element(*parts)
 
 

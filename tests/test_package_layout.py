@@ -235,7 +235,7 @@ def declared_dependencies() -> set[str]:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = project["optional-dependencies"]
     requirements = project["dependencies"] + extras["parquet"] + extras["taylor"]
-    requirements += extras["control"] + extras["mujoco"] + extras["cluster"]
+    requirements += extras["control"] + extras["gif"] + extras["mujoco"] + extras["cluster"]
     return {canonical(re.split(r"[^\w.-]", requirement)[0]) for requirement in requirements}
 
 

@@ -27,7 +27,7 @@ from mechanics.scene.json.read import from_json
 from mechanics.scene.json.write import to_json
 from mechanics.scene.system import Path as Along
 from mechanics.scene.system import System
-from mechanics.simulate.files import writable
+from mechanics.simulate.file_names import writable
 
 
 def extremes(

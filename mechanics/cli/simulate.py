@@ -19,9 +19,10 @@ from mechanics.compiled import compile
 from mechanics.crosscheck import derive
 from mechanics.errors import InputError
 from mechanics.export.atomic import replaced_file
-from mechanics.report.animation import animation
+from mechanics.report.motion import supported
 from mechanics.simulate import Ending, with_reactions, write_plot, write_table
-from mechanics.simulate.files import SUFFIXES, writable
+from mechanics.simulate.file_names import writable
+from mechanics.simulate.files import SUFFIXES
 from mechanics.trade.accurate import simulate as run
 
 
@@ -34,7 +35,11 @@ def simulate(
     settings: SettingsOption = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE.svg", help="Draw the motion.")] = None,
     animate: Annotated[
-        Path | None, typer.Option(metavar="FILE.svg", help="Draw the scene as it moves.")
+        Path | None,
+        typer.Option(
+            metavar="FILE.svg|.html|.gif",
+            help="Draw the scene as it moves; a page shows its curves, too.",
+        ),
     ] = None,
     samples: Annotated[int, typer.Option(min=2, help="Number of samples.")] = 501,
     accuracy: Annotated[
@@ -54,7 +59,7 @@ def simulate(
 
     `mechanics simulate elastic_pendulum --duration 10 --set theta=2.5 --out motion.csv`
 
-    `mechanics simulate elastic_pendulum --duration 5 --animate motion.svg`
+    `mechanics simulate elastic_pendulum --duration 5 --animate motion.html`
 
     `mechanics simulate elastic_pendulum --accuracy 1e-8 --out motion.csv`
 
@@ -76,9 +81,11 @@ def simulate(
     # Bad file names are refused before the work is done.
     if out is None and animate is None and plot is None:
         raise InputError("simulate: nothing to write: add --out FILE.csv, --plot or --animate")
-    for path, suffixes in ((out, SUFFIXES), (plot, (".svg",)), (animate, (".svg",))):
+    for path, suffixes in ((out, SUFFIXES), (plot, (".svg",))):
         if path is not None:
             writable(path, suffixes)
+    if animate is not None:
+        supported(animate)
     scene = load(system).scene()
     initial, parameters, inputs = sorted_out(scene, points(settings or [], "--set"))
     with Console(stderr=True).status("deriving"):
@@ -104,9 +111,7 @@ def simulate(
             with replaced_file(plot) as fresh:
                 write_plot(found, fresh)
         if animate is not None:
-            with replaced_file(animate) as fresh:
-                moving = {**found.coordinates, **found.inputs}
-                fresh.write_text(animation(scene, found.times, moving), encoding="utf-8")
+            slower = found.animate(animate)
     console = Console()
     console.print(f"{escape(found.title)}: {escape(found.reason)}")
     if model.compiler is None:
@@ -125,5 +130,7 @@ def simulate(
         console.print(f"wrote {len(found.times)} samples to {escape(str(out))}")
     if animate is not None:
         console.print(f"wrote the moving picture to {escape(str(animate))}")
+        if slower:
+            console.print(escape(slower))
     if found.ending is not Ending.COMPLETE:
         raise typer.Exit(3)

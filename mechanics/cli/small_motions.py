@@ -32,7 +32,7 @@ from mechanics.linear.values import with_numbers
 from mechanics.nearest import instead
 from mechanics.report.modes_plot import modes_plot
 from mechanics.scene import Scene
-from mechanics.simulate.files import writable
+from mechanics.simulate.file_names import writable
 
 WIDTH = 80
 """Columns of a terminal."""

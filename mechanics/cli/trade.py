@@ -21,7 +21,7 @@ from mechanics.cluster import team_of
 from mechanics.crosscheck import derive, derive_textbook
 from mechanics.report.trade import trade_html
 from mechanics.report.trade_plot import standalone
-from mechanics.simulate.files import writable
+from mechanics.simulate.file_names import writable
 from mechanics.trade import Trade
 from mechanics.trade import trade as measure
 from mechanics.trade.choice import LINEARIZED

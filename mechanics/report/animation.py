@@ -75,26 +75,36 @@ def moving_picture(
     `title` says what moves; by default the scene and how long.
     """
     duration = float(times[-1])
-    count = int(np.clip(rate * duration, FEWEST, MOST)) + 1
+    corner, parts = frames(scene, times, coordinates, rate)
+    moving = "".join(_moving(part, duration) for part in zip(*parts, strict=True))
+    title = escape(title or f"{scene.name} in motion, {duration:.3g} s")
+    return (
+        f'<svg{attributes} class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
+        f' aria-label="{title}"><title>{title}</title>{before}'
+        f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(parts)}</g></svg>'
+    )
+
+
+def frames(
+    scene: Scene,
+    times: NDArray[np.float64],
+    coordinates: Mapping[str, NDArray[np.float64]],
+    rate: float,
+) -> tuple[str, list[list[str]]]:
+    """What is drawn on one sheet of paper: directions, which rest, and the parts at each sample."""
+    count = int(np.clip(rate * float(times[-1]), FEWEST, MOST)) + 1
     # The view of the farthest places says how long springs are drawn that the scene leaves out.
     farthest = {name: float(np.abs(x).max()) for name, x in coordinates.items()}
     first = View(scene, farthest, motion=coordinates)
     views = [
         first.at({name: float(np.interp(t, times, x)) for name, x in coordinates.items()})
-        for t in np.linspace(0, duration, count)
+        for t in np.linspace(0, float(times[-1]), count)
     ]
     paper = paper_for(views)
     large, small = plain_picture(views[0], paper, moving=True)
     asides = [aside_of(views[0], paper, q, [*large, *small]) for q in few_of(scene)]
-    frames = [picture(view, paper, asides) for view in views]
-    corner = directions(views[0], paper, [part for frame in frames for part in frame])
-    moving = "".join(_moving(part, duration) for part in zip(*frames, strict=True))
-    title = escape(title or f"{scene.name} in motion, {duration:.3g} s")
-    return (
-        f'<svg{attributes} class="drawing" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
-        f' aria-label="{title}"><title>{title}</title>{before}'
-        f'{corner}<g class="moving">{moving}</g><g class="still">{_strip(frames)}</g></svg>'
-    )
+    parts = [picture(view, paper, asides) for view in views]
+    return directions(views[0], paper, [p for part in parts for p in part]), parts
 
 
 def watchable(

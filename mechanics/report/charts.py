@@ -9,6 +9,7 @@ from html import escape
 from math import ceil, floor, isfinite, log10
 
 import numpy as np
+from markupsafe import Markup
 
 from mechanics.report.notation import svg_name
 
@@ -17,6 +18,15 @@ LEFT, RIGHT, TOP, BOTTOM = 58.0, 14.0, 16.0, 44.0
 # Curves are drawn through at most this many samples.
 SAMPLES = 480
 COLOURS = 8
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A chart with its legend: samples of strokes and plain names."""
+
+    title: str
+    svg: Markup
+    legend: tuple[tuple[Markup, str], ...]
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.report.supports import label
 from mechanics.report.typeset import slug
 from mechanics.routes.loads import Wrench, acting_reactions, applied
+from mechanics.scene import Particle
 
 WIDTH, HEIGHT, MARGIN = 300.0, 290.0, 72.0
 LENGTH = 46.0
@@ -113,7 +114,7 @@ def free_body_diagram(
     acting = [arrow for group in found for arrow in _crossing(group, diagram.bodies)]
     centre = _place(mechanism, view, diagram)
     points = [corner for shape in shapes for corner in shape]
-    points += [view.project(arrow.at) for arrow in acting if np.any(arrow.force)]
+    points += [_acts(view, arrow) for arrow in acting if np.any(arrow.force)]
     points += [] if centre is None else [centre]
     paper = paper_of(points, MARGIN, (WIDTH, HEIGHT))
     parts = [body_shape(view, paper, b, s) for b, s in zip(bodies, shapes, strict=True)]
@@ -152,6 +153,18 @@ def _place(mechanism: Mechanism, view: View, diagram: Diagram) -> np.ndarray | N
     return view.project(np.array([float(value) for value in values]))
 
 
+def _acts(view: View, arrow: Arrow) -> np.ndarray:
+    """Where a force acts, on paper: with the body, which may be drawn aside.
+
+    The pull of a rope is declared where the rope turns; a particle feels it where it is.
+    """
+    body = view.scene.bodies[arrow.body]
+    if isinstance(body, Particle):
+        return view.point(body.centre)
+    place: np.ndarray = view.project(arrow.at) + view.slack.get(body.centre, 0.0)
+    return place
+
+
 def _middle(view: View, paper: Paper, arrow: Arrow) -> np.ndarray:
     return paper.place(view.point(view.scene.bodies[arrow.body].centre))
 
@@ -167,10 +180,11 @@ def _arrow(
     force = paper.turn(view.project(arrow.force))
     drawn = []
     if np.hypot(*force) > 1e-9:
-        at, along = paper.place(view.project(arrow.at)), unit(force)
+        at, along = paper.place(_acts(view, arrow)), unit(force)
         pushes = along @ (middle - at) > 1e-6
-        taken = sum(np.allclose(at, a) and abs(along @ d) > 0.99 for a, d in used)
-        used.append((at, along))
+        away = -along if pushes else along
+        taken = sum(np.allclose(at, a) and away @ d > 0.99 for a, d in used)
+        used.append((at, away))
         at = at + (taken + 1) // 2 * ASIDE * (-1) ** taken * normal(along)
         length = LENGTH + 1.6 * ASIDE * taken
         start, end = (at - length * along, at) if pushes else (at, at + length * along)

@@ -5,23 +5,19 @@ phone, and prints.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
-import numpy as np
 from markupsafe import Markup
 
 from mechanics.report import words
-from mechanics.report.animation import moving_picture, watchable
 from mechanics.report.coordinate_drawings import coordinate_drawings
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
+from mechanics.report.motion import motion_charts, moving_figure, way
 from mechanics.report.result import SystemResult
 from mechanics.report.sections import (
     Section,
-    angles,
     derivations,
     matrix,
-    motion_charts,
     motion_rows,
     open_rows,
     other_findings,
@@ -69,13 +65,15 @@ def to_html(results: Sequence[SystemResult]) -> str:
 
 
 def _section(number: int, result: SystemResult) -> Section:
-    state, others = shown_state(result), other_findings(result)
+    state, others, motion = shown_state(result), other_findings(result), result.motion
     steps, classes = derivations(result, state)
     return Section(
         number=number,
         result=result,
         tally=words.tally(words.all_findings(result)),
-        drawing=Markup(drawing(result.scene, state, _way(result))),
+        drawing=Markup(
+            drawing(result.scene, state, way(result.scene, motion.columns) if motion else None)
+        ),
         coordinates=[
             (names, Markup(svg)) for names, svg in coordinate_drawings(result.scene, state)
         ],
@@ -96,34 +94,10 @@ def _section(number: int, result: SystemResult) -> Section:
         others=[f for f in others if f.shown and f not in result.causes],
         witnesses=[finding for finding in result.witnesses if finding not in result.open],
         residuals=residual_rows(result),
-        moving=_moving(result),
+        moving=moving_figure(result.scene, motion.columns) if motion else None,
         swings=[
             [(caption, Markup(svg)) for caption, svg in swings(result.scene, modes.swings)]
             for modes in result.modes
         ],
-        charts=motion_charts(result),
+        charts=motion_charts(result.scene, motion.columns, motion.units) if motion else [],
     )
-
-
-def _moving(result: SystemResult) -> tuple[str, Markup] | None:
-    """The scene as it moves, where there is a motion, and how fast."""
-    coordinates = _way(result)
-    if result.motion is None or coordinates is None:
-        return None
-    turning = [coordinates[q.name] for q in angles(result.scene)]
-    times = np.asarray(result.motion.columns["t"])
-    shown, slower = watchable(times, turning)
-    words = "The scene in real time"
-    if slower > 1:
-        words = f"The first {times[shown - 1]:.2g} s, {slower:.2g} times slower"
-        coordinates = {name: values[:shown] for name, values in coordinates.items()}
-    return words, Markup(moving_picture(result.scene, slower * times[:shown], coordinates))
-
-
-def _way(result: SystemResult) -> dict[str, Any] | None:
-    """Coordinates and inputs along the motion, where there is one."""
-    if result.motion is None:
-        return None
-    columns, scene = result.motion.columns, result.scene
-    moving = (s.name for s in (*scene.q, *scene.input_symbols))
-    return {name: np.asarray(columns[name]) for name in moving if name in columns}

@@ -11,11 +11,12 @@ from mechanics.equations import Equations, Line, Step
 from mechanics.kernel import Finding, Verdict
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.report import charts, typeset
+from mechanics.report import typeset
+from mechanics.report.charts import Chart
 from mechanics.report.coordinates import coordinate_words
 from mechanics.report.free_body import arrows, free_body_diagram, marks
 from mechanics.report.projection import View
-from mechanics.report.result import LedgerResult, Motion, RouteResult, SystemResult
+from mechanics.report.result import LedgerResult, RouteResult, SystemResult
 from mechanics.routes.multipliers import meaning_words, multipliers_of
 from mechanics.routes.steps.form import has_common_form
 from mechanics.routes.steps.writer import FULL
@@ -26,12 +27,11 @@ from mechanics.scene.quantities import EquationOfMotion, ReactionValue
 ROUTES = {
     "free_body": "Free bodies",
     "moving_point": "Moving point",
-    "kane": "Kane (program)",
-    "kane_sympy": "Kane (SymPy)",
-    "lagrange": "Lagrange (program)",
-    "lagrange_sympy": "Lagrange (SymPy)",
+    "kane": "Kane",
+    "kane_sympy": "Kane by SymPy",
+    "lagrange": "Lagrange",
+    "lagrange_sympy": "Lagrange by SymPy",
 }
-ENERGY = "_energy"
 
 
 @dataclass(frozen=True)
@@ -79,15 +79,6 @@ class ResidualRow:
     statement: str
     values: list[float | None]
     states: int
-
-
-@dataclass(frozen=True)
-class Chart:
-    """A chart with its legend: samples of strokes and plain names."""
-
-    title: str
-    svg: Markup
-    legend: tuple[tuple[Markup, str], ...]
 
 
 @dataclass(frozen=True)
@@ -239,7 +230,7 @@ def symbol_rows(scene: Scene, state: Mapping[str, float]) -> list[SymbolRow]:
         SymbolRow(
             q.name,
             coordinate_words(view, q),
-            _quantity(f"{state.get(q.name, 0.0):.4g}", _unit(scene, turning, q)),
+            _quantity(f"{state.get(q.name, 0.0):.4g}", unit_of(scene, turning, q)),
         )
         for q in scene.q
     ]
@@ -274,7 +265,8 @@ def angles(scene: Scene) -> set[Symbol]:
     return {q for q in scene.q if q.name in names} - scene.quaternions
 
 
-def _unit(scene: Scene, turning: set[Symbol], coordinate: Symbol) -> str:
+def unit_of(scene: Scene, turning: set[Symbol], coordinate: Symbol) -> str:
+    """The unit of a coordinate, where none is declared."""
     if coordinate in scene.quaternions:
         return ""
     return "rad" if coordinate in turning else "m"
@@ -370,30 +362,3 @@ def residual_rows(result: SystemResult) -> list[ResidualRow]:
         ResidualRow(statement, [found.get(route) for route in result.routes], states)
         for (statement, states), found in groups.items()
     ]
-
-
-def motion_charts(result: SystemResult) -> list[Chart]:
-    """Coordinates by unit, then energies."""
-    motion = result.motion
-    if motion is None:
-        return []
-    turning = angles(result.scene)
-    groups: dict[tuple[str, str], list[str]] = {}
-    for q in result.scene.q:
-        if q.name in motion.columns:
-            unit = motion.units.get(q.name) or _unit(result.scene, turning, q)
-            kind = "Angles" if unit == "rad" else "Coordinates"
-            groups.setdefault((kind, unit), []).append(q.name)
-    found = [_chart(motion, kind, unit, names) for (kind, unit), names in groups.items()]
-    energies = [name for name in motion.columns if name.endswith(ENERGY)]
-    if energies:
-        found.append(_chart(motion, "Energy", "J", energies))
-    return found
-
-
-def _chart(motion: Motion, title: str, unit: str, names: Sequence[str]) -> Chart:
-    curves: Mapping[str, Sequence[float]] = {name: motion.columns[name] for name in names}
-    label = f"{title} over time: {', '.join(name.replace('_', ' ') for name in names)}"
-    svg = charts.line_chart(label, motion.columns["t"], curves, unit)
-    legend = tuple((Markup(charts.key(n)), name) for n, name in enumerate(names))
-    return Chart(title, Markup(svg), legend)

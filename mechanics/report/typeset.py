@@ -24,6 +24,8 @@ FOLDED = 260
 TOO_LONG = 2500
 LONG = 50
 """Letters in one piece that a phone may not have room for."""
+PAGE = 105
+"""Letters in one piece that paper has no room for."""
 WIDE = 60
 """Nodes in the columns of a matrix beyond which it is written entry by entry."""
 # A letter, Latin or Greek, with a short subscript or dots.
@@ -241,16 +243,18 @@ def _row(parts: Sequence[Piece], label: str, number: Markup | str = "", section:
     body = Markup("<wbr>").join(map(_piece, parts))
     note = Markup('<span class="label">{}</span>').format(prose(label, section)) if label else ""
     # What may be wider than a page scrolls, which the keyboard has to reach.
-    reach = Markup(' tabindex="0"') if _may_scroll(body) else ""
+    letters = _letters(body)
+    reach = Markup(' tabindex="0"') if letters > LONG else ""
+    if letters > PAGE:
+        reach += Markup(' style="--letters: {}"').format(letters)
     return Markup('<div class="eq"><div class="terms"{}>{}</div>{}{}</div>').format(
         reach, body, note, number
     )
 
 
-def _may_scroll(body: str) -> bool:
-    """Whether something between two places to break is wider than a phone."""
-    parts = (re.sub(r"<[^>]*>|&\w+;", "", part) for part in body.split("<wbr>"))
-    return max(map(len, parts)) > LONG
+def _letters(body: str) -> int:
+    """The most between two places to break."""
+    return max(len(re.sub(r"<[^>]*>|&\w+;", "", part)) for part in body.split("<wbr>"))
 
 
 def _piece(part: Piece) -> Markup:

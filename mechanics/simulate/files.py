@@ -8,7 +8,7 @@ import csv
 import json
 from pathlib import Path
 
-from mechanics.errors import InputError
+from mechanics.simulate.file_names import writable
 from mechanics.simulate.parquet import parquet
 from mechanics.simulate.trajectory import Trajectory
 
@@ -29,19 +29,6 @@ def write_table(trajectory: Trajectory, path: str | Path) -> Path:
         _write_csv(trajectory, target)
     else:
         _write_parquet(trajectory, target)
-    return target
-
-
-def writable(path: str | Path, suffixes: tuple[str, ...]) -> Path:
-    """The path, if its suffix is one of these and its folder exists."""
-    target = Path(path)
-    if target.suffix.lower() not in suffixes:
-        raise InputError(
-            f"file {target.name}: the suffix {target.suffix or '(none)'} is not supported:"
-            f" use {' or '.join(suffixes)}"
-        )
-    if not target.parent.is_dir():
-        raise InputError(f"file {target}: there is no folder {target.parent}: make it first")
     return target
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechanics.simulate.files import writable
+from mechanics.simulate.file_names import writable
 from mechanics.simulate.trajectory import Trajectory
 
 if TYPE_CHECKING:

@@ -3,10 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mechanics.errors import InputError
 from mechanics.scene import Scene
 
 
@@ -118,6 +120,51 @@ class Trajectory:
         names = ", ".join((*self.coordinates, *self.speeds))
         end = f"{len(self.times)} samples of {names} up to t = {self.times[-1]:g} s"
         return f"<Trajectory of {self.title}: {end}; {self.reason}>"
+
+    def animate(self, path: str | Path) -> str:
+        """Write the scene as it moves: a picture, or a page with its curves.
+
+        Nothing that is written fetches anything or runs a script. SVG and pages show a few poses
+        to readers who prefer less motion, and on paper.
+
+        Parameters
+        ----------
+        path : str or Path
+            A name that ends in ``.svg``, ``.html`` or ``.gif``.
+
+        Returns
+        -------
+        str
+            Which part is shown, and how many times slower, where the motion turns too fast to be
+            watched; empty where all of it is shown in real time.
+
+        Raises
+        ------
+        InputError
+            For another suffix, a folder that does not exist, a motion whose scene is not known, or
+            GIF without resvg-py, which ``pip install 'mechanics[gif]'`` brings.
+
+        Examples
+        --------
+        >>> from tempfile import mkdtemp
+        >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+        >>> N, O, z, (m, g) = ReferenceFrame("N"), Point("O"), dynamicsymbols("z"), (
+        ...     parameters("m g", "kg m/s^2", "2 9.81"))
+        >>> P = O.locatenew("P", z * N.z)
+        >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),),
+        ...     loads=(gravity(-g * N.z),))
+        >>> motion = simulate(compile(derive(stone, "kane")), 1.0)
+        >>> motion.animate(Path(mkdtemp()) / "stone.svg")
+        ''
+        """
+        # What moves can be drawn is known far above; who integrates alone does not import it.
+        from mechanics.report.motion import write_motion
+
+        if self.scene is None:
+            raise InputError(
+                f"trajectory {self.title}: only its samples are known, no scene that could be drawn"
+            )
+        return write_motion(self.scene, self.columns, self.units, self.note, path)
 
     @property
     def total(self) -> NDArray[np.float64]:

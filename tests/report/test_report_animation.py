@@ -1,12 +1,17 @@
 """A moving picture goes through the motion that was simulated."""
 
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
+from itertools import accumulate
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from mechanics.errors import InputError
 from mechanics.report.animation import COARSE, LARGEST_TURN, SLOW, animation, watchable
+from mechanics.report.motion import FAR, moving_figure, supported, write_motion
 from systems import cartpole, double_pendulum, rolling_disc
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -70,3 +75,67 @@ def test_what_turns_too_fast_is_shown_slower() -> None:
     assert 400 * times[shown - 1] == pytest.approx(LARGEST_TURN * SLOW * COARSE, rel=0.02)
     assert slower * times[shown - 1] == pytest.approx(SLOW, rel=0.02)
     assert np.ptp(400 * times[:shown]) / (COARSE * slower * times[shown - 1]) < 1.1 * LARGEST_TURN
+
+
+def columns_of_a_cart() -> dict[str, np.ndarray]:
+    """A cart that goes to the right at 1 m/s under an upright pole, for 1.23 s."""
+    times = np.linspace(0, 1.23, 51)
+    still = 0 * times
+    return {"t": times, "x": times, "theta": still, "F": still, "kinetic_energy": still + 0.5}
+
+
+def test_a_page_is_one_file_with_the_motion_and_its_curves(tmp_path: Path) -> None:
+    path = tmp_path / "motion.html"
+    assert write_motion(cartpole.scene(), columns_of_a_cart(), {"x": "m"}, "a note", path) == ""
+    text = path.read_text(encoding="utf-8")
+    assert len(re.findall(r'<animate attributeName="points"[^>]* dur="1.23s"', text)) > 3
+    assert re.findall(r'class="chart"[^>]*aria-label="([^"]*)', text) == [
+        "Coordinates over time: x", "Angles over time: theta", "Energy over time: kinetic energy",
+    ]  # fmt: skip
+    assert "A note." in text
+    assert "(prefers-reduced-motion: reduce), print" in text
+    assert not re.search(r"<script|(?:href|src)=(?!\"data:,)|url\(", text)
+
+
+def test_a_gif_shows_the_same_motion_in_its_own_time(tmp_path: Path) -> None:
+    pytest.importorskip("resvg_py")
+    image = pytest.importorskip("PIL.Image")
+    path = tmp_path / "motion.gif"
+    write_motion(cartpole.scene(), columns_of_a_cart(), {}, "", path)
+    ends, places = [], []
+    with image.open(path) as film:
+        assert film.info["loop"] == 0
+        for k in range(film.n_frames):
+            film.seek(k)
+            ends.append(film.info["duration"])
+            pixels = np.asarray(film.convert("RGB")).astype(int)
+            # The light blue of bodies, below the pole.
+            blue = np.abs(pixels[320:] - (0xCF, 0xDE, 0xF1)).max(axis=2) < 4
+            places.append(np.nonzero(blue)[1].mean())
+    assert list(accumulate(ends))[-1] == 1230
+    steps = np.diff(places)
+    assert len(places) == 25
+    assert np.ptp(places) > 40
+    assert np.allclose(steps, steps.mean(), atol=1)
+
+
+def test_what_leads_far_away_is_followed_while_bodies_are_more_than_dots() -> None:
+    columns = columns_of_a_cart()
+    far = columns | {"x": 100 * columns["t"]}
+    words, picture = moving_figure(cartpole.scene(), far)
+    seconds = float(re.fullmatch(r"The first (\S+) s in real time", words)[1])
+    pole = 1.0
+    assert FAR * pole / 200 < seconds < FAR * pole * 2 / 100
+    assert f"{cartpole.scene().name} in motion, {seconds:.2g}" in picture
+    assert moving_figure(cartpole.scene(), columns)[0] == "The scene in real time"
+
+
+def test_moving_pictures_that_cannot_be_written_are_refused(tmp_path, monkeypatch) -> None:
+    with pytest.raises(InputError, match=r"suffix \.mp4 .*: use \.svg or \.html or \.gif"):
+        supported("motion.mp4")
+    with pytest.raises(InputError, match="there is no folder"):
+        supported(tmp_path / "none" / "motion.gif")
+    monkeypatch.setitem(sys.modules, "resvg_py", None)
+    with pytest.raises(InputError, match=r"motion\.gif: GIF needs resvg-py.*mechanics\[gif\]"):
+        supported(tmp_path / "motion.gif")
+    assert supported(tmp_path / "motion.html").name == "motion.html"

@@ -10,7 +10,7 @@ from mechanics.equations import Diagram, Equations
 from mechanics.report.free_body import Arrow, arrows, free_body_diagram
 from mechanics.report.projection import View
 from mechanics.routes.derivation import by_route, steps_of
-from systems import acrobot, double_pendulum, elastic_pendulum, four_bar, rocker
+from systems import acrobot, atwood, double_pendulum, elastic_pendulum, four_bar, rocker
 
 SCENES = (elastic_pendulum, rocker, acrobot, double_pendulum, four_bar)
 
@@ -100,3 +100,20 @@ def test_a_load_has_its_size_where_that_is_short() -> None:
     assert labels["k"] == "2kx"
     assert {re.sub(r"<[^>]*>", "", a.label) for a in found[0]} <= {"mg", "Mg"}
     assert Symbol(labels["T"]).name == "T"
+
+
+@pytest.mark.parametrize("body", range(4))
+def test_arrows_on_a_body_that_is_drawn_aside_are_on_it(body: int) -> None:
+    """All masses of Atwood's machine are declared on one line, and drawn beside each other."""
+    equations, view, found = drawn(atwood)
+    name = equations.scene.bodies[body].name
+    picture = free_body_diagram(equations, view, found, Diagram((body,), name))
+    arrows = re.findall(r'class="own" points="(\S+),(\S+) (\S+),(\S+)"', picture)
+    assert len(arrows) == 2
+    ball = re.search(r'class="mass" cx="(\S+)" cy="(\S+)"', picture)
+    block = re.search(r'class="body" points="([^"]*)"', picture)
+    corners = [pair.split(",") for pair in block[1].split()] if block else [ball.groups()]
+    centre = np.array(corners, dtype=float).mean(axis=0)
+    for arrow in arrows:
+        start, end = np.array(arrow, dtype=float).reshape(2, 2)
+        assert min(np.hypot(*(start - centre)), np.hypot(*(end - centre))) < 1
