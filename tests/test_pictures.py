@@ -7,7 +7,7 @@ import pytest
 
 from benchmarks import pictures
 from mechanics.crosscheck import derive
-from mechanics.report.trade_style import STYLE
+from mechanics.report.trade_plot import style
 from mechanics.simulate.integrators import INTEGRATORS, Setting
 from mechanics.trade.case import Case
 from mechanics.trade.choice import Choice, Variant
@@ -73,7 +73,7 @@ def shades(svg: str) -> np.ndarray:
 
 def test_the_work_precision_plot_has_the_style_and_the_integrators_of_today() -> None:
     picture = kept("work_precision")
-    assert f"<style>{STYLE}</style>" in picture
+    assert f"<style>{style()}</style>" in picture
     shown = {name for _, name, *_ in POINT.findall(picture)}
     assert shown <= {member.name for member in INTEGRATORS}
     assert len(shown) > 7

@@ -5,17 +5,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log2
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from mechanics.compiled import FORMS
 from mechanics.extremes import CAUSES, Extremes, Reach, Visited
 from mechanics.extremes.cause import Cause
 from mechanics.extremes.result import PRECISIONS, STABLE
-from mechanics.report import words
+from mechanics.report.environment import environment
 from mechanics.report.extremes_map import LEGEND, heat_map, sample, strip, unit_text, value_label
-from mechanics.report.notation import latex_name
-from mechanics.report.typeset import maths
 
 MAPS = 4
 
@@ -91,26 +88,17 @@ def extremes_html(results: Sequence[Extremes]) -> str:
     str
         A whole page.
     """
-    environment = Environment(
-        loader=PackageLoader("mechanics.report"),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.globals.update(
+    made = environment()
+    made.globals.update(
         Cause=Cause,
         PRECISIONS=PRECISIONS,
         STABLE=STABLE,
-        count=words.count,
-        ratio=words.ratio,
         unit=lambda text: Markup(unit_text(text)),
-        symbol=lambda name: maths(latex_name(name)),
         value=lambda number, unit: Markup(_html_value(number, unit)),
         legend=[(Markup(sample(name, letter)), text) for name, letter, text in LEGEND],
     )
     chapters = [_chapter(n, found) for n, found in enumerate(results, start=1)]
-    return environment.get_template("extremes.html").render(chapters=chapters)
+    return made.get_template("extremes.html").render(chapters=chapters)
 
 
 def _html_value(number: float, unit: str) -> str:

@@ -5,28 +5,24 @@ Two maps: the default form of forward dynamics, and the form that fares most dif
 
 import re
 from html import escape
-from importlib.resources import files
 
 from mechanics.errors import InputError
 from mechanics.extremes import Extremes
 from mechanics.extremes.result import Figures, Visited
 from mechanics.report.extremes import other_form, telling
 from mechanics.report.extremes_map import CELL, LEGEND, heat_map, shade
+from mechanics.report.style import plot_colours, template
 
 GAP, HEAD, LINE, MARGIN = 40.0, 56.0, 19.0, 12.0
 # Room for the longest line of the key.
 LEAST = 660.0
 
-PAGE = """
-svg { --paper: #fdfdfb; --ink: #1b222c; --muted: #5a6371; --line: #d8dcdf;
-  --sans: system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", sans-serif; }
+SHEET = """
 .sheet { background: var(--paper); }
 .sheet .heat { max-width: none; height: revert-layer; }
 .title { font: 600 15px var(--sans); fill: var(--ink); }
 .form { font: 600 12.5px var(--sans); fill: var(--ink); }
 .key-text { font: 11.5px var(--sans); fill: var(--muted); }
-@media (prefers-color-scheme: dark) { svg { --paper: #15181d; --ink: #e3e6eb; --muted: #9ba5b3;
-  --line: #323a45; } }
 """
 
 
@@ -56,11 +52,11 @@ def heat_plot(found: Extremes) -> str:
         parts.append(picture.replace("<svg ", place, 1))
         x += w + GAP
     key, height = _key(found, visited, forms, HEAD + tall + 24.0)
-    style = files("mechanics.report").joinpath("templates/extremes.css").read_text("utf-8")
+    style = plot_colours() + SHEET + template("extremes")
     return (
         f'<svg class="sheet" xmlns="http://www.w3.org/2000/svg" width="{width:g}"'
         f' viewBox="0 0 {width:g} {height:g}" role="img" aria-label="Errors over'
-        f' {escape(" and ".join(visited.walk.names))}"><style>{PAGE}{style}</style>'
+        f' {escape(" and ".join(visited.walk.names))}"><style>{style}</style>'
         f"{''.join(parts)}{key}</svg>\n"
     )
 

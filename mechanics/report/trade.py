@@ -6,10 +6,10 @@ from itertools import groupby
 from math import isfinite
 from statistics import median
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from mechanics.report import charts, trade_plot, words
+from mechanics.report import charts, trade_plot
+from mechanics.report.environment import environment
 from mechanics.report.notation import latex_name
 from mechanics.report.trade_amplitude import amplitude_chart, legend
 from mechanics.report.typeset import maths
@@ -42,20 +42,10 @@ def trade_html(found: Trade) -> str:
     str
         A whole page.
     """
-    environment = Environment(
-        loader=PackageLoader("mechanics.report"),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.filters.update(error=error, power=power, powers=powers, time=duration)
-    environment.globals.update(
-        count=words.count,
-        median=median,
-        symbol=lambda name: maths(latex_name(name)),
-    )
-    return environment.get_template("trade.html").render(
+    made = environment()
+    made.filters.update(error=error, power=power, powers=powers, time=duration)
+    made.globals["median"] = median
+    return made.get_template("trade.html").render(
         found=found,
         front=found.front,
         best=min(

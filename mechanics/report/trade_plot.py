@@ -11,7 +11,7 @@ from itertools import groupby
 from math import ceil, floor, isfinite, log10
 
 from mechanics.report.charts import Axis, power
-from mechanics.report.trade_style import STYLE
+from mechanics.report.style import plot_colours, template
 from mechanics.trade import Measurement, Trade
 
 # The least accurate motion that is still shown, and the smallest error that is told apart.
@@ -93,7 +93,12 @@ def standalone(found: Trade) -> str:
     head = '<svg xmlns="http://www.w3.org/2000/svg"'
     opened = body.replace("<svg", head, 1)
     start = opened.index(">") + 1
-    return f"{opened[:start]}<style>{STYLE}</style>{opened[start:]}\n"
+    return f"{opened[:start]}<style>{style()}</style>{opened[start:]}\n"
+
+
+def style() -> str:
+    """Rules of the plot as a file of its own."""
+    return plot_colours() + template("trade_plot")
 
 
 def curves(found: Trade) -> list[Curve]:
