@@ -3,7 +3,7 @@
 Ticks are multiples of 1, 2 or 5 times a power of ten.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from math import ceil, floor, isfinite, log10
@@ -18,6 +18,9 @@ LEFT, RIGHT, TOP, BOTTOM = 58.0, 14.0, 16.0, 44.0
 # Curves are drawn through at most this many samples.
 SAMPLES = 480
 COLOURS = 8
+
+Tick = tuple[float, str]
+"""A value on an axis, and its label."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +84,8 @@ def line_chart(
     room = 0.06 * (high - low) or max(abs(high), 1.0) * 0.5
     x = Axis(float(t[0]), float(t[-1]), LEFT, WIDTH - RIGHT)
     y = Axis(low - room, high + room, HEIGHT - BOTTOM, TOP)
-    parts = [_grid(x, y)]
+    ticks = ([(value, _number(value)) for value in axis.ticks] for axis in (x, y))
+    parts = [grid(x, y, *ticks, lines=False)]
     for n, row in enumerate(rows.values()):
         points = " ".join(
             f"{x.place(a):.1f},{y.place(b):.1f}"
@@ -121,26 +125,25 @@ def bar(share: float) -> str:
     )
 
 
-def _grid(x: Axis, y: Axis) -> str:
+def grid(
+    x: Axis, y: Axis, columns: Iterable[Tick], rows: Iterable[Tick], *, lines: bool = True
+) -> str:
+    """Ticks with their labels, a line at each, and the frame; x has short marks without `lines`."""
     parts = []
-    for value in y.ticks:
+    for value, label in rows:
         at = y.place(value)
         parts.append(
             f'<line class="grid" x1="{x.start}" x2="{x.end}" y1="{at:.1f}" y2="{at:.1f}"/>'
-        )
-        parts.append(
             f'<text class="tick" x="{x.start - 6}" y="{at:.1f}" dy=".35em"'
-            f' text-anchor="end">{_number(value)}</text>'
+            f' text-anchor="end">{label}</text>'
         )
-    for value in x.ticks:
+    kind, end = ("grid", y.end) if lines else ("tick-mark", y.start + 4)
+    for value, label in columns:
         at = x.place(value)
         parts.append(
-            f'<line class="tick-mark" x1="{at:.1f}" x2="{at:.1f}"'
-            f' y1="{y.start}" y2="{y.start + 4}"/>'
-        )
-        parts.append(
+            f'<line class="{kind}" x1="{at:.1f}" x2="{at:.1f}" y1="{y.start}" y2="{end}"/>'
             f'<text class="tick" x="{at:.1f}" y="{y.start + 18}"'
-            f' text-anchor="middle">{_number(value)}</text>'
+            f' text-anchor="middle">{label}</text>'
         )
     parts.append(f'<line class="frame" x1="{x.start}" x2="{x.end}" y1="{y.start}" y2="{y.start}"/>')
     return "".join(parts)
@@ -157,5 +160,7 @@ def _number(value: float) -> str:
 
 
 def power(exponent: int) -> str:
-    """A power of ten as SVG text."""
+    """A power of ten as SVG text; 1 as it is."""
+    if not exponent:
+        return "1"
     return f'10<tspan class="power" dy="-.45em">{str(exponent).replace("-", chr(0x2212))}</tspan>'

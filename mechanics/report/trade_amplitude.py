@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from html import escape
 from math import ceil, floor, log10
 
-from mechanics.report.charts import COLOURS, Axis, power
+from mechanics.report.charts import COLOURS, Axis, Tick, grid, power
 from mechanics.report.notation import svg_name
 from mechanics.trade.amplitude import Amplitude
 from mechanics.trade.dropping import ENOUGH
@@ -28,7 +28,13 @@ def amplitude_chart(rows: Sequence[Amplitude]) -> str:
     every = [point for curve in points.values() for point in curve]
     x = Axis(floor(min(a for a, _ in every)), ceil(max(a for a, _ in every)), LEFT, WIDTH - RIGHT)
     y = Axis(floor(min(e for _, e in every)), ceil(max(e for _, e in every)), HEIGHT - BOTTOM, TOP)
-    parts = [_grid(x, y, " or ".join(dict.fromkeys(row.unit for row in drawn)))]
+    units = " or ".join(dict.fromkeys(row.unit for row in drawn))
+    parts = [
+        grid(x, y, _powers(x), _powers(y)),
+        f'<text class="axis-title" x="{x.end}" y="{HEIGHT - 5}" text-anchor="end">'
+        f"amplitude in {escape(units)}</text>"
+        '<text class="axis-title" x="2" y="13">largest error</text>',
+    ]
     at = y.place(log10(ENOUGH))
     parts.append(
         f'<line class="target" x1="{x.start}" x2="{x.end}" y1="{at:.1f}" y2="{at:.1f}"/>'
@@ -57,30 +63,6 @@ def _logs(row: Amplitude) -> list[tuple[float, float]]:
     return [(log10(a), log10(e)) for a, e in row.curve if 0 < e < float("inf")]
 
 
-def _grid(x: Axis, y: Axis, unit: str) -> str:
-    parts = []
-    for exponent in _powers(y):
-        at = y.place(exponent)
-        parts.append(
-            f'<line class="grid" x1="{x.start}" x2="{x.end}" y1="{at:.1f}" y2="{at:.1f}"/>'
-            f'<text class="tick" x="{x.start - 6}" y="{at:.1f}" dy=".35em"'
-            f' text-anchor="end">{power(exponent) if exponent else "1"}</text>'
-        )
-    for exponent in _powers(x):
-        at = x.place(exponent)
-        parts.append(
-            f'<line class="grid" x1="{at:.1f}" x2="{at:.1f}" y1="{y.start}" y2="{y.end}"/>'
-            f'<text class="tick" x="{at:.1f}" y="{y.start + 19}" text-anchor="middle">'
-            f"{power(exponent) if exponent else '1'}</text>"
-        )
-    parts.append(
-        f'<text class="axis-title" x="{x.end}" y="{HEIGHT - 5}" text-anchor="end">'
-        f"amplitude in {escape(unit)}</text>"
-        '<text class="axis-title" x="2" y="13">largest error</text>'
-        f'<line class="frame" x1="{x.start}" x2="{x.end}" y1="{y.start}" y2="{y.start}"/>'
-    )
-    return "".join(parts)
-
-
-def _powers(axis: Axis) -> range:
-    return range(ceil(axis.low), floor(axis.high) + 1, max(1, ceil((axis.high - axis.low) / 6)))
+def _powers(axis: Axis) -> list[Tick]:
+    step = max(1, ceil((axis.high - axis.low) / 6))
+    return [(n, power(n)) for n in range(ceil(axis.low), floor(axis.high) + 1, step)]

@@ -10,7 +10,7 @@ from html import escape
 from itertools import groupby
 from math import ceil, floor, isfinite, log10
 
-from mechanics.report.charts import Axis, power
+from mechanics.report.charts import Axis, grid, power
 from mechanics.report.style import plot_colours, template
 from mechanics.trade import Measurement, Trade
 
@@ -146,30 +146,14 @@ def _scales(found: Trade, size: Size) -> Scales:
 
 
 def _grid(scales: Scales, size: Size) -> str:
-    x, y, parts = scales.x, scales.y, []
-    for exponent in range(ceil(y.low), floor(y.high) + 1):
-        at = y.place(exponent)
-        label = _seconds(exponent)
-        parts.append(
-            f'<line class="grid" x1="{x.start}" x2="{x.end}" y1="{at:.1f}" y2="{at:.1f}"/>'
-            f'<text class="tick" x="{x.start - 6}" y="{at:.1f}" dy=".35em"'
-            f' text-anchor="end">{label}</text>'
-        )
-    step = 2 if size.named else 3
-    for exponent in range(0, int(x.high) + 1, step):
-        at = x.place(exponent)
-        text = power(-exponent) if exponent else "1"
-        parts.append(
-            f'<line class="grid" x1="{at:.1f}" x2="{at:.1f}" y1="{y.start}" y2="{y.end}"/>'
-            f'<text class="tick" x="{at:.1f}" y="{y.start + 19}" text-anchor="middle">{text}</text>'
-        )
-    parts.append(f'<line class="frame" x1="{x.start}" x2="{x.end}" y1="{y.start}" y2="{y.start}"/>')
-    parts.append(
-        f'<text class="axis-title" x="{x.end}" y="{size.height - 5}" text-anchor="end">'
-        "largest error along the way, relative</text>"
+    x, y = scales.x, scales.y
+    columns = [(n, power(-n)) for n in range(0, int(x.high) + 1, 2 if size.named else 3)]
+    rows = [(n, _seconds(n)) for n in range(ceil(y.low), floor(y.high) + 1)]
+    return (
+        f'{grid(x, y, columns, rows)}<text class="axis-title" x="{x.end}" y="{size.height - 5}"'
+        ' text-anchor="end">largest error along the way, relative</text>'
         '<text class="axis-title" x="2" y="13">time for a second of motion</text>'
     )
-    return "".join(parts)
 
 
 def _seconds(exponent: int) -> str:
