@@ -16,7 +16,7 @@ from mechanics.compiled.arrays import arrays_of
 from mechanics.compiled.constant_folding import CONSTANTS, Exact, at, folded
 from mechanics.compiled.fixed import Fixed
 from mechanics.compiled.forms import FORMS
-from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.common_denominators import gathered
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import STATE, Quantities, mechanism_of, quantities
 from mechanics.compiled.reduced import Reduced

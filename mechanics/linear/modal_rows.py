@@ -13,7 +13,7 @@ from mechanics.linear.algebra import reduced
 from mechanics.linear.case import Case, Pairs, compare, numbers, require_conjugate
 from mechanics.linear.dimensionless import dimensionless
 from mechanics.linear.modes import Convention, Modes, characteristic, modes
-from mechanics.linear.rounded import check_rounded
+from mechanics.linear.printed_decimals import check_rounded
 from mechanics.scene.linear_quantities import (
     BackSubstitution,
     CharacteristicPolynomial,

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from sympy import Symbol
 
-from mechanics.report import ink
+from mechanics.report import strokes
 from mechanics.report.labels import places
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import Paper, View, normal, unit
@@ -211,11 +211,11 @@ def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, st
     size = min(8.0, 0.5 * radius * abs(swept))
     return "".join(
         (
-            ink.path(zero, "zero"),
-            "" if rod else ink.path(now, "arm"),
-            ink.path(arc, "motion"),
-            ink.head(arc[-1], arc[-1] - arc[-3], "motion", size),
-            ink.text(name, svg_name(coordinate.name), "motion-name"),
+            strokes.path(zero, "zero"),
+            "" if rod else strokes.path(now, "arm"),
+            strokes.path(arc, "motion"),
+            strokes.head(arc[-1], arc[-1] - arc[-3], "motion", size),
+            strokes.text(name, svg_name(coordinate.name), "motion-name"),
         )
     )
 
@@ -236,10 +236,10 @@ def _arrow(
     forward = 1.0 if (end - start) @ along >= 0 else -1.0
     return "".join(
         (
-            ink.path([start - tick, start + tick], "zero"),
-            ink.path([start, end], "motion"),
-            ink.head(end, end - start, "motion", size),
-            ink.text(end + 13 * forward * along, svg_name(coordinate.name), "motion-name"),
+            strokes.path([start - tick, start + tick], "zero"),
+            strokes.path([start, end], "motion"),
+            strokes.head(end, end - start, "motion", size),
+            strokes.text(end + 13 * forward * along, svg_name(coordinate.name), "motion-name"),
         )
     )
 
@@ -356,10 +356,10 @@ def orientation_picture(view: View, paper: Paper, rotation: Rotation) -> str:
     def pixel(direction: np.ndarray, length: float) -> np.ndarray:
         return paper.place(view.project(middle + length / paper.scale * direction))
 
-    drawn = [ink.path([pixel(a, 0), pixel(a, 1.1 * AXES)], "zero") for a in before.T]
+    drawn = [strokes.path([pixel(a, 0), pixel(a, 1.1 * AXES)], "zero") for a in before.T]
     for name, axis in zip("xyz", now.T, strict=True):
-        drawn.append(ink.arrow(pixel(axis, 0), pixel(axis, AXES), "motion"))
-        drawn.append(ink.text(pixel(axis, AXES + 14), svg_name(name), "motion-name"))
+        drawn.append(strokes.arrow(pixel(axis, 0), pixel(axis, AXES), "motion"))
+        drawn.append(strokes.text(pixel(axis, AXES + 14), svg_name(name), "motion-name"))
     turn = now @ before.T
     angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1, 1)))
     if angle > LEAST:
@@ -371,7 +371,7 @@ def orientation_picture(view: View, paper: Paper, rotation: Rotation) -> str:
             axis = -axis
         swept = Turn(middle, start, axis, 0.0)
         arc = [pixel(swept.at(a, 1.0) - middle, AXES / 2) for a in np.linspace(0, angle, SAMPLES)]
-        drawn += [ink.path(arc, "motion"), ink.head(arc[-1], arc[-1] - arc[-3], "motion")]
+        drawn += [strokes.path(arc, "motion"), strokes.head(arc[-1], arc[-1] - arc[-3], "motion")]
     return "".join(drawn)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from sympy import Symbol
 from sympy.physics.vector import Dyadic, Point
 
-from mechanics.report import ink
+from mechanics.report import strokes
 from mechanics.report.coordinates import coordinate_picture, movers, trace, zero_end
 from mechanics.report.label_places import apart
 from mechanics.report.labels import length_labels, point_labels
@@ -167,7 +167,7 @@ def directions(view: View, paper: Paper, parts: Sequence[str]) -> str:
 def _trace(view: View, paper: Paper, body: Body) -> str:
     """The circle that a point mass goes round."""
     circle = trace(view, body)
-    return "" if circle is None else ink.path([paper.place(p) for p in circle], "trace")
+    return "" if circle is None else strokes.path([paper.place(p) for p in circle], "trace")
 
 
 def _heavy(scene: Scene) -> bool:
@@ -306,30 +306,30 @@ def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) 
     if len(corners) == 1:
         way = rail(view, body)
         return (
-            ink.dot(centre, 9, "mass")
+            strokes.dot(centre, 9, "mass")
             if way is None
-            else ink.block(centre, paper.turn(way), *BLOCK)
+            else strokes.block(centre, paper.turn(way), *BLOCK)
         )
     ends = _ends(view, body) if isinstance(body, RigidBody) else []
     if len(ends) > 2:
-        shape = ink.path(ink.around(pixels), "body", closed=True)
-        return shape + ink.dot(centre, 3, "ink")
+        shape = strokes.path(strokes.around(pixels), "body", closed=True)
+        return shape + strokes.dot(centre, 3, "ink")
     if ends:
         # The mass centre need not lie on the line of the joints.
         middle = (pixels[0] + pixels[1]) / 2
-        aside = ink.path([middle, centre], "faint")
-        return aside + _rods(pixels[0], pixels) + ink.dot(centre, 3, "ink")
+        aside = strokes.path([middle, centre], "faint")
+        return aside + _rods(pixels[0], pixels) + strokes.dot(centre, 3, "ink")
     if len(corners) > 20:
-        shape = ink.path(pixels, "body", closed=True)
-        spoke = ink.path([pixels[0], centre, pixels[12]], "faint")
-        return shape + spoke + ink.dot(centre, 3, "ink")
+        shape = strokes.path(pixels, "body", closed=True)
+        spoke = strokes.path([pixels[0], centre, pixels[12]], "faint")
+        return shape + spoke + strokes.dot(centre, 3, "ink")
     point_mass = isinstance(body, RigidBody) and body.inertia == 0
-    return _rods(centre, pixels) + ink.dot(centre, 8 if point_mass else 3, "ink")
+    return _rods(centre, pixels) + strokes.dot(centre, 8 if point_mass else 3, "ink")
 
 
 def _rods(start: np.ndarray, pixels: Sequence[np.ndarray]) -> str:
     return "".join(
-        ink.path([start, pixel], style)
+        strokes.path([start, pixel], style)
         for style in ("rim", "rod")
         for pixel in pixels
         if np.hypot(*(pixel - start)) > 1
@@ -343,11 +343,11 @@ def _declared_shape(view: View, paper: Paper, body: RigidBody) -> str:
         pixels = [paper.place(point) for point in points]
         if outline.filled:
             middle = np.mean(pixels[:-1], axis=0)
-            drawn += ink.path(pixels, "body", closed=True)
-            drawn += ink.path([pixels[0], middle, pixels[12]], "faint")
+            drawn += strokes.path(pixels, "body", closed=True)
+            drawn += strokes.path([pixels[0], middle, pixels[12]], "faint")
         else:
-            drawn += "".join(ink.path(pixels, style) for style in ("rim", "rod"))
-    return drawn + ink.dot(centre, 3, "ink")
+            drawn += "".join(strokes.path(pixels, style) for style in ("rim", "rod"))
+    return drawn + strokes.dot(centre, 3, "ink")
 
 
 def _joints(view: View, paper: Paper) -> str:
@@ -356,7 +356,7 @@ def _joints(view: View, paper: Paper) -> str:
         for r in view.scene.reactions
         if r.at is not None and r.by is not None and not r.parts
     }
-    return "".join(ink.dot(place, 4.5, "joint") for place in places.values())
+    return "".join(strokes.dot(place, 4.5, "joint") for place in places.values())
 
 
 def _axes(view: View, paper: Paper) -> str:
@@ -367,8 +367,8 @@ def _axes(view: View, paper: Paper) -> str:
         along = paper.turn(view.direction(axis))
         if np.hypot(*along) > 1e-9:
             tip = corner + 34 * along
-            parts.append(ink.arrow(corner, tip, "axis"))
-            parts.append(ink.text(tip + 11 * unit(along), svg_name(name), "axis-name"))
+            parts.append(strokes.arrow(corner, tip, "axis"))
+            parts.append(strokes.text(tip + 11 * unit(along), svg_name(name), "axis-name"))
     return "".join(parts)
 
 
@@ -398,7 +398,7 @@ def _label(view: View, paper: Paper, body: Body) -> str:
     centre = paper.place(view.point(body.centre))
     if isinstance(body, RigidBody) and (body.outlines or _is_rod_or_oval_in_space(view, body)):
         at = _clear_corner(view, paper, body)
-        return ink.text(at + 18 * unit(at - paper.middle), _words(body))
+        return strokes.text(at + 18 * unit(at - paper.middle), _words(body))
     if isinstance(body, RigidBody) and (rail(view, body) is None or len(outline(view, body)) > 1):
         _, arm, sense = _lever(view, paper, body)
         side = -sense * normal(unit(arm)) if np.hypot(*arm) > 1 else np.array([0.7, 0.7])
@@ -406,19 +406,19 @@ def _label(view: View, paper: Paper, body: Body) -> str:
         driven = any(isinstance(load, Torque) and load.on == body.name for load in view.scene.loads)
         # The arrow of a torque is above its point.
         away = 44 if driven and side[1] < 0.5 else 20
-        return ink.text(centre + away * side, _words(body), "name", anchor)
+        return strokes.text(centre + away * side, _words(body), "name", anchor)
     if not view.scene.reactions:
-        return ink.text(centre, escape(body.name))
+        return strokes.text(centre, escape(body.name))
     if trace(view, body) is not None:
-        return ink.text(centre + 22 * unit(centre - paper.middle), escape(body.name))
+        return strokes.text(centre + 22 * unit(centre - paper.middle), escape(body.name))
     below = 1 if centre[1] >= paper.middle[1] - 1 else -1
     way = rail(view, body)
     if way is None or abs(way[0]) < abs(way[1]):
         # A point, or a block that goes up and down, with its coordinate beside it.
         away = 22 if way is None else 40
-        return ink.text(centre + np.array([0, away * below]), escape(body.name))
+        return strokes.text(centre + np.array([0, away * below]), escape(body.name))
     # Any other block has its coordinate on one half of its outer side, and its name on the other.
-    return ink.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")
+    return strokes.text(centre + np.array([-12, 44 * below]), escape(body.name), "name", "end")
 
 
 def _clear_corner(view: View, paper: Paper, body: Body) -> np.ndarray:

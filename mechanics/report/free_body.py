@@ -18,7 +18,7 @@ from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import Mechanism
 from mechanics.program import interpret
 from mechanics.program.numpy_domain import Arrays
-from mechanics.report import ink
+from mechanics.report import strokes
 from mechanics.report.drawing import body_shape, outline, paper_of
 from mechanics.report.label_places import apart
 from mechanics.report.notation import svg_name
@@ -189,12 +189,12 @@ def _arrow(
         length = LENGTH + 1.6 * ASIDE * taken
         start, end = (at - length * along, at) if pushes else (at, at + length * along)
         outer = start - 14 * along if pushes else end + 14 * along
-        drawn += [ink.arrow(start, end, "own"), ink.text(outer, arrow.label, "own-name")]
+        drawn += [strokes.arrow(start, end, "own"), strokes.text(outer, arrow.label, "own-name")]
     elif np.any(arrow.couple):
         sign = 1.0 if (arrow.couple if view.planar else -arrow.couple)[2] >= 0 else -1.0
         start = 0.4 if sign > 0 else np.pi - 0.4
-        drawn.append(ink.arc(middle, 30, start, sign * 2.3, "own"))
-        drawn.append(ink.text(middle + np.array([0.0, -44.0]), arrow.label, "own-name"))
+        drawn.append(strokes.arc(middle, 30, start, sign * 2.3, "own"))
+        drawn.append(strokes.text(middle + np.array([0.0, -44.0]), arrow.label, "own-name"))
     if not drawn:
         return ""
     return f'<g class="{slug(arrow.source)} arrow {arrow.colour}">{"".join(drawn)}</g>'
@@ -203,9 +203,9 @@ def _arrow(
 def _mark(at: np.ndarray, name: str) -> str:
     """The moment centre: a ring with a point."""
     return (
-        ink.dot(at, 6, "centre")
-        + ink.dot(at, 1.8, "ink")
-        + ink.text(at + np.array([16.0, 14.0]), svg_name(name), "name")
+        strokes.dot(at, 6, "centre")
+        + strokes.dot(at, 1.8, "ink")
+        + strokes.text(at + np.array([16.0, 14.0]), svg_name(name), "name")
     )
 
 

@@ -15,7 +15,7 @@ from sympy.physics.vector import Point
 from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import lower
 from mechanics.program import Builder
-from mechanics.report import ink
+from mechanics.report import strokes
 from mechanics.report.notation import svg_name
 from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene.loads import Force
@@ -55,7 +55,7 @@ def point_labels(view: View, paper: Paper, parts: Sequence[str]) -> str:
         if _room(spot, obstacles, at) < CROWDED:
             continue
         obstacles = np.vstack([obstacles, spot])
-        drawn.append(ink.dot(at, 2.2, "ink") + ink.text(spot, label, "name"))
+        drawn.append(strokes.dot(at, 2.2, "ink") + strokes.text(spot, label, "name"))
     return "".join(drawn)
 
 
@@ -86,9 +86,9 @@ def length_labels(view: View, paper: Paper, parts: Sequence[str]) -> str:
         if _room(text, obstacles, middle) < CROWDED:
             continue
         obstacles = np.vstack([obstacles, text])
-        ticks = (ink.path([end - 0.3 * side, end + 0.3 * side], "thin") for end in line)
-        drawn.append(ink.path(line, "thin") + "".join(ticks))
-        drawn.append(ink.text(text, _size_name(sizes[0]), "axis-name"))
+        ticks = (strokes.path([end - 0.3 * side, end + 0.3 * side], "thin") for end in line)
+        drawn.append(strokes.path(line, "thin") + "".join(ticks))
+        drawn.append(strokes.text(text, _size_name(sizes[0]), "axis-name"))
     return "".join(drawn)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from sympy import Expr, Mul, Symbol
 from sympy.physics.vector import Point, Vector
 
-from mechanics.report import ink
+from mechanics.report import strokes
 from mechanics.report.coordinates import trace
 from mechanics.report.notation import in_order, svg_name
 from mechanics.report.projection import Paper, View, normal, unit
@@ -41,7 +41,9 @@ def ground(view: View, paper: Paper, moving: bool = False) -> str:
     groups: dict[Point, list[Reaction]] = {}
     ropes = [joint for joint in view.scene.joints if isinstance(joint, Rope)]
     tensions = [reaction for rope in ropes for reaction in rope.reactions]
-    drawn = [ink.path([paper.place(view.point(p)) for _, p in rope.ends], "line") for rope in ropes]
+    drawn = [
+        strokes.path([paper.place(view.point(p)) for _, p in rope.ends], "line") for rope in ropes
+    ]
     for reaction in view.scene.reactions:
         if reaction.by is None and reaction.at is not None and reaction not in tensions:
             groups.setdefault(reaction.at, []).append(reaction)
@@ -66,7 +68,7 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: 
         # A ring that turns about its middle is held where it ends.
         rims = view.outlines(view.scene.body(held[0].on))
         pixels = [paper.place(point) for points in rims for point in points]
-        return ink.pin(max([place, *pixels], key=lambda pixel: float(pixel @ into)), into)
+        return strokes.pin(max([place, *pixels], key=lambda pixel: float(pixel @ into)), into)
     if _is_led(view, held):
         return ""  # a point mass on a string, a rod or a curve: its trace is drawn, not which
     body = view.scene.body(held[0].on)
@@ -74,8 +76,8 @@ def _support(view: View, paper: Paper, at: Point, held: list[Reaction], moving: 
     foot = place + (BLOCK[1] / 2) * into if block else place
     if moving and not any(view.turns(reaction.along) for reaction in held):
         along = normal(into)
-        return ink.hatching(foot - along * (along @ (foot - paper.middle)), along, into, 300)
-    return ink.hatching(foot, normal(into), into, 110 if len(pushes) > 1 else 72)
+        return strokes.hatching(foot - along * (along @ (foot - paper.middle)), along, into, 300)
+    return strokes.hatching(foot, normal(into), into, 110 if len(pushes) > 1 else 72)
 
 
 def _is_pin(view: View, at: Point, held: list[Reaction]) -> bool:
@@ -110,7 +112,7 @@ def _plane(view: View, paper: Paper, held: Sequence[Point], moving: bool) -> str
     inside = np.linalg.solve(axes, np.array(places).T)
     low, high = inside.min(axis=1) - reach, inside.max(axis=1) + reach
     around = ((low[0], low[1]), (low[0], high[1]), (high[0], high[1]), (high[0], low[1]))
-    return ink.path([axes @ np.array(corner) for corner in around], style, closed=True)
+    return strokes.path([axes @ np.array(corner) for corner in around], style, closed=True)
 
 
 def load_symbol(view: View, paper: Paper, load: Load) -> str:
@@ -126,7 +128,7 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
         tip = paper.place(view.point(load.at))
         along = unit(paper.turn(view.direction(load.vector)))
         start, end = tip + 32 * along, tip + 78 * along
-        return ink.arrow(start, end, "force") + ink.text(
+        return strokes.arrow(start, end, "force") + strokes.text(
             end + 12 * along, label(load.vector.magnitude(), load.name), "force-name"
         )
     if isinstance(load, Coulomb):
@@ -134,7 +136,7 @@ def load_symbol(view: View, paper: Paper, load: Load) -> str:
     if isinstance(load, Torque | TorsionSpring):
         centre = paper.place(view.point(_joint_of(view, load)))
         at = centre + np.array([0.0, -38.0])
-        return ink.arc(centre, 26, 0.4, 2.3, "force") + ink.text(
+        return strokes.arc(centre, 26, 0.4, 2.3, "force") + strokes.text(
             at, label(Symbol(load.name), load.name), "force-name"
         )
     raise TypeError(f"no drawing is known for the load {load!r}")
@@ -161,7 +163,7 @@ def gravity_arrow(view: View, paper: Paper) -> str:
     along = paper.turn(view.down)
     middle = np.array([134.0, 50.0])
     start, end = middle - 22 * along, middle + 22 * along
-    return ink.arrow(start, end, "force") + ink.text(
+    return strokes.arrow(start, end, "force") + strokes.text(
         middle + np.array([-14.0, 0.0]), svg_name("g"), "force-name"
     )
 
@@ -174,7 +176,7 @@ def _friction(view: View, paper: Paper, load: Coulomb) -> str:
     against = sliding if view.number(load.sliding) < 0 else -sliding
     start = paper.place(view.point(pressing.at)) + 0.6 * foot + 0.6 * BLOCK[0] * against
     end = start + 40 * against
-    return ink.arrow(start, end, "force") + ink.text(
+    return strokes.arrow(start, end, "force") + strokes.text(
         end + 16 * against, label(load.coefficient, load.name), "force-name"
     )
 
@@ -188,7 +190,7 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
             # The anchor stands where the spring is free; it is drawn at a length that shows it.
             start = start - SLACK * along
         if not view.swings(load.first):
-            wall = ink.hatching(start, normal(along), -along, 24)
+            wall = strokes.hatching(start, normal(along), -along, 24)
         else:
             start = start + _inset(view, load, load.first, load.first_on) * along
         end = end - _inset(view, load, load.second, load.second_on) * along
@@ -197,11 +199,11 @@ def _between(view: View, paper: Paper, load: Spring | Damper) -> str:
     place, lanes = _lane(view, load)
     aside = LANE * (place - (lanes - 1) / 2) * side
     start, end = start + aside, end + aside
-    stroke = ink.zigzag(start, end) if isinstance(load, Spring) else ink.dashpot(start, end)
+    stroke = strokes.zigzag(start, end) if isinstance(load, Spring) else strokes.dashpot(start, end)
     constant = load.stiffness if isinstance(load, Spring) else load.coefficient
     outward = side if 2 * place >= lanes - 1 else -side
     at = (start + end) / 2 + 20 * outward
-    return wall + stroke + ink.text(at, label(constant, load.name), "name")
+    return wall + stroke + strokes.text(at, label(constant, load.name), "name")
 
 
 def is_slack_at_anchor(view: View, load: Load) -> bool:

@@ -14,8 +14,8 @@ from markupsafe import Markup, escape
 from sympy import MatrixBase, S
 
 from mechanics.equations import Line, Side
-from mechanics.report.breaking import broken
 from mechanics.report.latex_items import terms
+from mechanics.report.line_breaks import broken
 from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
 from mechanics.scene.published import Published
 

@@ -21,8 +21,8 @@ from mechanics.simulate.integrators import Outcome, Problem
 from mechanics.simulate.values import for_equations, read_parameters
 from mechanics.trade.case import BUDGET, Case
 from mechanics.trade.choice import Choice
+from mechanics.trade.load_scaling import SHARE, Part, parts
 from mechanics.trade.measure import integrator
-from mechanics.trade.scaled import SHARE, Part, parts
 from mechanics.trade.truth import from_states
 
 Derive = Callable[[Scene], Equations]

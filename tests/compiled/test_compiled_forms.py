@@ -5,8 +5,8 @@ import pytest
 import sympy
 
 from mechanics.compiled import FORMS, compile, prove_graph
+from mechanics.compiled.forms.leading_minors import trailing_minors, without_subtraction
 from mechanics.compiled.forms.primitive import common_factor, primitive
-from mechanics.compiled.forms.rearranged import trailing_minors, without_subtraction
 from mechanics.errors import InputError
 from mechanics.routes.derivation import by_route
 from systems import pendulum_chain

@@ -10,11 +10,11 @@ from mechanics.blame.result import Blame, Difference, Edit, Mistake, Repair
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict, Witness
+from mechanics.report.answer.formulas import Hand, block, equation, formula
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces
 from mechanics.report.answer.places import applied, placed
 from mechanics.report.answer.terminal import answer, plain
-from mechanics.report.answer.typed import Hand, block, equation, formula
 from systems import elastic_pendulum
 
 NAMING = Naming(Vocabulary(elastic_pendulum.scene()))

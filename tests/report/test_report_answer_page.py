@@ -11,10 +11,10 @@ from mechanics.blame.result import Blame, Edit, Mistake, Repair
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.formulas import Hand, equation, formula
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.page import check_html
 from mechanics.report.answer.safe_mathml import safe_mathml
-from mechanics.report.answer.typed import Hand, equation, formula
 from mechanics.report.latex_items import terms
 from mechanics.routes.derivation import steps_of
 from systems import elastic_pendulum

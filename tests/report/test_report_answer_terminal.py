@@ -12,11 +12,11 @@ from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict, Witness
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.formulas import Hand
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.segments import spoken
 from mechanics.report.answer.terminal import answer, plain
-from mechanics.report.answer.typed import Hand
 from mechanics.report.answer.witness import short_state, short_values
 from systems import elastic_pendulum
 

@@ -12,7 +12,7 @@ from sympy import ImmutableMatrix
 
 from mechanics.compiled.forms.closed import Polynomial, numbered
 from mechanics.compiled.forms.graph import Decide, Written, search, written
-from mechanics.compiled.forms.nested import ONE, Choice, Nest, Table
+from mechanics.compiled.forms.horner import ONE, Choice, Nest, Table
 from mechanics.kernel.ring import TooLarge
 from mechanics.symbolic.canonical_poly import reader
 

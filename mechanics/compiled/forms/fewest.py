@@ -16,7 +16,7 @@ from sympy import Matrix, Symbol
 from mechanics.compiled.forms.closed import Polynomial, Quotient, quotients
 from mechanics.compiled.forms.coefficient import Coefficient
 from mechanics.compiled.forms.graph import Decide, Written, search, written
-from mechanics.compiled.forms.nested import UNIT, Choice, Nest, Table, Term
+from mechanics.compiled.forms.horner import UNIT, Choice, Nest, Table, Term
 
 PATIENCE, MOST = 80, 2000
 """Trials without success after which a search ends, and trials after which it ends anyway."""

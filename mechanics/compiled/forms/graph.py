@@ -15,7 +15,7 @@ import casadi as ca
 from sympy import Expr
 
 from mechanics.compiled.forms.coefficient import Coefficient
-from mechanics.compiled.forms.nested import Nest
+from mechanics.compiled.forms.horner import Nest
 from mechanics.compiled.translate import Translator
 
 FUNCTION = 20

@@ -24,9 +24,9 @@ from mechanics.compiled.forms.bodies import no_joint_tree, no_loops, no_spanning
 from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
 from mechanics.compiled.forms.factor import solve_general, solve_with_pivots
 from mechanics.compiled.forms.fewest import nested_quotients
+from mechanics.compiled.forms.leading_minors import MOST, trailing_minors
 from mechanics.compiled.forms.operations import operations
 from mechanics.compiled.forms.primitive import primitive
-from mechanics.compiled.forms.rearranged import MOST, trailing_minors
 from mechanics.compiled.forms.system import System
 from mechanics.compiled.forms.weigh import MOST as MOST_DIGITS
 from mechanics.compiled.forms.weigh import ROUNDINGS, digits_lost

@@ -13,7 +13,7 @@ from sympy import Symbol
 
 from mechanics.compiled.c.status import WATCHED, with_watched
 from mechanics.compiled.graphs import Graphs
-from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.common_denominators import gathered
 from mechanics.compiled.programs.hoist import CONSTANTS, PREPARE, PREPARED, Hoisted, hoisted
 from mechanics.compiled.programs.reciprocals import with_reciprocals
 from mechanics.compiled.quantities import Quantity

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechanics.kernel import Verdict
-from mechanics.report.answer import typed
+from mechanics.report.answer import formulas
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.sentences import about, place, sides, solved
@@ -35,7 +35,7 @@ class Card:
     equation: Markup
     others: tuple[Markup, ...]
     long: bool
-    hand: typed.Hand
+    hand: formulas.Hand
     row: str
     headline: str
     meaning: str
@@ -67,7 +67,7 @@ def sheets_of(told: Iterable[Judged], scene: Scene) -> list[Sheet]:
         statement = entries[0].statement
         verdicts = [entry.verdict for entry in entries]
         worst = max(verdicts, key=WORST.index)
-        equation = typed.equation(statement.source, cards[0].hand)
+        equation = formulas.equation(statement.source, cards[0].hand)
         title = names_of(entries[0])[0] if len(cards) > 1 else statement.tag
         found.append(Sheet(title, place(statement), equation, worst, cards))
     return found
@@ -76,8 +76,8 @@ def sheets_of(told: Iterable[Judged], scene: Scene) -> list[Sheet]:
 def _card(number: int, entry: Judged, scene: Scene) -> Card:
     statement, blame = entry.statement, entry.blame
     repairs = blame.repairs if blame is not None else ()
-    hand = typed.hand_of(statement)
-    shown = [typed.equation(statement.source, hand, repair.edits) for repair in repairs]
+    hand = formulas.hand_of(statement)
+    shown = [formulas.equation(statement.source, hand, repair.edits) for repair in repairs]
     witness = entry.finding.witness
     words, known = meaning(entry.finding)
     return Card(
@@ -85,7 +85,7 @@ def _card(number: int, entry: Judged, scene: Scene) -> Card:
         entry=entry,
         about=about(statement),
         place=place(statement),
-        equation=shown[0] if shown else typed.equation(statement.source, hand),
+        equation=shown[0] if shown else formulas.equation(statement.source, hand),
         others=tuple(shown[1:]),
         long=len(statement.source) > LONG,
         hand=hand,

@@ -11,8 +11,8 @@ from rich.console import Group
 from mechanics.claims.names import Match
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
+from mechanics.report.answer.code_formula import numbered, once, spelled
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.spelled import numbered, once, spelled
 from mechanics.report.answer.terminal import answer, plain
 from mechanics.scene import Scene
 

@@ -8,7 +8,7 @@ from markupsafe import Markup
 from mechanics.equations import Line
 from mechanics.errors import wanted
 from mechanics.report import words
-from mechanics.report.answer import typed
+from mechanics.report.answer import formulas
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.segments import parted
@@ -44,10 +44,10 @@ def check_html(found: Check) -> str:
     wanted(found, (Check,), "check_html", "pass check(scene, equations)")
     made = environment()
     made.globals.update(
-        block=typed.block, counted=counted, formula=typed.formula, order=order,
+        block=formulas.block, counted=counted, formula=formulas.formula, order=order,
         parted=parted, read_as=read_as, two_sided=two_sided, which=which,
     )  # fmt: skip
-    made.tests["wide"] = typed.wide
+    made.tests["wide"] = formulas.wide
     told, notes = shared_notes(found.told)
     form = goal_of((found.derived,)) if found.derived is not None else ()
     state = dict(found.scene.example)
@@ -56,7 +56,7 @@ def check_html(found: Check) -> str:
         scene=found.scene,
         sheets=sheets_of(told, found.scene),
         notes=notes,
-        hand=typed.hand_of(told[0].statement) if told else typed.Hand("", None),
+        hand=formulas.hand_of(told[0].statement) if told else formulas.Hand("", None),
         tally=words.tally(entry.finding for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),

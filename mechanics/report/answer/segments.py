@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from mechanics.report.answer.typed import Hand
+from mechanics.report.answer.formulas import Hand
 
 ROWS = re.compile(r"(.*\bwould differ by \()([^;]*)(\).*)", re.DOTALL)
 DEFINED = re.compile(r"(.* is taken as defined by: )(.*)", re.DOTALL)

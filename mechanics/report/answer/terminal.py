@@ -18,6 +18,7 @@ from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.differences import Differences
+from mechanics.report.answer.formulas import Hand, hand_of
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.lines import Hanging, below, line
 from mechanics.report.answer.marks import pieces, printable, shortened
@@ -38,7 +39,6 @@ from mechanics.report.answer.sentences import (
 from mechanics.report.answer.sheets import shared_notes, sheets
 from mechanics.report.answer.source import Source
 from mechanics.report.answer.term_values import term_values
-from mechanics.report.answer.typed import Hand, hand_of
 from mechanics.report.answer.witness import short_state, short_value, short_values
 from mechanics.scene import Scene
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechanics.compiled.machine.native import find_compiler
-from mechanics.compiled.machine.shared import load_shared
+from mechanics.compiled.machine.shared_libraries import load_shared
 from mechanics.compiled.right_hand_side import Held
 from mechanics.errors import CompilerError, InputError
 from mechanics.program.json_format import read, write

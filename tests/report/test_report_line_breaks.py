@@ -7,8 +7,8 @@ import pytest
 from markupsafe import Markup
 
 from mechanics.report.answer.safe_mathml import safe_mathml
-from mechanics.report.breaking import WIDEST, broken
 from mechanics.report.latex_items import width
+from mechanics.report.line_breaks import WIDEST, broken
 from mechanics.report.notation import mathml
 
 LONG = " + ".join(rf"m_{{{n}}} l \ddot{{\theta}}_{{{n}}}" for n in range(1, 8))

@@ -20,8 +20,8 @@ from mechanics.report.answer.marks import Piece, pieces, printable
 from mechanics.report.answer.person_latex import clean, marked
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.tree_latex import TreeLatex, function_latex
-from mechanics.report.breaking import broken
 from mechanics.report.latex_items import width
+from mechanics.report.line_breaks import broken
 
 COLUMN = 16
 """Characters that fit into one of four columns."""

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechanics.compiled.programs.gathered import gathered
+from mechanics.compiled.programs.common_denominators import gathered
 from mechanics.program.casadi_reader import read_routine
 from mechanics.program.operations import ADD, DIVIDE, INPUT, MULTIPLY, NEGATE, SUBTRACT
 from mechanics.program.routine import Routine, run
