@@ -335,7 +335,11 @@ def _root(target: Any) -> str:
 
 
 def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: bool) -> None:
-    used = {safe(words(one)) for one in within(node.child_by_field_name("body"), "identifier")}
+    body_of = node.child_by_field_name("body")
+    sizes = {
+        one.id for new in within(body_of, "new_expression") for one in within(new, "identifier")
+    }
+    used = {safe(words(one)) for one in within(body_of, "identifier") if one.id not in sizes}
     if not main and not scope.returns:
         raise refuse(node, f"{name} returns no number, and another function calls it")
     given = [a for a in scope.arguments if a in used or not main]
@@ -372,6 +376,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             _declaration(page, node, depth, scope)
         case "using_declaration" | "alias_declaration":
             page.put(line, depth, "pass")
+        case "throw_statement":
+            page.put(line, depth, "raise ValueError")
         case "expression_statement" if named(node) and words(node).startswith("(void)"):
             page.put(line, depth, "pass")
         case "expression_statement" if named(node):
@@ -660,7 +666,8 @@ def _call(node: Any, scope: Scope) -> str:
         return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":
         return _place(node, scope)
-    if words(head).startswith(("static_cast<double>", "static_cast<float>", "double", "float")):
+    casts = ("static_cast<double>", "static_cast<float>", "double", "float")
+    if words(head).startswith(casts) or _is_type(head):
         return _value(named(given)[0], scope)
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
@@ -671,6 +678,17 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)
     raise refuse(node)
+
+
+def _is_type(name: Any) -> bool:
+    """Whether a name is what a template leaves open: T in template <typename T>."""
+    node = name
+    while node is not None and node.type != "template_declaration":
+        node = node.parent
+    parameters = node and node.child_by_field_name("parameters")
+    return bool(parameters) and words(name) in map(
+        words, within(parameters, "type_identifier", "identifier")
+    )
 
 
 def _call_of(name: str, node: Any, scope: Scope) -> str:
