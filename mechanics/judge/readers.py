@@ -78,8 +78,17 @@ def read(
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
-            reader = read_cpp if thing.suffix in SUFFIXES else read_c
-            return reader(scene, text, function, names, about, origin)
+            if thing.suffix in SUFFIXES:
+                return read_cpp(scene, text, function, names, about, origin)
+            try:
+                return read_c(scene, text, function, names, about, origin)
+            except InputError as error:
+                if "is not declared" not in str(error) or '#include "' in text:
+                    raise  # a header that is not there may define anything
+                try:  # with names that nothing declares as arguments
+                    return read_cpp(scene, text, function, names, about, origin)
+                except InputError:
+                    raise error from None
         options = {"names": names, "notation": notation, "about": about}
         if thing.suffix == ".m" and notation is None and has_function(text := file_text(thing)):
             return read_matlab(scene, text, names, about, str(thing))

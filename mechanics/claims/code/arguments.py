@@ -245,7 +245,7 @@ def named_entries(naming: Naming, name: str, apart: Apart | None) -> Value:
     )  # fmt: skip
     scene = naming.vocabulary.scene
     whole = set(known_entries) >= {*scene.q, *scene.u}
-    alike = bases <= inputs or bases <= constants.keys() or bases <= moving
+    alike = bases <= inputs | constants.keys() or bases <= moving
     if not (apart.fields or whole or alike):
         return ()  # q, u = z takes a state apart, whatever the scene calls q and u
     return known_entries

@@ -91,21 +91,23 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         For what is not read, by line and column.
     """
     root = tree(_language, text, "tree-sitter-cpp")
-    if (wrong := first_error(root)) is not None:
-        raise refuse(wrong)
-    nodes = _functions(root)
+    nodes, twice = _functions(root)
     if not nodes or (wanted and wanted not in nodes):
         raise Unread(f"there is no function {wanted or ''} in it")
     _refuse_conditions(root)
-    constants, integers = _numbers(root, nodes)
-    types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
-    structs = {words(s.child_by_field_name("name")): s for s in types}
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     called = {other for others in calls.values() for other in others}
     chosen = [wanted] if wanted else [n for n in nodes if n not in called]
+    order = _callees_first(chosen, calls, nodes)
+    for name in order:  # what stands in others says nothing of these
+        if (wrong := twice.get(name) or first_error(nodes[name])) is not None:
+            raise wrong if isinstance(wrong, Unread) else refuse(wrong)
+    constants, integers = _numbers(root, {name: nodes[name] for name in order})
+    types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
+    structs = {words(s.child_by_field_name("name")): s for s in types}
     scopes: dict[str, Scope] = {}
     bodies: dict[str, Page] = {}
-    for name in _callees_first(chosen, calls, nodes):
+    for name in order:
         scope = _scope(nodes[name], structs, nodes, scopes)
         scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
         bodies[name] = Page()
@@ -121,23 +123,21 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     return tuple(space[name] for name in chosen)
 
 
-def _functions(root: Any) -> dict[str, Any]:
+def _functions(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
     """Functions by their names, without those that only make objects.
 
-    Raises
-    ------
-    Unread
-        For two of one name, and for one of the library's.
+    And what is to be said of two of one name, and of one of the library's.
     """
     nodes: dict[str, Any] = {}
+    twice: dict[str, Unread] = {}
     for node in within(root, "function_definition"):
         if node.child_by_field_name("type") is None:
             continue
         name = _title(node)
         if name in nodes or name in LIBRARY or name == "pow":
-            raise refuse(node, f"{name} is the name of two functions: rename it")
+            twice[name] = refuse(node, f"{name} is the name of two functions: rename it")
         nodes[name] = node
-    return nodes
+    return nodes, twice
 
 
 def _refuse_conditions(root: Any) -> None:
@@ -185,18 +185,38 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
             value = declarator.child_by_field_name("value") or (values[0] if values else None)
             if value is None or len(values) > 1:
                 continue
-            parts = named(value) if value.type == "initializer_list" else [value]
-            if len(parts) != 1 or within(declarator, "array_declarator", "function_declarator"):
-                raise refuse(node)
             name = safe(words(within(declarator, "identifier", "field_identifier")[0]))
+            own = replace(scope, free={}, numbers=True, integers=integers)
+            try:
+                number = _constant(node, declarator, value, own)
+            except Unread:
+                if name in used:
+                    raise
+                continue
             if name in constants:
                 raise refuse(node, f"{name} is the name of two numbers: rename one")
-            constants[name] = _value(parts[0], replace(scope, numbers=True, integers=integers))
-            whole = kind in INTEGERS or (kind == "auto" and _whole(parts[0], scope))
+            if own.free and name not in used:
+                continue
+            scope.free |= own.free
+            constants[name] = number
+            whole = kind in INTEGERS or (kind == "auto" and _whole(value, scope))
             integers |= {name} if whole else set()
     if unknown := scope.free:
         raise refuse(root, f"{', '.join(unknown)}: nothing gives it a value")
     return constants, integers
+
+
+def _constant(node: Any, declarator: Any, value: Any, scope: Scope) -> str:
+    """The number that a constant of the file is.
+
+    Raises
+    ------
+    Unread
+    """
+    parts = named(value) if value.type == "initializer_list" else [value]
+    if len(parts) != 1 or within(declarator, "array_declarator", "function_declarator"):
+        raise refuse(node)
+    return _value(parts[0], scope)
 
 
 def _owner(node: Any) -> Any:
@@ -315,7 +335,11 @@ def _root(target: Any) -> str:
 
 
 def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: bool) -> None:
-    used = {safe(words(one)) for one in within(node.child_by_field_name("body"), "identifier")}
+    body_of = node.child_by_field_name("body")
+    sizes = {
+        one.id for new in within(body_of, "new_expression") for one in within(new, "identifier")
+    }
+    used = {safe(words(one)) for one in within(body_of, "identifier") if one.id not in sizes}
     if not main and not scope.returns:
         raise refuse(node, f"{name} returns no number, and another function calls it")
     given = [a for a in scope.arguments if a in used or not main]
@@ -350,6 +374,12 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                 page.put(line, depth, "pass")
         case "declaration":
             _declaration(page, node, depth, scope)
+        case "using_declaration" | "alias_declaration":
+            page.put(line, depth, "pass")
+        case "throw_statement":
+            page.put(line, depth, "raise ValueError")
+        case "expression_statement" if named(node) and words(node).startswith("(void)"):
+            page.put(line, depth, "pass")
         case "expression_statement" if named(node):
             page.put(line, depth, _changed(named(node)[0], scope))
         case "return_statement":
@@ -423,7 +453,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
             scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
-        if value is None or (value.type == "argument_list" and not _is_scalar(kind)):
+        empty = value is not None and value.type == "new_expression"
+        if value is None or empty or (value.type == "argument_list" and not _is_scalar(kind)):
             page.put(line, depth, f"{name} = None")
         elif value.type == "initializer_list" and _is_scalar(kind) and not array:
             page.put(line, depth, f"{name} = {_value(inner[0], scope) if inner else '0.0'}")
@@ -635,7 +666,8 @@ def _call(node: Any, scope: Scope) -> str:
         return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":
         return _place(node, scope)
-    if words(head).startswith(("static_cast<double>", "static_cast<float>", "double", "float")):
+    casts = ("static_cast<double>", "static_cast<float>", "double", "float")
+    if words(head).startswith(casts) or _is_type(head):
         return _value(named(given)[0], scope)
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
@@ -646,6 +678,17 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)
     raise refuse(node)
+
+
+def _is_type(name: Any) -> bool:
+    """Whether a name is what a template leaves open: T in template <typename T>."""
+    node = name
+    while node is not None and node.type != "template_declaration":
+        node = node.parent
+    parameters = node and node.child_by_field_name("parameters")
+    return bool(parameters) and words(name) in map(
+        words, within(parameters, "type_identifier", "identifier")
+    )
 
 
 def _call_of(name: str, node: Any, scope: Scope) -> str:

@@ -110,8 +110,6 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
     if not nodes:
         raise Unread("there is no function in it")
-    if (wrong := first_error(root)) is not None:
-        raise refuse(wrong)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
     around = {n: _around(node) for n, node in nodes.items()}
@@ -120,6 +118,9 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     wanted = list(chosen)
     for name in wanted:
         wanted += [other for other in calls[name] if other not in wanted]
+    for wrong in map(first_error, (nodes[name] for name in wanted)):
+        if wrong is not None:
+            raise refuse(wrong)
     page = Page()
     flags: dict[str, None] = {}
     scopes = {name: _scope(nodes[name], {*nodes}, known) for name in wanted}

@@ -37,7 +37,7 @@ def counted(*parts: int) -> range:
     return found
 
 
-BUILTINS = {"range": counted, "tuple": tuple}
+BUILTINS = {"range": counted, "tuple": tuple, "ValueError": ValueError}
 
 
 @dataclass
@@ -94,7 +94,7 @@ class Page:
         """What the page defines.
 
         It is printed from nodes of a tree that are known one by one, so that nothing of a person's
-        text but names and numbers is in it, and it has no builtin but these two.
+        text but names and numbers is in it, and it has no builtin but these.
         """
         text = "\n".join(self.lines) + "\n"
         linecache.cache[origin] = (len(text), None, text.splitlines(keepends=True), origin)

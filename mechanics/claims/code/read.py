@@ -319,15 +319,17 @@ def _read(
     # A number of the code that stands for a parameter leaves it to no other name.
     open_names += [Name(0, str(s)) for e in standing for s in sorted(e.free_symbols, key=str)]
     naming = replace(naming, guessed=guess(naming, open_names, ()))
+    first: Arguments | None = None
     try:
-        arguments = arguments_of(naming, wanted, sizes, given, apart=apart)
+        arguments = first = arguments_of(naming, wanted, sizes, given, apart=apart)
+        outputs = run(arguments)
     except InputError as error:
-        arranged = _arranged(naming, wanted, sizes, given, apart, run)
+        said = first is not None and _is_said(first)
+        arranged = None if said else _arranged(naming, wanted, sizes, given, apart, run)
         if arranged is None:
             raise error from None
         arguments, outputs = arranged
     else:
-        outputs = run(arguments)
         holds = arguments.state and not _is_said(arguments)
         if holds and not _fits(scene, outputs, arguments.state):
             arranged = _arranged(naming, wanted, sizes, given, apart, run, arguments)

@@ -4,7 +4,8 @@ x.m -> its tree -> functions of Python, line by line -> statements
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
@@ -41,7 +42,8 @@ def read_matlab(
     InputError
         Where one is not read.
     """
-    translated = matlab.in_python(text, origin, Naming(Vocabulary(scene)).knows)
+    with located(origin):
+        translated = matlab.in_python(text, origin, Naming(Vocabulary(scene)).knows)
     readings = [read_function(scene, one, names, about, text) for one in translated.functions]
     return _together(readings, translated.remarks)
 
@@ -51,8 +53,18 @@ def read_cpp(
     about: str | None, origin: str,
 ) -> Reading:  # fmt: skip
     """Statements of the functions of a file of C++, as code; as `read_matlab`."""
-    functions = cpp_functions.in_python(text, origin, function)
+    with located(origin):
+        functions = cpp_functions.in_python(text, origin, function)
     return _together([read_function(scene, one, names, about, text) for one in functions])
+
+
+@contextmanager
+def located(origin: str) -> Iterator[None]:
+    """What is not read, with the file where it stands."""
+    try:
+        yield
+    except Unread as error:
+        raise Unread(f"{origin}, {error}") from None
 
 
 def _together(readings: Sequence[Reading], remarks: Sequence[str] = ()) -> Reading:

@@ -113,6 +113,10 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).keys.setdefault(key, line)
             case ast.Subscript(value=ast.Name(id=mine)):
                 _of(found, mine).vector = True
+            case ast.BinOp(op=ast.MatMult()):
+                for side in (node.left, node.right):
+                    if isinstance(side, ast.Name):
+                        _of(found, side.id).vector = True
             case ast.Call(func=ast.Attribute(value=ast.Name(id=mine), attr="get"),
                           args=[ast.Constant(value=str(key)), *_]):  # fmt: skip
                 _of(found, mine).keys.setdefault(key, line)
