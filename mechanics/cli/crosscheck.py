@@ -12,6 +12,7 @@ from rich.table import Column, Table
 
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.findings import counted, explain
+from mechanics.cli.lines import fitted
 from mechanics.cli.load import load
 from mechanics.crosscheck import CrossCheck
 from mechanics.crosscheck import crosscheck as check
@@ -176,7 +177,7 @@ def _summary(console: Console, results: Sequence[SystemResult], verbose: bool) -
     for result in results:
         console.print(f"\n[bold]{escape(result.name)}[/]  {escape(result.scene.name)}")
         for equation in equations_of(result):
-            console.print(escape(equation), soft_wrap=True)
+            console.print(escape(fitted(equation, console.width)), soft_wrap=True)
         if verbose:
             _timings(console, result)
         for title, findings in result.groups.items():

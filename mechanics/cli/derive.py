@@ -6,8 +6,10 @@ from typing import Annotated, Any
 
 import sympy
 import typer
+from rich.console import Console
 from sympy import Matrix
 
+from mechanics.cli.lines import fitted
 from mechanics.cli.load import SystemArgument, load
 from mechanics.cli.program_listing import program_latex, program_python, program_text
 from mechanics.cli.python_module import python_module
@@ -54,7 +56,8 @@ def derive(
     """
     fixed_values = assignments(fixed or [], "--fix")
     scene = load(system).scene()
-    typer.echo(written(derive_by(scene, route), form, fixed_values))
+    text = written(derive_by(scene, route), form, fixed_values)
+    typer.echo(fitted(text, Console().width) if form is Format.TEXT else text)
     for words in units_missing(scene):
         typer.echo(words, err=True)
 

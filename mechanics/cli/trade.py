@@ -1,6 +1,7 @@
 """`mechanics trade`: what speed costs in accuracy, measured."""
 
 import json
+import os
 import sys
 from functools import partial
 from itertools import groupby, zip_longest
@@ -99,8 +100,9 @@ def trade(
     if json_file is not None:
         write(json.dumps(to_record(found), allow_nan=False), json_file)
     if json_file != "-":
-        # What is not a terminal has no width of its own.
-        _print(Console(width=None if sys.stdout.isatty() else WIDE), found)
+        # What is not a terminal has the width that it is given.
+        wide = not sys.stdout.isatty() and "COLUMNS" not in os.environ
+        _print(Console(width=WIDE if wide else None), found)
 
 
 def _checked(report: Path | None, json_file: str | None, plot: Path | None) -> None:

@@ -8,6 +8,7 @@ box.
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from html import unescape
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -243,22 +244,29 @@ def _row(parts: Sequence[Piece], label: str, number: Markup | str = "", section:
     body = Markup("<wbr>").join(map(_piece, parts))
     note = Markup('<span class="label">{}</span>').format(prose(label, section)) if label else ""
     # What may be wider than a page scrolls, which the keyboard has to reach.
-    letters = _letters(body)
-    reach = Markup(' tabindex="0"') if letters > LONG else ""
-    if letters > PAGE:
-        reach += Markup(' style="--letters: {}"').format(letters)
+    reach = Markup(' tabindex="0"') if _may_scroll(body) else ""
     return Markup('<div class="eq"><div class="terms"{}>{}</div>{}{}</div>').format(
         reach, body, note, number
     )
 
 
-def _letters(body: str) -> int:
-    """The most between two places to break."""
-    return max(len(re.sub(r"<[^>]*>|&\w+;", "", part)) for part in body.split("<wbr>"))
+def _may_scroll(body: str) -> bool:
+    """Whether something between two places to break is wider than a phone."""
+    parts = (re.sub(r"<[^>]*>|&\w+;", "", part) for part in body.split("<wbr>"))
+    return max(map(len, parts)) > LONG
+
+
+def _fitted(typeset: Markup) -> Markup:
+    """With the number of its letters where paper has no room for a part that breaks nowhere."""
+    parts = (unescape(re.sub(r"<[^>]*>", "", part)) for part in typeset.split("<wbr>"))
+    letters = max(map(len, parts))
+    if letters <= PAGE:
+        return typeset
+    return Markup('<span class="wide" style="--letters: {}">{}</span>').format(letters, typeset)
 
 
 def _piece(part: Piece) -> Markup:
-    typeset = broken(part.latex, maths) or maths(part.latex)
+    typeset = _fitted(broken(part.latex, maths) or maths(part.latex))
     if not part.classes:
         return typeset
     focus = Markup(' tabindex="0"') if part.classes[0] != "gone" else ""

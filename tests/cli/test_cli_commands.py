@@ -16,10 +16,31 @@ from sympy import Matrix
 import systems
 from mechanics.cli.app import COMMANDS
 from mechanics.cli.app import command as imported
+from mechanics.cli.lines import fitted
 from mechanics.crosscheck import ROUTES, derive
 from mechanics.symbolic import is_zero
 
 LISTED = {name: line for commands in COMMANDS.values() for name, line in commands.items()}
+
+
+def test_equations_fit_a_terminal_and_are_read_again(run: Any, tmp_path: Path) -> None:
+    """A line that is too long goes on below, from an operator on."""
+    lines = run("derive", "rocker").out.splitlines()
+    assert max(map(len, lines)) <= 80
+    equation = [line for line in lines[1:] if not line.startswith("  rocker:")]
+    assert equation[1].startswith("    + ")
+    path = tmp_path / "rocker.txt"
+    path.write_text("\n".join(equation), encoding="utf-8")
+    checked = run("check", "rocker", str(path))
+    assert (checked.code, checked.out.split()[0]) == (0, "PROVED")
+
+
+def test_a_long_line_is_broken_where_the_fewest_brackets_are_open() -> None:
+    text = "a*(b + c*(d - e)) + f = g"
+    assert fitted(text, 24) == "a*(b + c*(d - e)) + f\n    = g"
+    assert fitted(text, 20) == "a*(b + c*(d - e))\n    + f = g"
+    assert fitted(text, 15) == "a*(b\n    + c*(d\n    - e)) + f\n    = g"
+    assert fitted("no_operator_is_near_enough", 5) == "no_operator_is_near_enough"
 
 
 @pytest.mark.sample(2)
@@ -230,7 +251,7 @@ def test_the_version_is_that_of_the_package(run: Any) -> None:
 @pytest.mark.parametrize("route", ["moving_point", "kane"])
 def test_all_routes_print_the_rocker_with_one_sign(run: Any, route: str) -> None:
     rows = [
-        run("derive", "rocker", "--route", name).out.splitlines()[-1]
+        run("derive", "rocker", "--route", name).out.replace("\n    ", " ").splitlines()[-1]
         for name in ("free_body", route)
     ]
     assert rows[0].startswith("theta_ddot*(I_C + M*R**2*(cos(theta) + 5/4)) = ")

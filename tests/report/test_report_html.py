@@ -221,4 +221,9 @@ def test_what_may_scroll_is_reached_by_the_keyboard() -> None:
     short = typeset.chain((x + 1,))
     root = sqrt(Add(*(Symbol(f"a_{k}") for k in range(30))))
     assert "tabindex" not in short
-    assert '<div class="terms" tabindex="0"' in typeset.chain((1 / root,))
+    wide = typeset.chain((x + 1 / root,))
+    assert '<div class="terms" tabindex="0">' in wide
+    # Paper does not scroll: the root alone is set smaller there.
+    assert re.findall(r'class="wide" style="--letters: (\d+)"', wide) == [
+        str(10 * 2 + 20 * 3 + 29 + 1)
+    ]
