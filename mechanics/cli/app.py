@@ -169,7 +169,7 @@ def _run(words: list[str]) -> int:
     except Exception:
         # A defect of this program. Python's own exit code for it, 1, would read as a refutation.
         traceback.print_exc()
-        return DEFECT
+        raise SystemExit(DEFECT) from None
 
 
 def _to_add(error: Any) -> str:

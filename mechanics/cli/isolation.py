@@ -13,8 +13,6 @@ from collections.abc import Callable
 
 from mechanics.cli.interrupts import ENDING
 
-SIGNALLED = tuple(128 + number for number in (*ENDING, signal.SIGINT))
-
 
 def answered(command: Callable[[], int]) -> int | None:
     """The exit code that a command sends; None where its process ended before that.
@@ -42,17 +40,15 @@ def answered(command: Callable[[], int]) -> int | None:
 
 
 def _send(command: Callable[[], int], writer: int) -> None:
-    """In the child: run, send the exit code, and end."""
+    """In the child: run, send the exit code, and end, whatever was raised."""
+    code: object = None
     try:
         code = command()
     except SystemExit as stop:
-        if stop.code not in SIGNALLED:
-            os._exit(1)
-        code = int(stop.code or 1)
-    except BaseException:
-        sys.excepthook(*sys.exc_info())
+        code = stop.code or None  # to exit with 0 is no verdict
+    finally:
+        if isinstance(code, int):
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os.write(writer, f"{code}\n".encode())
         os._exit(1)
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os.write(writer, f"{code}\n".encode())
-    os._exit(code)

@@ -82,7 +82,8 @@ TEXT_FORMULA = re.compile(
 """Lines of a text that are no prose: with an equals sign, or lists without words."""
 CODE = re.compile(
     r"^[ \t]*(?:@\w+ )?(?:end\w*(?:[ \t]+[\w.]+)?[ \t]*;?"
-    r"|(?:function|model|block|class|package|record|module|(?:mutable )?struct|return|using|import|extends|within|global|persistent)\b[^\n]*"
+    r"|(?:function|model|block|class|package|record|module|(?:mutable )?struct|return|using"
+    r"|import|extends|within|global|persistent)\b[^\n]*"
     r"|(?:initial )?(?:equation|algorithm)|protected|public|\w+::\S+|else|begin"
     r"|clear\w*|clc|close all;?"
     r"|(?:(?:parameter|constant|input|output|final|flow|discrete|protected|public)[ \t]+)*"

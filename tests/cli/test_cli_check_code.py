@@ -1,6 +1,7 @@
 """`mechanics check` on C functions by name, black boxes, and a scene of the person's own."""
 
 import json
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -144,3 +145,25 @@ def test_a_file_that_changes_within_a_second_is_read_anew(tmp_path: Path, monkey
         file.write_text(f"x = {value}\n", encoding="utf-8")
         assert run_file(file).x == value
     assert [*tmp_path.iterdir()] == [file]
+
+
+ENDS = {
+    "os._exit": "import os\nos._exit(0)",
+    "thread": "import os, threading, time\nthreading.Thread(target=os._exit, args=(0,)).start()\n"
+    "time.sleep(9)",
+    "signal": "import os, signal, time\nsignal.signal(signal.SIGALRM, lambda *a: os._exit(0))\n"
+    "signal.setitimer(signal.ITIMER_REAL, 0.01)\ntime.sleep(9)",
+    "exit in a call": "def f(theta, theta_dot, u, m, l, g):\n    raise SystemExit(0)",
+    "no Exception": "class E(BaseException): pass\ndef f(theta, theta_dot, u, m, l, g): raise E",
+}
+
+
+@pytest.mark.parametrize("how", ENDS)
+def test_code_that_ends_its_process_is_not_judged(tmp_path: Path, how: str) -> None:
+    path = tmp_path / "ends.py"
+    path.write_text(ENDS[how] + "\n")
+    command = [sys.executable, "-m", "mechanics", "check", "rod_pendulum", f"{path}:f"]
+    found = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert found.returncode == 2
+    assert "error:" in found.stderr
+    assert "PROVED" not in found.stdout
