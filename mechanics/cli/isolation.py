@@ -30,12 +30,15 @@ def answered(command: Callable[[], int]) -> int | None:
         os.close(reader)
         _send(command, writer)
     os.close(writer)
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, *ENDING)}
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal interrupts the command itself
     for number in ENDING:
         signal.signal(number, lambda which, _: os.kill(child, which))
     with os.fdopen(reader) as answer:
         line = answer.readline()
     os.waitpid(child, 0)
+    for number, handler in before.items():
+        signal.signal(number, handler)
     return int(line) if line.endswith("\n") else None
 
 
