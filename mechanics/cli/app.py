@@ -6,10 +6,12 @@ An error that the program did not expect shows where it happened, with an exit c
 """
 
 import gc
+import re
 import sys
 import traceback
+from functools import partial
 from importlib import import_module
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
@@ -17,6 +19,7 @@ from rich.markup import escape
 from typer.core import TyperGroup
 
 from mechanics.cli.interrupts import end_in_order, told_when_stopped
+from mechanics.cli.isolation import answered
 from mechanics.errors import MechanicsError, RefutedError
 
 # Typer brings its own copy of click, or uses click, depending on its version.
@@ -137,20 +140,36 @@ def main() -> None:
     # Programs are millions of small objects without cycles: looking for these took a fifth of the
     # time of a cross-check.
     gc.set_threshold(COLLECTED)
+    words = sys.argv[1:] or ["--help"]
+    code = answered(partial(_run, words)) if _judges_code(words) else _run(words)
+    if code is None:
+        _refuse(None, "not judged: the code ended the process before there was a verdict")
+        code = 2
+    sys.exit(code)
+
+
+def _judges_code(words: list[str]) -> bool:
+    """Whether a person's Python is run to be judged."""
+    return words[0] == "check" and any(CODE.search(word) for word in words)
+
+
+CODE = re.compile(r"\.py(?::|\Z)")
+
+
+def _run(words: list[str]) -> int:
+    """The exit code of a command; its errors are told."""
     try:
-        code = app(sys.argv[1:] or ["--help"], prog_name="mechanics", standalone_mode=False)
+        return app(words, prog_name="mechanics", standalone_mode=False) or 0
     except USAGE_ERROR as error:
-        _refuse(error, error.format_message() + _to_add(error))
+        return _refuse(error, error.format_message() + _to_add(error))
     except RefutedError as error:
-        _refuse(error, str(error), 1)
+        return _refuse(error, str(error), 1)
     except (MechanicsError, OSError) as error:
-        _refuse(error, str(error))
+        return _refuse(error, str(error))
     except Exception:
         # A defect of this program. Python's own exit code for it, 1, would read as a refutation.
         traceback.print_exc()
         raise SystemExit(DEFECT) from None
-    else:
-        sys.exit(code)
 
 
 def _to_add(error: Any) -> str:
@@ -167,12 +186,12 @@ def _to_add(error: Any) -> str:
     return f" Add {words}: {missing.help}"
 
 
-def _refuse(error: BaseException, words: str, code: int = 2) -> NoReturn:
+def _refuse(error: BaseException | None, words: str, code: int = 2) -> int:
     from mechanics.cli.excerpt import excerpt
 
     one_line = " ".join(words.split())
     console = Console(stderr=True, soft_wrap=True, highlight=False)
     console.print(f"[bold red]error:[/] {escape(one_line)}")
-    if place := excerpt(error, one_line, sys.argv[1:]):
+    if error is not None and (place := excerpt(error, one_line, sys.argv[1:])):
         console.print(f"[dim]{escape(place)}[/]")
-    sys.exit(code)
+    return code

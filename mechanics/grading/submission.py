@@ -20,8 +20,7 @@ from mechanics.errors import InputError
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
-    r"|<(?P<struck>del|s|strike)\b[^>]*>.*?</(?P=struck)>"
-    r"|<(?P<unseen>\w+)\b[^>]*\b(?:hidden\b|display:\s*none)[^>]*>.*?</(?P=unseen)>",
+    r"|<(?P<struck>del|s|strike)\b[^>]*>.*?</(?P=struck)>",
     re.DOTALL | re.MULTILINE,
 )
 """What a page in Markdown does not show, and what its author has struck out."""

@@ -179,7 +179,6 @@ def check(
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
-    remarks += prose.remarks
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)

@@ -102,9 +102,10 @@ RELATIVE = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b))(?P<to>\w+)"
 )
 ABSOLUTE = phrase(
-    r"NAME[^⟨.;]{0,40}?\b(?:from|with) (?:the )?(?:(?:down|up)wards? )?"
-    r"(?P<to>vertical|horizontal)\b"
+    r"NAME[^⟨.;]{0,40}?\b(?:from|with|relative to) (?:the )?(?:(?:down|up)wards? )?"
+    r"(?P<to>vertical|horizontal|wall|ground)\b"
 )
+ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
 PLACE = phrase(
     r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
     r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
@@ -132,13 +133,13 @@ VALUE = phrase(
     r"\b(?P<what>mass|length|stiffness|radius|spring constant)(?:es)? (?:of )?"
     r"⟨=\s?(?P<factor>\d+)\s?\\?(?P<name>[A-Za-z]\w*)\s?⟩"
 )
+SORT = phrase(r"\b(?P<sort>physical|compound|simple|mathematical) pendulum\b")
 FLAT = phrase(r"\b(?:in|on) a horizontal (?:plane|table)\b")
 STILL = phrase(r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?(?:fixed|clamped|locked|at rest)\b")
 DRIVEN = phrase(
     r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]{0,80}?"
     r" (?:moves|oscillates|vibrates|accelerates|(?:is|being) (?:moved|accelerated|shaken|driven))\b"
 )
-MODE = phrase(r"\b(?:mode|eigenvector|mode shape)\b[^.;]{0,80}? is ⟨=[^=⟩]*⟩")
 
 FEATURES = (
     ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|resistance|dissipat"),
@@ -152,31 +153,13 @@ ABSENT = re.compile(
     re.IGNORECASE,
 )
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
-MARKED = phrase(
-    r"\b(?:(?:is|are|does|do|has|have|with|there is) (?:no|not)\b(?! (?:hard|difficult|surprising"
-    r"|only|necessary|needed|occur|appear|depend|enter|contain))|without|neglect\w*|ignor\w+"
-    r"|negligibl\w+|half|twice|thrice|third|equal|identical|tilted|concentrated|lumped"
-    r"|same(?! (?:method|way|procedure|result|argument|time|holds))|different|opposite|negative"
-    r"|minus|non-?linear(?! (?:eq|sys|diff|term))"
-    r"|relative to FIXED|instead|clamped|held|locked|freely|accelerat\w+ (?:up|down|side)\w*"
-    r"|heavier|heavy|lighter|longer|shorter|per unit|degrees"
-    r"|horizontal(?! (?:track|force|surface|position|distance|displacement|direction|component"
-    r"|motion|speed|velocity|line|rail|axis of|and vertical)))"
-)
-"""What a scene may be said to be otherwise by."""
-VERBS = re.compile(
-    r"\b(?:is|are|has|have|assum\w+|consider|suppose|rolls?|slides?|moves?|rotates?|spins?|turns?"
-    r"|oscillates?|experiences?|carries|hangs?|swings?|lies?)\b",
-    re.IGNORECASE,
-)
-"""What sentences that describe something have."""
 THINGS = re.compile(
     r"\b(?:mass(?:es)?|rods?|poles?|pendulums?|bars?|links?|arms?|carts?|carriage|trolley|springs?"
     r"|strings?|pivots?|hinges?|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?"
     r"|bodies|body|particles?|pulleys?|ladder|top|gyroscope|block|wedge|cords?|ropes?|threads?)\b",
     re.IGNORECASE,
 )
-"""What scenes are made of; beside these the names of their bodies."""
+"""What scenes are made of."""
 ALIKE = (
     frozenset(("rod", "pole", "pendulum", "bar", "stick", "beam", "link", "arm")),
     frozenset(("cart", "carriage", "trolley", "car", "wagon")),
@@ -184,6 +167,8 @@ ALIKE = (
     frozenset(("hoop", "ring", "circle")),
 )
 """Words for one thing, in a scene that uses no two of them."""
+SIZES = frozenset(("half", "twice", "quarter", "minus", "not", "no"))
+"""Words of meanings that are no nouns."""
 OTHERS = (
     (r"\bradius\b", r"\bdiameter\b"),
     (r"\beach\b", r"\b(?:total|combined|together|both|equivalent)\b"),

@@ -20,14 +20,15 @@ from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
+from mechanics.judge.markup import unread_markup
 from mechanics.judge.phrases import BACK, DENIAL
 from mechanics.judge.sentences import (
     Said,
     against,
-    bare,
     conventions,
     described,
-    passed_over,
+    marked,
+    outside,
     senses,
     sentences,
 )
@@ -38,10 +39,6 @@ from mechanics.scene import Scene
 UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
 """Degrees in a declaration of Modelica's."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
-
-
-MOST_TOLD = 4
-"""Sentences that are quoted."""
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -99,13 +96,10 @@ class Prose:
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
         What it says that the scene has otherwise, and what of it was not read; in words.
-    remarks : tuple of str
-        What of it describes the scene, and is not compared with it.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
-    remarks: tuple[str, ...]
 
 
 def prose_of(
@@ -137,10 +131,13 @@ def prose_of(
             counts = (one for one in ways if _another(scene, one, held, known))
             contrary += [f"a comment says that it counts otherwise: {one}" for one in counts]
             contrary += against(about, text, whole=False)
-    unread = [bare(text)[:90] for text in texts if passed_over(about, text)][:MOST_TOLD]
-    words = ", ".join(repr(one) for one in unread)
-    remarks = (f"not compared with the scene: {words}",) if unread else ()
-    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)), remarks)
+    for text in (text for text, notation in written.items() if notation == "latex"):
+        unread = (
+            f"{one} is not read: it may hide what it holds" for one in unread_markup(marked(text))
+        )
+        contrary += unread
+    contrary += (one for text in written for one in outside(about, text))
+    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)))
 
 
 def seen_from_one_side(

@@ -19,20 +19,49 @@ from functools import cached_property
 from sympy import Expr, Rational, Symbol
 
 from mechanics.claims.directions import Counted, counted
+from mechanics.claims.latex.blocks import blocks
+from mechanics.claims.latex.comments import without_hidden
+from mechanics.claims.latex.prepare import prepared
 from mechanics.claims.names import Match
-from mechanics.claims.prose import ENDS
+from mechanics.claims.place import Refused
+from mechanics.claims.prose import ENDS, energy_before
 from mechanics.claims.text.letters import plain
 from mechanics.judge import phrases as p
+from mechanics.judge.markup import without_markup
+from mechanics.judge.vocabulary import strange
 from mechanics.scene import Gravity, Particle, RigidBody, Scene
 from mechanics.scene.loads import Coulomb, Damper, Force, Spring, Torque, TorsionSpring
 from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.scene.units import rolled
 from mechanics.symbolic import is_zero
 
-FORMULA = re.compile(
-    r"\$\$(?P<a>.{0,3000}?)\$\$|\\\[(?P<b>.{0,3000}?)\\\]|\\begin\s*\{(?P<env>\w+\*?)\}(?P<c>.{0,3000}?)\\end\s*\{(?P=env)\}"
-    r"|(?<!\\)\$(?P<d>[^$]*)\$|\\\((?P<e>.{0,999}?)\\\)|##(?P<f>[^#]*)##|:math:`(?P<g>[^`]*)`",
-    re.DOTALL,
+DELIMITER = re.compile(r"\$+|\\[\[\]()]|:math:|^\s*\.\.\s+math::|```\s*math|[`#*]", re.MULTILINE)
+BESIDE = re.compile(r"\\(?:text(?:rm|it|normal|bf|up)?|[mh]box|intertext)\s*\{([^{}]*)\}")
+"""Words in a display."""
+SCRIPT = re.compile(r"[_^]\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\\w+\s*\{[^{}]*\})")
+"""Raised and lowered, as are the labels of braces."""
+NO_MARKS = str.maketrans("\u27e8\u27e9", "()")
+"""What a person types is no mark of ours."""
+GIVEN = re.compile(
+    r"(?:^|[\n,;:$]|\b(?:with|where|and|for|let|if|here|take|set)\b)[ \t]*\\?(?P<name>[A-Za-z]\w*)"
+    r"[ \t]*=[ \t]*(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?)(?![ \t]*[\w*^/(\\.+-])"
+)
+"""A parameter that is a number."""
+WITHOUT_CLAIM = re.compile(r"\b(?:like|terms?|factor|by|eliminating|substituting) $")
+"""Before what is only named."""
+INSIDE = re.compile(r"[.;!?](?=\s)")
+"""What ends no sentence."""
+ACCENT = r"\\(?:d{1,4}ot|vec|hat|bar|tilde|mathbf|mathcal|mathrm|mathscr|boldsymbol|bm)(?![A-Za-z])"
+ATOM = (
+    rf"(?:{ACCENT}\s*\{{?\s*)*(?:\\[A-Za-z]{{2,}}|[A-Za-z])\s*\}}*"
+    r"(?:\s*_\s*(?:\{[\w\s,\\]*\}|\w+))?\s*\}*'*(?:\s*\(\s*t\s*\))?"
+)
+PLAIN = re.compile(
+    rf"\s*[(\[]?\s*{ATOM}(?:\s*,\s*{ATOM})*\s*[)\]]?(?:\s*\^\s*\{{?\s*T\s*\}}?)?\s*[.,]?"
+)
+"""A quantity, a list or a vector of them: what has no value of its own."""
+RELATION = re.compile(
+    r"[=<>\u2248]|\\(?:equiv|approx|to|ll|gg|simeq|sim|neq?|leq?|geq?|in)(?![A-Za-z])"
 )
 NAME = re.compile(r"\s*\\?(?:var)?([A-Za-z]+(?:_\{?\w+\}?)?)\s*")
 WORD = re.compile(r"(?<![\w\u27e8'.])([^\W\d]\w*)(?![\w(\u27e9'\[])(?: ?:)?")
@@ -44,6 +73,28 @@ HEADS = (
 """First nouns of what a name is, and their units."""
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
+MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
+VALUE = re.compile("\u27e8= ([^\u27e9]*)\u27e9")
+TEXT_FORMULA = re.compile(
+    r"^(?:[^\n]*=[^\n]*|(?![^\n]*[A-Za-z]{2,},? +[A-Za-z]{2,})[^\n]*[;\[(+*/^][^\n]*)$",
+    re.MULTILINE,
+)
+"""Lines of a text that are no prose: with an equals sign, or lists without words."""
+CODE = re.compile(
+    r"^[ \t]*(?:@\w+ )?(?:end\w*(?:[ \t]+[\w.]+)?[ \t]*;?"
+    r"|(?:function|model|block|class|package|record|module|(?:mutable )?struct|return|using"
+    r"|import|extends|within|global|persistent)\b[^\n]*"
+    r"|(?:initial )?(?:equation|algorithm)|protected|public|\w+::\S+|else|begin"
+    r"|clear\w*|clc|close all;?"
+    r"|(?:(?:parameter|constant|input|output|final|flow|discrete|protected|public)[ \t]+)*"
+    r"\.?[A-Z][\w.]*(?:\[[^\]\n]*\])?[ \t]+\w+(?:\([^()\n]*\))?(?:[ \t]*,[ \t]*\w+)*[ \t]*"
+    r"(?:\"[^\"\n]*\")?[ \t]*;?)[ \t]*$",
+    re.MULTILINE,
+)
+"""Lines of MATLAB, Julia and Modelica."""
+BEHIND = re.compile(r"(?<=\S)[ \t]+((?://|%|#).*)$", re.MULTILINE)
+"""A comment behind code."""
+HEADING = re.compile(r"^[ \t]*#+[ \t]*", re.MULTILINE)
 MARK = re.compile(r"#|//|/\*|%|\"|\u27e8= \u27e9$")
 """Before a comment."""
 SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)
@@ -61,10 +112,14 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[str]
     names : collection of str
         Of the person, and the scene's.
     """
+    text = text.translate(NO_MARKS)
     if notation == "latex":
-        text = FORMULA.sub(_marked, text)
+        text = without_markup(marked(text))
     else:
-        text = re.sub(r"^[^\n]*[=;\[][^\n]*$", "\u27e8= \u27e9", text, flags=re.MULTILINE)
+        code = CODE.search(text) is not None
+        text = re.sub(r";[ \t]*(?=\S)", ";\n", BEHIND.sub(r"\n\1", text)) if code else text
+        text = TEXT_FORMULA.sub("\u27e8= \u27e9", CODE.sub("\u27e8= \u27e9", text))
+        text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
     for sentence in ENDS.split(text):
         if one := " ".join(sentence.split()):
@@ -76,12 +131,36 @@ def bare(words: str) -> str:
     return re.sub("\u27e8(?:= ?)?|\u27e9", "", words).strip()
 
 
-def _marked(formula: re.Match[str]) -> str:
-    inside = next((x for k, x in formula.groupdict().items() if x is not None and k != "env"), "")
-    name = NAME.fullmatch(inside)
-    if name:
+def marked(text: str) -> str:
+    """A text in LaTeX with marks for names and formulas, and words of displays behind these."""
+    try:
+        text = text.translate(NO_MARKS)
+        shown, every = without_hidden(text), blocks(prepared(text))
+    except Refused:
+        return ""  # nothing of it is read
+    out, at = [], 0
+    for block in every:
+        formula = shown[block.start : block.end]
+        out.append(DELIMITER.sub(" ", shown[at : block.start]))
+        out.append("" if block.bare else _mark(formula))
+        out += [
+            f". {_inside(words)}. "
+            for words in ([] if block.inline else BESIDE.findall(SCRIPT.sub(" ", formula)))
+        ]
+        at = block.end if block.closed else len(shown)
+    return "".join(out) + DELIMITER.sub(" ", shown[at:])
+
+
+def _inside(words: str) -> str:
+    """Words of a display, their formulas marked."""
+    return re.sub(r"\$([^$]*)\$|\\\((.*?)\\\)", lambda m: _mark(m[1] or m[2] or ""), words)
+
+
+def _mark(formula: str) -> str:
+    if name := NAME.fullmatch(formula):
         return f"\u27e8{re.sub('[{}]', '', name[1])}\u27e9"
-    return f"\u27e8= {' '.join(inside.split())}\u27e9"
+    words = " ".join(INSIDE.sub(" ", formula).split())
+    return f"\u27e8= {words}\u27e9{'.' if words.endswith('.') else ''}"
 
 
 def _word(word: re.Match[str], names: Collection[str]) -> str:
@@ -139,6 +218,23 @@ class Said:
     def angles(self) -> tuple[Counted, ...]:
         """How the scene counts its angles."""
         return counted(self.scene)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Of parameters, coordinates and inputs."""
+        return frozenset((*self.parameters, *self.coordinates, *self.inputs))
+
+    @cached_property
+    def own_words(self) -> frozenset[str]:
+        """Nouns of the scene, other words for them, and names, in lower case."""
+        called = (self.scene.name, *(reaction.name for reaction in self.scene.reactions))
+        nouns = {*self.words, *re.findall("[a-z]+", " ".join(called).lower())} - p.SIZES
+        alike = {w for some in p.ALIKE if len(some & nouns) == 1 for w in some}
+        alike |= {"uniform"} if any(isinstance(b, RigidBody) for b in self.scene.bodies) else set()
+        alike |= {"elastic"} if self.has["springs"] else set()
+        plural = {f"{word}s" for word in nouns | alike}
+        named = {m.name.lower() for m in self.known} | {name.lower() for name in self.names}
+        return frozenset(nouns | alike | plural | named)
 
     @cached_property
     def has(self) -> dict[str, bool | None]:
@@ -230,37 +326,62 @@ def against(about: Said, sentence: str, whole: bool = True) -> Iterator[str]:
         yield from _value(about, said)
     yield from _features(about, sentence)
     yield from _motion(about, sentence)
-    marked = p.MODE.search(sentence) or (p.MARKED.search(sentence) and describes(about, sentence))
-    if whole and marked and not MARK.match(sentence):
-        words = "was not read: it may say otherwise than the scene"
-        yield f"the sentence '{bare(sentence)[:120]}' {words}"
+    if whole and not MARK.match(sentence) and (words := unread(about, sentence)):
+        shown, last = bare(sentence)[:120], f" ({', '.join(words[:3])})"
+        yield f"the sentence '{shown}' was not read: it may say otherwise than the scene{last}"
 
 
-def describes(about: Said, sentence: str) -> bool:
-    """Whether a sentence speaks of what the scene is made of, in words that no row has."""
-    names = {*about.parameters, *about.coordinates, *about.inputs}
-    bodies = {w for b in about.scene.bodies for w in b.name.lower().split() if len(w) > 2}
-    symbols = re.finditer("\u27e8(?P<name>[A-Za-z]\\w*)\u27e9", sentence)
-    if not (p.THINGS.search(sentence) or bodies & {*sentence.lower().split()}
-            or any(about.own(one) in names for one in symbols)):  # fmt: skip
-        return False
-    if any(re.search(words, sentence, re.IGNORECASE) for _, words in p.FEATURES):
-        return False
-    return not any(pattern.search(sentence) for pattern in READ)
+def outside(about: Said, text: str) -> Iterator[str]:
+    """Values that a text gives parameters, and that the scene's cannot have."""
+    for said in GIVEN.finditer(text):
+        symbol = about.parameters.get(about.own(said))
+        number = float(
+            re.sub(r"[\u2212\s]", lambda m: "" if m[0].isspace() else "-", said["number"])
+        )
+        if symbol is None or number > 0 or (number == 0 and not symbol.is_positive):
+            continue
+        if symbol.is_positive or symbol.is_nonnegative:
+            value = f"{said['name']} = {said['number']}"
+            yield f"the text has {value}, the scene's {symbol.name} is positive"
 
 
-def passed_over(about: Said, sentence: str) -> bool:
-    """Whether a sentence describes the scene, is not read, and has no word that may change it."""
-    told = p.VERBS.search(sentence) and not p.MARKED.search(sentence) and not MARK.match(sentence)
-    return bool(told) and describes(about, sentence)
+def unread(about: Said, sentence: str) -> list[str]:
+    """What of a sentence may say otherwise than the scene: words and values no row compares."""
+    rest = sentence
+    for pattern in READ:
+        rest = pattern.sub(lambda said: _left(about, said), rest)
+    for part in re.split(r"(, |\b(?:but|so that|while|and)\b)", rest):
+        for name, words in p.FEATURES:
+            denied = p.ABSENT.search(part)
+            if re.search(words, part, re.IGNORECASE) and (
+                about.has[name] is not None or not denied
+            ):
+                bare_part = re.sub(rf"\b\w*(?:{words})\w*", " ", part, flags=re.IGNORECASE)
+                rest = rest.replace(part, p.ABSENT.sub(" ", bare_part))
+    values = [
+        m[1].strip() for m in VALUE.finditer(rest)
+        if not (RELATION.search(m[1]) or PLAIN.fullmatch(m[1]) or energy_before(rest, m.start())
+                or WITHOUT_CLAIM.search(rest, 0, m.start()))
+    ]  # fmt: skip
+    return [*strange(MARKED.sub(" ", rest), about.own_words), *values]
+
+
+def _left(about: Said, said: re.Match[str]) -> str:
+    """What is left of words that a row has: nothing where what they are about is of the scene."""
+    groups = said.groupdict()
+    if groups.get("name") and about.own(said) not in about.names:
+        return said[0]
+    if groups.get("body") and not about.bodies(groups["body"]):
+        return said[0]
+    return " "
 
 
 READ = (
     *p.DIRECTIONS, p.HALF, p.TWICE, p.DOUBLE, p.WHOLE, p.TO_CENTRE, p.NEGATIVE, p.TURNS, p.PUSHES,
-    p.FACTOR, p.PER, p.AGAINST, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, p.DOTS, p.UNIT,
-    *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL, p.DRIVEN, p.DENIAL, p.DENOTED,
+    p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL,
+    p.SORT, p.DRIVEN,
 )  # fmt: skip
-"""Rows that say all that is marked in a sentence."""
+"""Rows whose words are compared with the scene."""
 
 
 def _names(about: Said, sentence: str) -> Iterator[str]:
@@ -296,6 +417,10 @@ def _names(about: Said, sentence: str) -> Iterator[str]:
             if _is_absolute(about, own) is one:
                 words = f"the text says that {_name(said)} counts {way} the {said['to']}"
                 yield f"{words}, {own} does not"
+    for said in p.ABOUT.finditer(sentence):
+        meaning = about.meaning(about.own(said))
+        if "inertia" in meaning and about.alike(said["to"]) not in about.nouns(meaning):
+            yield f"the text says that {_name(said)} is about the {said['to']}, which it is not"
     for said in p.PLACE.finditer(sentence):
         yield from _place(about, said)
     for said in p.ON_BODY.finditer(sentence):
@@ -492,6 +617,10 @@ HAVE = {"friction": _dissipates, "gravity": _falls, "springs": _springs}
 def _motion(about: Said, sentence: str) -> Iterator[str]:
     """Of what rests, what is driven, and the plane of the motion."""
     scene = about.scene
+    rigid = any(isinstance(b, RigidBody) and b.inertia != 0 for b in scene.bodies)
+    for said in p.SORT.finditer(sentence):
+        if rigid is (said["sort"].lower() in ("simple", "mathematical")):
+            yield f"the text says {said[0]!r}, which the scene has not"
     for said in p.STILL.finditer(sentence):
         if (some := about.bodies(said["body"])) and all(map(about.moves, some)):
             yield f"the text says {said[0]!r}, the scene's moves"

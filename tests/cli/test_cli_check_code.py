@@ -1,7 +1,12 @@
 """`mechanics check` on C functions by name, black boxes, and a scene of the person's own."""
 
 import json
+import os
+import signal
+import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +14,7 @@ import pytest
 from typer.testing import CliRunner
 
 from mechanics.cli.app import app
+from mechanics.cli.isolation import answered
 from mechanics.cli.load import run_file
 
 C_FILE = """
@@ -144,3 +150,35 @@ def test_a_file_that_changes_within_a_second_is_read_anew(tmp_path: Path, monkey
         file.write_text(f"x = {value}\n", encoding="utf-8")
         assert run_file(file).x == value
     assert [*tmp_path.iterdir()] == [file]
+
+
+def raised(error: BaseException) -> int:
+    raise error
+
+
+ENDS = {
+    "os._exit": lambda: os._exit(0),
+    "thread": lambda: [threading.Thread(target=os._exit, args=(0,)).start(), time.sleep(9)],
+    "signal": lambda: os.kill(os.getpid(), signal.SIGKILL),
+    "exit": lambda: raised(SystemExit(0)),
+    "no Exception": lambda: raised(GeneratorExit()),
+}
+
+
+@pytest.mark.parametrize("how", ENDS)
+def test_a_command_that_sends_no_exit_code_has_none(how: str) -> None:
+    assert answered(ENDS[how]) is None
+
+
+@pytest.mark.parametrize("code", [0, 1, 3])
+def test_a_command_has_the_exit_code_that_it_sends(code: int) -> None:
+    assert answered(lambda: code) == code
+
+
+def test_code_that_ends_its_process_is_not_judged(tmp_path: Path) -> None:
+    path = tmp_path / "ends.py"
+    path.write_text("import os\nos._exit(0)\n")
+    command = [sys.executable, "-m", "mechanics", "check", "rod_pendulum", f"{path}:f"]
+    found = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (found.returncode, found.stdout) == (2, "")
+    assert "not judged" in found.stderr

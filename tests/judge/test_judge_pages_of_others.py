@@ -20,17 +20,17 @@ l \ddot\theta = SIGN g \sin\theta
 which is *nonlinear*.
 """
 DIRECTIVE = r"""
-A bob of mass :math:`m` hangs on a rod.
+A bob of mass :math:`m`.
 
 .. math::
 
     l \ddot\theta
     = SIGN g \sin\theta
 
-It swings.
+It follows.
 """
 WIKIPEDIA = r"""
-θ = ángulo respecto a la vertical
+θ = ángulo
 
 {\displaystyle {\ddot {\theta }}=SIGN{\frac {g}{l}}\operatorname {sen} \theta }
 """
@@ -102,7 +102,7 @@ GLOSSARY = """
 The equation of the pendulum is:
     m l ddtheta = SIGN m g sin(theta)
     where
-        m: mass of the bob (a point)
+        m: mass of the bob
         g: acceleration by gravity
         theta: angle of the rod
 """

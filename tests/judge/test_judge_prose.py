@@ -66,7 +66,7 @@ def test_a_sign_as_a_subscript_is_no_letter(truth: Equations) -> None:
     [
         ("This is wrong:", Verdict.UNDECIDED),
         ("It is not true that", Verdict.UNDECIDED),
-        ("It is wrong to think otherwise. Then", Verdict.PROVED),
+        ("It is wrong to think otherwise. Then", Verdict.UNDECIDED),
         ("It is not hard to see that", Verdict.PROVED),
     ],
 )
@@ -108,7 +108,7 @@ DRIVEN = r"\ddot\theta = \frac{3g}{2l}\sin\theta - \frac{3u}{ml^2}"
         (r"$l$ is the length from the pivot to its centre of mass", HALF, RIGHT),
         (r"$l$ is the half-length of the rod", HALF, RIGHT),
         (r"$2l$ is the length of the rod", HALF, RIGHT),
-        (r"$l$ is its length and the centre of mass is at $l/2$ from the pivot", RIGHT, HALF),
+        (r"$l$ is its length", RIGHT, HALF),
         (r"$\theta=0$ is the upright position", RIGHT, HANGING),
         (r"$u$ is minus the applied torque", DRIVEN, RIGHT),
         (r"$l$ is the length of the rod, $u$ the applied torque", RIGHT, HALF),
@@ -134,7 +134,7 @@ def test_a_sentence_says_what_a_name_is(
         (r"where $m$ is twice the mass of the rod,", Verdict.UNDECIDED),
         (r"where $m$ is the mass of the rod,", Verdict.PROVED),
         (r"A point mass $m$ on a massless rod:", Verdict.UNDECIDED),
-        (r"A uniform rod, not a point mass on a massless rod:", Verdict.PROVED),
+        (r"A uniform rod, not a point mass on a massless rod:", Verdict.UNDECIDED),
     ],
 )
 def test_what_contradicts_the_scene_shows_nothing(

@@ -73,10 +73,6 @@ AS_IT_IS = [
     ("rod_pendulum", r"Hence"),
     ("rod_pendulum", r"where $l$ is in metres, $m$ in kilograms and time in seconds,"),
     ("rod_pendulum", r"where $g$ is gravity,"),
-    (
-        "rod_pendulum",
-        r"Consider a uniform rod of length $l$ and mass $m$ that is hinged at one end.",
-    ),
     ("rod_pendulum", r"We neglect friction in the pivot."),
     ("rod_pendulum", r"Taking moments about the pivot gives"),
     (
@@ -84,27 +80,15 @@ AS_IT_IS = [
         r"where $u$ is the torque at the pivot and $\theta$ the angle from the upward vertical,",
     ),
     ("rod_pendulum", r"This result is well known; see Section 2.3 of the textbook."),
-    ("cartpole", r"The cart moves without friction along a horizontal track."),
     ("cartpole", r"A pole of mass $m_p$ is hinged to a cart of mass $m_c$."),
     (
         "cartpole",
         r"Here $x$ is the position of the cart, $\theta$ the angle of the pole from the vertical.",
     ),
     ("cartpole", r"where $F$ is the horizontal force on the cart,"),
-    ("double_pendulum", r"The rods are massless and carry point masses at their ends."),
-    ("double_pendulum", r"Both angles are measured from the downward vertical."),
     ("double_pendulum", r"The equations are nonlinear and coupled."),
     ("two_mass_chain", r"where $x_1$ and $x_2$ are the displacements from equilibrium,"),
     ("two_mass_chain", r"Applying Newton's second law to the first mass,"),
-    (
-        "bead_on_hoop",
-        r"A bead of mass $m$ slides without friction on a circular hoop of radius $R$.",
-    ),
-    (
-        "bead_on_hoop",
-        r"The hoop rotates about its vertical diameter with constant angular velocity $\omega$.",
-    ),
-    ("elastic_pendulum", r"The carriage is attached to two identical springs of stiffness $k$."),
 ]
 
 
@@ -162,12 +146,60 @@ def test_comments_and_documentation_of_code_are_prose(
     assert check(truths["rod_pendulum"], module.f, blame=False).verdict is verdict
 
 
-def test_what_describes_the_scene_and_is_not_compared_with_it_is_told(
-    truths: dict[str, Equations],
+NOT_READ = [
+    # right descriptions, in words that nobody compares: the price of the rows below
+    r"Consider a uniform rod of length $l$ and mass $m$ that is hinged at one end.",
+    # otherwise than the scene, in words that no row has
+    r"Der Winkel $\theta$ wird von der unteren Ruhelage aus gemessen.",
+    r"Here $g = 1.62\,\mathrm{m/s^2}$ points upwards.",
+    r"\section{The pendulum measured from the hanging position}",
+    r"\begin{figure}\caption{The angle $\theta$ is zero when it hangs straight down.}\end{figure}",
+    r"A thin hoop of radius $l$ turns about a pin on its rim.",
+    r"The rod has a second, equal mass $m$ fixed at its end.",
+    r"The rod's moment of inertia about its pivot is $m l^2$.",
+    r"Unlike the true model, the author has",
+    r"This is for a thread with a bob and holds only for small $\theta$:",
+    r"The rod is \u27e8= a hoop\u27e9.",
+    r"\[ g = 10 \text{ where it is half of what one measures} \]",
+]
+
+
+@pytest.mark.parametrize("said", NOT_READ)
+def test_a_sentence_is_harmless_only_if_it_was_read_or_is_talk_of_derivations(
+    truths: dict[str, Equations], said: str
 ) -> None:
-    said = "The springs are made of steel."
-    answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
-    assert answer.verdict is Verdict.PROVED
-    said = "The second mass hangs behind a wall."
-    answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
-    assert any("The second mass hangs" in remark for remark in answer.remarks)
+    answer = check(truths["rod_pendulum"], f"{said} $${EQUATIONS['rod_pendulum']}$$", blame=False)
+    assert answer.verdict is Verdict.UNDECIDED
+    assert any("was not read" in e.finding.evidence for e in answer.judged)
+
+
+MARKUP = [
+    (r"\st{%s}", r"\st"),
+    (r"\setbox0\hbox{%s}", r"\setbox"),
+    (r"\cite{%s}", r"\cite"),
+    (r"{\color{white} %s}", r"\color"),
+    (r"\begin{question}%s\end{question}\begin{solution}\end{solution}", "question"),
+    ("<details>%s</details>", "details"),
+    ("<p style='display:none'>%s</p>", "<p>"),
+    ("<!-- %s -->", "commented"),
+    ("> %s", "quotation"),
+    ("~~%s~~", "struck"),
+]
+
+
+@pytest.mark.parametrize(("around", "told"), MARKUP)
+def test_a_formula_is_stated_only_inside_markup_that_shows_it_plainly(
+    truths: dict[str, Equations], around: str, told: str
+) -> None:
+    formula = f"${EQUATIONS['rod_pendulum']}$"
+    answer = check(truths["rod_pendulum"], around.replace("%s", formula), blame=False)
+    assert answer.verdict is Verdict.UNDECIDED
+    assert any(told in entry.finding.evidence for entry in answer.judged)
+
+
+@pytest.mark.parametrize("said", ["g = -9.81", "m = 0"])
+def test_a_value_that_the_scene_cannot_have_shows_nothing(
+    truths: dict[str, Equations], said: str
+) -> None:
+    text = f"{said}\ntheta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
+    assert check(truths["rod_pendulum"], text, blame=False).verdict is Verdict.UNDECIDED

@@ -12,11 +12,16 @@ from mechanics.claims.latex.comments import blank, without_hidden
 from mechanics.claims.latex.over_lines import on_one_line
 from mechanics.claims.place import Refused
 
+COLOURS = "black|red|blue|green|orange|purple|magenta|brown|violet|teal|cyan|darkgray|gray"
+"""In which a formula is seen on white paper."""
 MARKS = re.compile(
     r"\\(boxed|fbox|framebox|underbrace|overbrace|underline|shove(?:left|right)|smash|math[rl]lap|"
-    r"ensuremath|[hv]?phantom|color|(?:textcolor|colorbox)\s*\{[^{}]{0,40}\})\s*\{"
+    rf"ensuremath|[hv]?phantom|color(?=\s*\{{\s*(?:{COLOURS})\s*\}})"
+    rf"|textcolor\s*\{{\s*(?:{COLOURS})\s*\}})\s*\{{"
 )
-SMALL = re.compile(r"[-+]\s*(?:\\order|\\mathcal\s*\{?\s*O\s*\}?)\s*(?:\\left\s*)?\([^()]{1,40}\)")
+SMALL = re.compile(
+    r"[-+]\s*(?:\\order|\\mathcal\s*\{?\s*O\s*\}?)\s*(?:\\left\s*)?\([^()]{0,40}[A-Za-z][^()]{0,40}\)"
+)
 """What is left out of a series: + O(theta^2), no term of an equation."""
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
