@@ -58,19 +58,13 @@ class Lost:
         return undecided(self.subject, evidence)
 
 
-def not_finite(
-    models: Sequence[Model],
-    *,
-    states: int,
-    seed: int = SEED,
-    precisions: Sequence[type[np.floating]] = PRECISIONS,
-) -> tuple[Lost, ...]:
+def not_finite(models: Sequence[Model], *, states: int) -> tuple[Lost, ...]:
     """Models and precisions that lose accelerations at the states of `residuals`."""
     return tuple(
         lost
         for model in models
-        for kind in precisions
-        for lost in _lost(model, sample(model.quantities, states, seed).rounded(kind), kind)
+        for kind in PRECISIONS
+        for lost in _lost(model, sample(model.quantities, states, SEED).rounded(kind), kind)
     )
 
 

@@ -27,7 +27,6 @@ def print_function(
     name: str,
     inputs: Mapping[str, Sequence[str]],
     shapes: Mapping[str, tuple[int, int]] | None = None,
-    options: Mapping[str, Any] | None = None,
 ) -> casadi.Function:
     """A CasADi function of vectors.
 
@@ -42,8 +41,6 @@ def print_function(
     shapes : mapping of str to (int, int), optional
         Rows and columns of outputs that are matrices, row by row in the program; others are
         columns.
-    options : mapping, optional
-        Of `casadi.Function`.
 
     Returns
     -------
@@ -75,9 +72,8 @@ def print_function(
         raise ExpressionError(f"input {missing[0]} stands in no vector: say in which")
     outputs = print_graphs(program, entries, shapes)
     return casadi.Function(
-        name, list(vectors.values()), list(outputs.values()), list(vectors), list(outputs),
-        dict(options or {}),
-    )  # fmt: skip
+        name, list(vectors.values()), list(outputs.values()), list(vectors), list(outputs)
+    )
 
 
 DIGITS = 40

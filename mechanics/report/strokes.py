@@ -11,6 +11,8 @@ import numpy as np
 from mechanics.report.projection import normal, unit
 
 Pixel = np.ndarray[Any, Any]
+TURNS, ZIGZAG, DASHPOT = 6, 7.0, 8.0
+"""Turns of a spring, and half the widths of a spring and a damper, in pixels."""
 
 
 def path(points: Iterable[Pixel], style: str, closed: bool = False) -> str:
@@ -69,21 +71,21 @@ def arc(centre: Pixel, radius: float, start: float, sweep: float, style: str) ->
     return path(points, style) + head(points[-1], points[-1] - points[-3], style)
 
 
-def zigzag(start: Pixel, end: Pixel, turns: int = 6, width: float = 7.0) -> str:
+def zigzag(start: Pixel, end: Pixel) -> str:
     """A spring."""
     span, length = end - start, float(np.hypot(*(end - start)))
-    side, lead = normal(unit(span)) * width, min(0.2, 10 / max(length, 1.0))
+    side, lead = normal(unit(span)) * ZIGZAG, min(0.2, 10 / max(length, 1.0))
     points = [start, start + lead * span]
-    for i in range(2 * turns):
-        share = lead + (1 - 2 * lead) * (i + 0.5) / (2 * turns)
+    for i in range(2 * TURNS):
+        share = lead + (1 - 2 * lead) * (i + 0.5) / (2 * TURNS)
         points.append(start + share * span + (side if i % 2 else -side))
     return path([*points, end - lead * span, end], "line")
 
 
-def dashpot(start: Pixel, end: Pixel, width: float = 8.0) -> str:
+def dashpot(start: Pixel, end: Pixel) -> str:
     """A damper."""
     span = end - start
-    side = normal(unit(span)) * width
+    side = normal(unit(span)) * DASHPOT
     middle, back, mouth = start + 0.5 * span, start + 0.35 * span, start + 0.65 * span
     return "".join(
         (

@@ -11,6 +11,10 @@ from mechanics.blame.result import Edit
 UNSEEN = "\N{REPLACEMENT CHARACTER}"
 
 
+AROUND = 120
+"""Characters beside an edit that are shown of a very long piece."""
+
+
 @dataclass(frozen=True)
 class Piece:
     """A part of a source; `edit` is what has to be done to it, None where it may stay."""
@@ -58,15 +62,15 @@ def printable(text: str) -> str:
     )
 
 
-def shortened(found: Sequence[Piece], around: int = 120) -> tuple[Piece, ...]:
+def shortened(found: Sequence[Piece]) -> tuple[Piece, ...]:
     """Pieces of which the right ones keep their ends only, where they are very long."""
     kept = []
     last = len(found) - 1
     for n, piece in enumerate(found):
         text = piece.text
-        if piece.edit is None and len(text) > 3 * around:
-            head = text[: around if n else 0] if last else text[: 2 * around]
-            tail = text[len(text) - around :] if n < last else ""
+        if piece.edit is None and len(text) > 3 * AROUND:
+            head = text[: AROUND if n else 0] if last else text[: 2 * AROUND]
+            tail = text[len(text) - AROUND :] if n < last else ""
             text = f"{head}...{tail}"
         kept.append(Piece(text, piece.edit))
     return tuple(kept)

@@ -54,7 +54,6 @@ def verify_sine(
     text: str,
     kind: str = "double",
     *,
-    most: float = MOST,
     file: str = "code.c",
     includes: Mapping[str, str] | None = None,
 ) -> Finding:
@@ -65,8 +64,6 @@ def verify_sine(
     text : str
         C source that holds it, and maybe more.
     kind : ``"double"`` or ``"float"``
-    most : float
-        Largest error to accept, in ulp.
     file : str
         Name for messages.
     includes : mapping of str to str
@@ -81,20 +78,20 @@ def verify_sine(
         limit = _limit(sources[0], kind)
         for source in sources:
             # What is wrong is seen at a few angles, most often, and a proof takes seconds.
-            if (far := _seen(_inline(source), name, kind, limit, most)) is not None:
+            if (far := _seen(_inline(source), name, kind, limit)) is not None:
                 return _refuted(subject, "", far)
         for source in sources:
             found = found.joined(_proved(_inline(source), name, kind, limit))
     except ExpressionError as error:
         why = str(error)
     else:
-        bounds = [(Fraction(0), arb(error), Fraction(most)) for error in (found.sine, found.cosine)]
+        bounds = [(Fraction(0), arb(error), Fraction(MOST)) for error in (found.sine, found.cosine)]
         finding = enclosed(subject, bounds, _evidence(found, limit))
         if finding.shown:
             return finding
         why = f"the error is bounded by {max(found.sine, found.cosine):.3g} ulp only"
     for source in sources:
-        far = _far(source, name, kind, limit, most, TRIALS)
+        far = _far(source, name, kind, limit, TRIALS)
         if far is not None:
             return _refuted(subject, f"{why}; ", far)
     return undecided(subject, why)
@@ -113,8 +110,8 @@ def _inline(source: Source) -> str:
 
 
 @lru_cache(maxsize=16)
-def _seen(text: str, name: str, kind: str, limit: Fraction, most: float) -> Far | None:
-    return _far(parse(text), name, kind, limit, most, FEW)
+def _seen(text: str, name: str, kind: str, limit: Fraction) -> Far | None:
+    return _far(parse(text), name, kind, limit, FEW)
 
 
 @lru_cache(maxsize=16)
@@ -168,9 +165,7 @@ def _limit(source: Source, kind: str) -> Fraction:
     raise ExpressionError(f"{name} is not !(fabs{f}(x) <= limit)")
 
 
-def _far(
-    source: Source, name: str, kind: str, limit: Fraction, most: float, trials: int
-) -> Far | None:
+def _far(source: Source, name: str, kind: str, limit: Fraction, trials: int) -> Far | None:
     """An angle at which the error is larger."""
     with precision(300):
         for x in _angles(kind, limit, trials):
@@ -181,9 +176,9 @@ def _far(
             true = arb(fmpq(*x.as_integer_ratio())).sin_cos()
             for which, value, exact in zip(("sin", "cos"), values, true, strict=True):
                 error = abs(_exact(value) - exact)
-                if exact.contains(0) or not error > most * unit(kind, abs(exact)):
+                if exact.contains(0) or not error > MOST * unit(kind, abs(exact)):
                     continue
-                room = (most * unit(kind, abs(exact))).upper()
+                room = (MOST * unit(kind, abs(exact))).upper()
                 return Far(which, x, value, exact + arb(0, room))
     return None
 
