@@ -62,6 +62,12 @@ def parsed(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"), str(path))
 
 
+@functools.cache
+def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
+    """All nodes of a file: most laws look at each."""
+    return tuple(ast.walk(tree))
+
+
 def called_name(call: ast.Call) -> str:
     """Last name of what is called: ``raises`` for ``pytest.raises(...)``."""
     match call.func:
@@ -76,7 +82,7 @@ def without_docstring(tree: ast.Module) -> Breaches:
 
 
 def simplifies(tree: ast.Module) -> Breaches:
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.Call) and called_name(node) in {"simplify", "trigsimp"}:
             yield node.lineno, f"{called_name(node)} is no proof; use mechanics.symbolic"
         if isinstance(node, ast.ImportFrom):
@@ -86,7 +92,7 @@ def simplifies(tree: ast.Module) -> Breaches:
 
 
 def swallows_errors(tree: ast.Module) -> Breaches:
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if not isinstance(node, ast.ExceptHandler):
             continue
         if node.type is None:
@@ -107,7 +113,7 @@ def runs_text(tree: ast.Module) -> Breaches:
     """Calls that turn text into code; `sympify` does unless it is strict."""
     names = {"eval", "exec", "compile", "__import__", "lambdify", "parse_expr", "parse_latex"}
     shells = {"system", "popen", "Popen", "check_output", "check_call", "import_module"}
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if not isinstance(node, ast.Call):
             continue
         plain = isinstance(node.func, ast.Name) or ast.unparse(node.func).startswith("sympy.")
@@ -121,7 +127,7 @@ def runs_text(tree: ast.Module) -> Breaches:
 
 def makes_verdicts(tree: ast.Module) -> Breaches:
     """Findings made by hand, and verdicts changed afterwards."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.ImportFrom | ast.Import):
             for alias in node.names:
                 if alias.name in MADE_BY_THE_KERNEL and alias.asname:
@@ -142,7 +148,7 @@ def makes_verdicts(tree: ast.Module) -> Breaches:
 
 def keeps_objects(tree: ast.Module) -> Breaches:
     """Caches by a scene, equations or a model: state of the module that no caller sees."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.ImportFrom | ast.Import):
             for alias in node.names:
                 if alias.name == "WeakKeyDictionary":
@@ -182,7 +188,7 @@ FIXED, SIDES = {"verdict", "error_bound"}, {"left", "right"}
 
 
 def asserts_nothing(tree: ast.Module) -> Breaches:
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if not isinstance(node, ast.FunctionDef) or not node.name.startswith("test"):
             continue
         if not any(is_expectation(part) for part in ast.walk(node)):
@@ -199,7 +205,7 @@ def is_expectation(node: ast.AST) -> bool:
 
 def undeclared_imports(tree: ast.Module) -> Breaches:
     """Imports of packages that pyproject.toml does not install: they work by accident."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         match node:
             case ast.Import(names=aliases):
                 imported = [alias.name for alias in aliases]
@@ -288,7 +294,7 @@ def imported(*modules: str) -> set[str]:
         if name in known or name == "mechanics" or not path_of(name).exists():
             continue
         known.add(name)
-        for node in ast.walk(ast.parse(path_of(name).read_text(encoding="utf-8"))):
+        for node in nodes(parsed(path_of(name))):
             if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("mechanics"):
                 waiting += [str(node.module), *(f"{node.module}.{a.name}" for a in node.names)]
     return known
@@ -356,7 +362,7 @@ def modules() -> Iterator[str]:
 def named(tree: ast.Module) -> set[str]:
     """What a file imports: from a package, its parts and not the package, where it has them."""
     found = set()
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.ImportFrom):
             parts = {f"{node.module}.{alias.name}" for alias in node.names}
             found |= {part if path_of(part).exists() else str(node.module) for part in parts}
