@@ -1,6 +1,7 @@
 """What scenes of the corpus have in common: pendulums, carts with rods, arms, masses on a line."""
 
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy import sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.scene import (
     Particle,
@@ -44,21 +45,29 @@ def pendulum(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
     )
 
 
-def double_pendulum(angles, m1, m2, l1, l2, g):
-    """Two bobs, both angles from the downward vertical."""
+def double_pendulum(angles, m1, m2, l1, l2, g, drag=0):
+    """Two bobs, both angles from the downward vertical; a drag per mass."""
     a, b = dynamicsymbols(angles)
     N, O = ReferenceFrame("N"), Point("O")
     first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
     E1 = first.point.locatenew("E1", -l1 * first.frame.y)
     second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
     E2 = E1.locatenew("E2", -l2 * second.frame.y)
+    loads = [gravity(-g * N.y)]
+    if drag != 0:
+        v1 = l1 * a.diff() * first.frame.x
+        v2 = v1 + l2 * b.diff() * second.frame.x
+        loads += [
+            force("drag one", E1, -drag * m1 * v1, on="upper"),
+            force("drag two", E2, -drag * m2 * v2, on="lower"),
+        ]
     return Scene(
         "double pendulum",
         N,
         O,
         plane=N.z,
         joints=(first, second),
-        loads=(gravity(-g * N.y),),
+        loads=loads,
         bodies=(
             RigidBody("upper", E1, first.frame, m1, 0),
             RigidBody("lower", E2, second.frame, m2, 0),
@@ -84,13 +93,14 @@ def spring_pendulum(angle, length, m, g, pull, across=0, order=None):
     )
 
 
-def cart_with_rods(x, mass, rods, g, push, inputs=(), moments=()):
+def cart_with_rods(x, mass, rods, g, push, inputs=(), moments=(), height=0):
     """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
 
     Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
     """
     N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "cart", at=O, axis=N.x, distance=x)
+    base = O if height == 0 else O.locatenew("B", height * N.y)
+    track = slide("track", None, "cart", at=base, axis=N.x, distance=x)
     bodies, joints, ends = (
         [RigidBody("cart", track.point, N, mass, 0)],
         [track],
@@ -99,12 +109,18 @@ def cart_with_rods(x, mass, rods, g, push, inputs=(), moments=()):
     loads = [gravity(-g * N.y)]
     if push != 0:
         loads.append(force("push", track.point, push * N.x, on="cart"))
-    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
+    for name, parent, angle, up, sense, m, reach, moment_of_inertia, length in rods:
         axis = -N.z if up * sense > 0 else N.z
         joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
         y = up * joint.frame.y
         bodies.append(
-            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
+            RigidBody(
+                name,
+                joint.point.locatenew(f"C {name}", reach * y),
+                joint.frame,
+                m,
+                moment_of_inertia,
+            )
         )
         joints.append(joint)
         ends[name] = joint.point.locatenew(f"E {name}", length * y)
@@ -114,12 +130,11 @@ def cart_with_rods(x, mass, rods, g, push, inputs=(), moments=()):
     return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
 
 
-def cart_pole(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0):
+def cart_pole(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), moment=0, height=0):
     """A cart with one rod, with a moment in the pin."""
     moments = (("rod", moment),) if moment != 0 else ()
-    return cart_with_rods(
-        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, moments
-    )
+    rod = ("rod", "cart", angle, up, sense, m, reach, I, 0)
+    return cart_with_rods(x, M, [rod], g, push, inputs, moments, height)
 
 
 def two_link_arm(angles, length, first, second, g, moments, inputs):
@@ -176,10 +191,13 @@ def two_masses(coordinates, masses, loads, inputs=()):
     )
 
 
-def one_mass(x, m, push, inputs=()):
-    """A mass on a line, with all forces along it in one."""
+def one_mass(x, m, push, inputs=(), g=0, sense=0):
+    """One mass; sense: whether the axis rises (1) or falls (-1)."""
     N, O = ReferenceFrame("N"), Point("O")
     track = slide("track", None, "mass", at=O, axis=N.x, distance=x)
+    loads = [force("all", track.point, push * N.x, on="mass")] if push != 0 else []
+    if sense:
+        loads.append(gravity(-sense * g * N.x))
     return Scene(
         "mass",
         N,
@@ -188,5 +206,65 @@ def one_mass(x, m, push, inputs=()):
         joints=(track,),
         bodies=(RigidBody("mass", track.point, N, m, 0),),
         inputs=inputs,
-        loads=(force("all", track.point, push * N.x, on="mass"),),
+        loads=loads,
     )
+
+
+def rotary_pendulum(
+    arm, rod, reach, arm_inertia, mass, centre, moments, sense, up, g, drive, brake, inputs
+):
+    """The rod's end goes forward with sense +1; moments of the rod about its hinge, across,
+    along."""
+    N, O = ReferenceFrame("N"), Point("O")
+    shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=arm)
+    A = shaft.frame
+    axis = -A.x if sense * up > 0 else A.x
+    hinge = pin(
+        "hinge", "arm", "rod", at=shaft.point.locatenew("E", reach * A.x), axis=axis, angle=rod
+    )
+    B = hinge.frame
+    C = hinge.point.locatenew("C", up * centre * B.z)
+    loads = [gravity(-g * N.z), torque("motor", drive * N.z, on="arm")]
+    if brake != 0:
+        loads.append(torque("hinge moment", brake * axis, on="rod", by="arm"))
+    return Scene(
+        "rotary pendulum",
+        N,
+        O,
+        joints=(shaft, hinge),
+        loads=loads,
+        inputs=inputs,
+        bodies=(
+            RigidBody("arm", O, A, 0, inertia(A, 0, 0, arm_inertia)),
+            RigidBody("rod", C, B, mass, inertia(B, *moments)),
+        ),
+    )
+
+
+def two_bobs(angles, m1, m2, l1, l2, g):
+    """Two bobs on light rods, both angles from the downward vertical; R_1, R_2 pull inwards."""
+    a, b = dynamicsymbols(angles)
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (a, N.z))
+    B = N.orientnew("B", "Axis", (b, N.z))
+    P = O.locatenew("P", -l1 * A.y)
+    Q = P.locatenew("Q", -l2 * B.y)
+    return Scene(
+        "double pendulum", N, O, coordinates=(a, b),
+        bodies=(Particle("upper", P, m1), Particle("lower", Q, m2)), loads=(gravity(-g * N.y),),
+        reactions=(reaction("R_1", at=P, on="upper", by=None, along=A.y),
+                   reaction("R_2", at=Q, on="lower", by="upper", along=B.y)),
+    )  # fmt: skip
+
+
+def bead_on_parabola(m, a, g):
+    """A bead on a wire y = a x^2."""
+    x = dynamicsymbols("x")
+    N, O = ReferenceFrame("N"), Point("O")
+    P = O.locatenew("P", x * N.x + a * x**2 * N.y)
+    normal = (-2 * a * x * N.x + N.y) / sqrt(1 + 4 * a**2 * x**2)
+    return Scene(
+        "bead on a parabola", N, O, coordinates=(x,), bodies=(Particle("bead", P, m),),
+        loads=(gravity(-g * N.y),),
+        reactions=(reaction("R", at=P, on="bead", by=None, along=normal),),
+    )  # fmt: skip

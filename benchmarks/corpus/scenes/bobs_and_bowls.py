@@ -6,13 +6,13 @@ Cylinders and balls in bowls.
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, double_pendulum, pendulum
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    parameters,
     pin,
     reaction,
     spring,
@@ -22,71 +22,27 @@ from mechanics.scene import (
 t = dynamicsymbols._t
 
 
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _two(angles, m1, m2, l1, l2, g, drag=0):
-    """Two bobs, both angles from the downward vertical; a drag per mass."""
-    a, b = dynamicsymbols(angles)
-    N, O = ReferenceFrame("N"), Point("O")
-    first = pin("first", None, "upper", at=O, axis=N.z, angle=a)
-    E1 = first.point.locatenew("E1", -l1 * first.frame.y)
-    second = pin("second", "upper", "lower", at=E1, axis=N.z, angle=b)
-    E2 = E1.locatenew("E2", -l2 * second.frame.y)
-    loads = [gravity(-g * N.y)]
-    if drag != 0:
-        v1 = l1 * a.diff() * first.frame.x
-        v2 = v1 + l2 * b.diff() * second.frame.x
-        loads += [
-            force("drag one", E1, -drag * m1 * v1, on="upper"),
-            force("drag two", E2, -drag * m2 * v2, on="lower"),
-        ]
-    return Scene(
-        "double pendulum",
-        N,
-        O,
-        plane=N.z,
-        joints=(first, second),
-        loads=loads,
-        bodies=(
-            RigidBody("upper", E1, first.frame, m1, 0),
-            RigidBody("lower", E2, second.frame, m2, 0),
-        ),
-    )
-
-
-def plain():
-    """theta1, m1, l1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
-
-
-def arms():
-    """theta1, m1, L1."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg L1:m L2:m g:m/s^2"))
-
-
 def capitals():
     """theta1, M1, L1, G."""
-    return _two("theta1 theta2", *P("M1:kg M2:kg L1:m L2:m G:m/s^2"))
+    return double_pendulum("theta1 theta2", *P("M1:kg M2:kg L1:m L2:m G:m/s^2"))
 
 
 def subscripts():
     """theta_1, m_1, ell_1."""
-    return _two("theta_1 theta_2", *P("m_1:kg m_2:kg ell_1:m ell_2:m g:m/s^2"))
+    return double_pendulum("theta_1 theta_2", *P("m_1:kg m_2:kg ell_1:m ell_2:m g:m/s^2"))
 
 
 def equal():
     """theta, phi, m_1, m_2 on equal rods ell."""
     m1, m2, l, g = P("m_1:kg m_2:kg ell:m g:m/s^2")
-    return _two("theta phi", m1, m2, l, l, g)
+    return double_pendulum("theta phi", m1, m2, l, l, g)
 
 
 def drag():
     """A drag gamma m v on each bob."""
-    return _two("theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"), drag=P("gamma:1/s")[0])
+    return double_pendulum(
+        "theta1 theta2", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"), drag=P("gamma:1/s")[0]
+    )
 
 
 def between():
@@ -122,47 +78,17 @@ def between():
     )
 
 
-def _one(angle, m, inertia, reach, g, moment=0, inputs=(), *, up=False):
-    """A body on a pin.
-
-    Counterclockwise from the downward vertical (clockwise from the upward one).
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    axis = -N.z if up else N.z
-    hold = pin("hold", None, "body", at=O, axis=axis, angle=angle)
-    C = hold.point.locatenew("C", (1 if up else -1) * reach * hold.frame.y)
-    loads = [gravity(-g * N.y)] if g != 0 else []
-    if moment != 0:
-        loads.append(torque("moment", moment * axis, on="body"))
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        plane=N.z,
-        bodies=(RigidBody("body", C, hold.frame, m, inertia),),
-        joints=(hold,),
-        inputs=inputs,
-        loads=loads,
-    )
-
-
 def upright():
     """A bob, clockwise from upright, a torque tau."""
     theta, tau = dynamicsymbols("theta tau")
     m, g, l = P("m:kg g:m/s^2 l:m")
-    return _one(theta, m, 0, l, g, tau, (tau,), up=True)
-
-
-def simple_capital():
-    """theta, m, L."""
-    m, L, g = P("m:kg L:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, L, g)
+    return pendulum(theta, m, 0, l, g, tau, (tau,), up=True)
 
 
 def simple_ell():
     """theta, m, ell."""
     m, l, g = P("m:kg ell:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, l, g)
+    return pendulum(dynamicsymbols("theta"), m, 0, l, g)
 
 
 def hinge():
@@ -193,7 +119,7 @@ def compound():
     """A light rod of length 2a with m at its tip and 2m at its middle."""
     theta = dynamicsymbols("theta")
     m, a, g = P("m:kg a:m g:m/s^2")
-    return _one(theta, 3 * m, 2 * m * a**2 / 3, 4 * a / 3, g)
+    return pendulum(theta, 3 * m, 2 * m * a**2 / 3, 4 * a / 3, g)
 
 
 def _elastic(length, r, angle, m, g, pull):
@@ -337,7 +263,7 @@ def deviation():
 def bowl_point():
     """A point m that slides in a cylinder of radius r, theta from below."""
     m, r, g = P("m:kg r:m g:m/s^2")
-    return _one(dynamicsymbols("theta"), m, 0, r, g)
+    return pendulum(dynamicsymbols("theta"), m, 0, r, g)
 
 
 def parabola():

@@ -3,6 +3,7 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from benchmarks.corpus.builders import P
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -11,18 +12,11 @@ from mechanics.scene import (
     euler,
     force,
     gravity,
-    parameters,
     pin,
     reaction,
     slide,
     torque,
 )
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
 
 
 def ends():

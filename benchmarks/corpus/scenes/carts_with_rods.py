@@ -3,81 +3,35 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, cart_pole, cart_with_rods
 from mechanics.scene import (
     RigidBody,
     Scene,
-    force,
     gravity,
-    parameters,
-    pin,
     reaction,
-    slide,
     torque,
 )
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _cart(x, mass, rods, g, push, inputs=(), moments=(), height=0):
-    """A cart at x; each rod: name, parent, angle, up, sense, mass, reach, inertia, length.
-
-    Sense +1: the top of an upright rod, or the end of a hanging one, goes to the right.
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    base = O if height == 0 else O.locatenew("B", height * N.y)
-    track = slide("track", None, "cart", at=base, axis=N.x, distance=x)
-    bodies, joints, ends = (
-        [RigidBody("cart", track.point, N, mass, 0)],
-        [track],
-        {"cart": track.point},
-    )
-    loads = [gravity(-g * N.y)]
-    if push != 0:
-        loads.append(force("push", track.point, push * N.x, on="cart"))
-    for name, parent, angle, up, sense, m, reach, inertia, length in rods:
-        axis = -N.z if up * sense > 0 else N.z
-        joint = pin(f"pin {name}", parent, name, at=ends[parent], axis=axis, angle=angle)
-        y = up * joint.frame.y
-        bodies.append(
-            RigidBody(name, joint.point.locatenew(f"C {name}", reach * y), joint.frame, m, inertia)
-        )
-        joints.append(joint)
-        ends[name] = joint.point.locatenew(f"E {name}", length * y)
-        for on, moment in moments:
-            if on == name:
-                loads.append(torque(f"friction {name}", moment * axis, on=name, by=parent))
-    return Scene("cart", N, O, plane=N.z, bodies=bodies, joints=joints, loads=loads, inputs=inputs)
-
-
-def _one(x, angle, M, m, reach, g, push, *, up, sense, I=0, inputs=(), height=0):
-    return _cart(
-        x, M, [("rod", "cart", angle, up, sense, m, reach, I, 0)], g, push, inputs, height=height
-    )
 
 
 def espinn():
     """A uniform pole of half-length POLE_L, clockwise from upright, pushed by force."""
     x, theta, F = dynamicsymbols("x theta force")
     M, m, l, g = P("CART_MASS:kg POLE_MASS:kg POLE_L:m G:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=1, I=m * l**2 / 3, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=1, I=m * l**2 / 3, inputs=(F,))
 
 
 def mpechac():
     """A uniform pole of half-length l, clockwise from upright, pushed by F; the cart at s."""
     s, theta, F = dynamicsymbols("s theta F")
     mc, mp, l, g = P("mc:kg mp:kg l:m g:m/s^2")
-    return _one(s, theta, mc, mp, l, g, F, up=1, sense=1, I=mp * l**2 / 3, inputs=(F,))
+    return cart_pole(s, theta, mc, mp, l, g, F, up=1, sense=1, I=mp * l**2 / 3, inputs=(F,))
 
 
 def mpc():
     """A uniform pole of half-length l, counterclockwise from upright, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=-1, I=m * l**2 / 3, inputs=(F,))
+    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=-1, I=m * l**2 / 3, inputs=(F,))
 
 
 def dip_rods():
@@ -87,7 +41,7 @@ def dip_rods():
     """
     x, a, b, u = dynamicsymbols("x theta1 theta2 u")
     M, m1, m2, L1, L2, g = P("M:kg m1:kg m2:kg L1:m L2:m g:m/s^2")
-    return _cart(
+    return cart_with_rods(
         x,
         M,
         [
@@ -107,7 +61,7 @@ def sopot():
     """
     x, a, b, F = dynamicsymbols("x theta1 theta2 F")
     mc, m1, m2, L1, L2, g = P("mc:kg m1:kg m2:kg L1:m L2:m g:m/s^2")
-    return _cart(
+    return cart_with_rods(
         x,
         mc,
         [("one", "cart", a, 1, 1, m1, L1, 0, L1), ("two", "one", b, 1, 1, m2, L2, 0, L2)],
@@ -121,21 +75,14 @@ def crane():
     """A load m on l below a trolley M, counterclockwise from below, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, u, up=-1, sense=1, inputs=(u,))
+    return cart_pole(x, theta, M, m, l, g, u, up=-1, sense=1, inputs=(u,))
 
 
 def crane_swapped():
     """A load M on l below a trolley m, counterclockwise from below, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
     m, M, l, g = P("m:kg M:kg l:m g:m/s^2")
-    return _one(x, theta, m, M, l, g, u, up=-1, sense=1, inputs=(u,))
-
-
-def bob():
-    """A bob m on l, clockwise from upright, pushed by F."""
-    x, theta, F = dynamicsymbols("x theta F")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l, g, F, up=1, sense=1, inputs=(F,))
+    return cart_pole(x, theta, m, M, l, g, u, up=-1, sense=1, inputs=(u,))
 
 
 def two_hanging():
@@ -145,7 +92,7 @@ def two_hanging():
     """
     q, a, b = dynamicsymbols("q phi1 phi2")
     M, m1, m2, l, g, cc, cp = P("M:kg m1:kg m2:kg l:m g:m/s^2 c_cart:N*s/m c_piv:N*m*s")
-    return _cart(
+    return cart_with_rods(
         q,
         M,
         [("one", "cart", a, -1, 1, m1, l, 0, l), ("two", "cart", b, -1, 1, m2, l, 0, l)],
@@ -156,35 +103,25 @@ def two_hanging():
     )
 
 
-def inertia():
-    """A rod with the mass centre at L and the inertia J about it, clockwise from upright.
-
-    Pushed by u.
-    """
-    x, theta, u = dynamicsymbols("x theta u")
-    m, M, L, J, g = P("m:kg M:kg L:m J:kg*m^2 g:m/s^2")
-    return _one(x, theta, M, m, L, g, u, up=1, sense=1, I=J, inputs=(u,))
-
-
 def ocs2():
     """A uniform rod of length l, counterclockwise from upright, pushed by F."""
     x, theta, F = dynamicsymbols("x theta F")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return _one(x, theta, M, m, l / 2, g, F, up=1, sense=-1, I=m * l**2 / 12, inputs=(F,))
+    return cart_pole(x, theta, M, m, l / 2, g, F, up=1, sense=-1, I=m * l**2 / 12, inputs=(F,))
 
 
 def ejercicio():
     """A bob m on a rod ell, clockwise from upright, its pivot at the height H on a free cart M."""
     x, theta = dynamicsymbols("x theta")
     M, m, l, g, H = P("M:kg m:kg ell:m g:m/s^2 H:m")
-    return _one(x, theta, M, m, l, g, 0, up=1, sense=1, height=H)
+    return cart_pole(x, theta, M, m, l, g, 0, up=1, sense=1, height=H)
 
 
 def lezione():
     """A bob M that hangs on L from a cart m, driven by a couple C on a light wheel of radius R."""
     x, theta, C = dynamicsymbols("x theta C")
     m, M, L, R, g = P("m:kg M:kg L:m R:m g:m/s^2")
-    return _one(x, theta, m, M, L, g, C / R, up=-1, sense=1, inputs=(C,))
+    return cart_pole(x, theta, m, M, L, g, C / R, up=-1, sense=1, inputs=(C,))
 
 
 def wip():

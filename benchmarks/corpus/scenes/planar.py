@@ -1,8 +1,9 @@
 """Scenes of the corpus, in the symbols of the authors."""
 
-from sympy import cos, sqrt
+from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import P, bead_on_parabola, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -72,19 +73,7 @@ def cart_pole_bottom():
 
 def double_pendulum():
     """Two bobs on light rods, both angles from the vertical."""
-    a, b = dynamicsymbols("theta_1 theta_2")
-    m1, m2, l1, l2, g = parameters("m_1 m_2 l_1 l_2 g", units="kg kg m m m/s^2")
-    N, O = _ground()
-    A = N.orientnew("A", "Axis", (a, N.z))
-    B = N.orientnew("B", "Axis", (b, N.z))
-    P = O.locatenew("P", -l1 * A.y)
-    Q = P.locatenew("Q", -l2 * B.y)
-    return Scene(
-        "double pendulum", N, O, coordinates=(a, b),
-        bodies=(Particle("upper", P, m1), Particle("lower", Q, m2)), loads=(gravity(-g * N.y),),
-        reactions=(reaction("R_1", at=P, on="upper", by=None, along=A.y),
-                   reaction("R_2", at=Q, on="lower", by="upper", along=B.y)),
-    )  # fmt: skip
+    return two_bobs("theta_1 theta_2", *P("m_1:kg m_2:kg l_1:m l_2:m g:m/s^2"))
 
 
 def spring_pendulum():
@@ -235,16 +224,7 @@ def quadrotor():
 
 def parabola():
     """A bead on a wire y = c x^2."""
-    x = dynamicsymbols("x")
-    m, c, g = parameters("m c g", units="kg 1/m m/s^2")
-    N, O = _ground()
-    P = O.locatenew("P", x * N.x + c * x**2 * N.y)
-    normal = (-2 * c * x * N.x + N.y) / sqrt(1 + 4 * c**2 * x**2)
-    return Scene(
-        "bead on a parabola", N, O, coordinates=(x,), bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("R", at=P, on="bead", by=None, along=normal),),
-    )  # fmt: skip
+    return bead_on_parabola(*P("m:kg c:1/m g:m/s^2"))
 
 
 def reaction_wheel():

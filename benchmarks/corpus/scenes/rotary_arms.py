@@ -1,8 +1,8 @@
 """Arms, a rotary pendulum, a pendulum with a wheel."""
 
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, two_link_arm
+from benchmarks.corpus.builders import P, rotary_pendulum, two_link_arm
 from mechanics.scene import RigidBody, Scene, gravity, pin, torque
 
 
@@ -34,25 +34,7 @@ def furuta():
     torque tau."""
     theta, alpha, tau = dynamicsymbols("theta alpha tau")
     J1, Jp, mp, Lr, lp, g = P("J_1:kg*m^2 J_p:kg*m^2 m_p:kg L_r:m l_p:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=theta)
-    A = shaft.frame
-    hinge = pin(
-        "hinge", "arm", "rod", at=shaft.point.locatenew("E", Lr * A.x), axis=-A.x, angle=alpha
-    )
-    B = hinge.frame
-    return Scene(
-        "rotary pendulum",
-        N,
-        O,
-        joints=(shaft, hinge),
-        inputs=(tau,),
-        loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
-        bodies=(
-            RigidBody("arm", O, A, 0, inertia(A, 0, 0, J1)),
-            RigidBody("rod", hinge.point.locatenew("C", lp * B.z), B, mp, inertia(B, Jp, Jp, 0)),
-        ),
-    )
+    return rotary_pendulum(theta, alpha, Lr, J1, mp, lp, (Jp, Jp, 0), 1, 1, g, tau, 0, (tau,))
 
 
 def wheel():

@@ -3,57 +3,10 @@
 from sympy import Abs, cos, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, force, gravity, parameters, reaction, slide
+from benchmarks.corpus.builders import P, one_mass, two_masses
+from mechanics.scene import RigidBody, Scene, force, reaction, slide
 
 t = dynamicsymbols._t
-
-
-def P(text, **more):
-    """Parameters, "m:kg l:m"."""
-    names, units = zip(*(one.split(":") for one in text.split()), strict=True)
-    return parameters(" ".join(names), units=" ".join(units), **more)
-
-
-def _line(coordinates, masses, loads, inputs=()):
-    """Two masses on a line, with loads of (N, A, B)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    joints = [
-        slide(f"track {n}", None, n, at=O, axis=N.x, distance=q)
-        for n, q in zip(("one", "two"), coordinates, strict=True)
-    ]
-    bodies = [
-        RigidBody(n, j.point, N, m, 0)
-        for n, j, m in zip(("one", "two"), joints, masses, strict=True)
-    ]
-    return Scene(
-        "masses on a line",
-        N,
-        O,
-        plane=N.z,
-        joints=joints,
-        bodies=bodies,
-        inputs=inputs,
-        loads=loads(N, *(j.point for j in joints)),
-    )
-
-
-def _single(x, m, push, inputs=(), g=0, sense=0):
-    """One mass; sense: whether the axis rises (1) or falls (-1)."""
-    N, O = ReferenceFrame("N"), Point("O")
-    track = slide("track", None, "mass", at=O, axis=N.x, distance=x)
-    loads = [force("all", track.point, push * N.x, on="mass")] if push != 0 else []
-    if sense:
-        loads.append(gravity(-sense * g * N.x))
-    return Scene(
-        "mass",
-        N,
-        O,
-        plane=N.z,
-        joints=(track,),
-        bodies=(RigidBody("mass", track.point, N, m, 0),),
-        inputs=inputs,
-        loads=loads,
-    )
 
 
 def ceiling():
@@ -63,7 +16,7 @@ def ceiling():
     """
     a, b = dynamicsymbols("zM zT")
     M, m, kM, kT, eM, eT, A, W = P("M:kg m:kg kM:N/m kT:N/m etaM:N*s/m etaT:N*s/m Ax:m Omega:1/s")
-    return _line(
+    return two_masses(
         (a, b),
         (M, m),
         lambda N, A1, B1: (
@@ -78,7 +31,7 @@ def masas():
     """Wall, k_1, m_1, k_2 beside a damper b, m_2, k_3, wall; a force u on m_1."""
     x1, x2, u = dynamicsymbols("x_1 x_2 u")
     m1, m2, k1, k2, k3, b = P("m_1:kg m_2:kg k_1:N/m k_2:N/m k_3:N/m b:N*s/m")
-    return _line(
+    return two_masses(
         (x1, x2),
         (m1, m2),
         lambda N, A, B: (
@@ -100,14 +53,14 @@ def cubic():
     """X on a spring k_1 X + k_2 X^2, a drag b |X'| X'."""
     X = dynamicsymbols("X")
     m, b, k1, k2 = P("m:kg b:kg/m k_1:N/m k_2:N/m^2")
-    return _single(X, m, -b * Abs(X.diff()) * X.diff() - k1 * X - k2 * X**2)
+    return one_mass(X, m, -b * Abs(X.diff()) * X.diff() - k1 * X - k2 * X**2)
 
 
 def mass_spring():
     """m, k."""
     x = dynamicsymbols("x")
     m, k = P("m:kg k:N/m")
-    return _single(x, m, -k * x)
+    return one_mass(x, m, -k * x)
 
 
 def across():
@@ -117,7 +70,7 @@ def across():
     """
     x = dynamicsymbols("x")
     m, k, L = P("m:kg k:N/m L:m")
-    return _single(x, m, -k * x * (1 - L / 2 / sqrt(L**2 + x**2)))
+    return one_mass(x, m, -k * x * (1 - L / 2 / sqrt(L**2 + x**2)))
 
 
 def across_h():
@@ -127,28 +80,28 @@ def across_h():
     """
     x = dynamicsymbols("x")
     m, k, l0, h = P("m:kg k:N/m l0:m h:m", typical="5 500 0.5 0.3")
-    return _single(x, m, -k * x * (1 - l0 / sqrt(x**2 + h**2)))
+    return one_mass(x, m, -k * x * (1 - l0 / sqrt(x**2 + h**2)))
 
 
 def ressort():
     """A mass m at z below its hook on a spring k, l_0."""
     z = dynamicsymbols("z")
     m, k, l0, g = P("m:kg k:N/m ell_0:m g:m/s^2")
-    return _single(z, m, -k * (z - l0), g=g, sense=-1)
+    return one_mass(z, m, -k * (z - l0), g=g, sense=-1)
 
 
 def strut():
     """A sprung mass m, its strut k, c compressed by chi."""
     chi = dynamicsymbols("chi")
     m, k, c, g = P("m:kg k:N/m c:N*s/m g:m/s^2")
-    return _single(chi, m, -k * chi - c * chi.diff(), g=g, sense=-1)
+    return one_mass(chi, m, -k * chi - c * chi.diff(), g=g, sense=-1)
 
 
 def quarter():
     """A mass quarter_car_mass at car_x above the road, pulled down by F_suspension."""
     x, F = dynamicsymbols("car_x F_suspension")
     m, g = P("quarter_car_mass:kg g:m/s^2")
-    return _single(x, m, -F, (F,), g=g, sense=1)
+    return one_mass(x, m, -F, (F,), g=g, sense=1)
 
 
 def roller():

@@ -1,8 +1,9 @@
 """More scenes of the corpus, in the symbols of the authors."""
 
-from sympy import cos, cot, sin, sqrt
+from sympy import cos, cot, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
+from benchmarks.corpus.builders import P, bead_on_parabola, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -125,16 +126,7 @@ def string_and_spring():
 
 def parabola():
     """A bead on a wire y = a x^2."""
-    x = dynamicsymbols("x")
-    m, a, g = parameters("m a g", units="kg 1/m m/s^2")
-    N, O = _ground()
-    P = O.locatenew("P", x * N.x + a * x**2 * N.y)
-    normal = (-2 * a * x * N.x + N.y) / sqrt(1 + 4 * a**2 * x**2)
-    return Scene(
-        "bead on a parabola", N, O, coordinates=(x,), bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("R", at=P, on="bead", by=None, along=normal),),
-    )  # fmt: skip
+    return bead_on_parabola(*P("m:kg a:1/m g:m/s^2"))
 
 
 def tilted_wire():
@@ -154,30 +146,13 @@ def tilted_wire():
 
 def two_rods():
     """Two bobs on rods of lengths L_1 and L_2, angles from below."""
-    m1, m2 = parameters("m_1 m_2", units="kg kg")
-    return _two_rods("theta_1 theta_2", m1, m2, "L_1 L_2 g")
+    return two_bobs("theta_1 theta_2", *P("m_1:kg m_2:kg L_1:m L_2:m g:m/s^2"))
 
 
 def two_equal():
     """Two equal bobs."""
-    (m,) = parameters("m", units="kg")
-    return _two_rods("theta1 theta2", m, m, "L1 L2 g")
-
-
-def _two_rods(angles, m1, m2, rest):
-    a, b = dynamicsymbols(angles)
-    l1, l2, g = parameters(rest, units="m m m/s^2")
-    N, O = _ground()
-    A = N.orientnew("A", "Axis", (a, N.z))
-    B = N.orientnew("B", "Axis", (b, N.z))
-    P = O.locatenew("P", -l1 * A.y)
-    Q = P.locatenew("Q", -l2 * B.y)
-    return Scene(
-        "double pendulum", N, O, coordinates=(a, b),
-        bodies=(Particle("upper", P, m1), Particle("lower", Q, m2)), loads=(gravity(-g * N.y),),
-        reactions=(reaction("R_1", at=P, on="upper", by=None, along=A.y),
-                   reaction("R_2", at=Q, on="lower", by="upper", along=B.y)),
-    )  # fmt: skip
+    m, l1, l2, g = P("m:kg L1:m L2:m g:m/s^2")
+    return two_bobs("theta1 theta2", m, m, l1, l2, g)
 
 
 def driven():
