@@ -9,9 +9,10 @@ Code in Python is only run where that is allowed.
 import inspect
 import json
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from types import CodeType, FunctionType
+from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
 from mechanics.claims.code.python_call import Unsaid
@@ -78,11 +79,19 @@ def _functions(cells: list[str]) -> str:
 def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
-    names: dict[str, Any] = {"__name__": "submission", "__file__": str(path)}
+    module = ModuleType("submission")
+    names = vars(module)
+    names["__file__"] = str(path)
+    before = sys.modules.get("submission")
+    sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
         exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
     except Exception as error:
         raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
+    finally:
+        del sys.modules["submission"]
+        if before is not None:
+            sys.modules["submission"] = before
     own = [
         n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
     ]
@@ -117,12 +126,21 @@ def _takes(thing: Any) -> bool:
     return not isinstance(thing, FunctionType) or thing.__code__.co_argcount > 0
 
 
-def _placeholders(kind: type) -> dict[str, Unsaid]:
-    """Numbers for what an object is made with, for which the scene's parameters are to stand."""
-    parameters = list(inspect.signature(kind).parameters.values())
-    named = [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD]
-    required = [p.name for p in parameters if p.default is p.empty and p.name in named]
-    return {name: Unsaid(1.5 + k * 0.37) for k, name in enumerate(required)}
+def _placeholders(kind: type, names: Mapping[str, Any]) -> dict[str, Any]:
+    """Numbers for what an object is made with, for which the scene's parameters are to stand.
+
+    What is to be of a class of the file is one that is made so.
+    """
+    found: dict[str, Any] = {}
+    for name, one in inspect.signature(kind).parameters.items():
+        if one.kind is not one.POSITIONAL_OR_KEYWORD or one.default is not one.empty:
+            continue
+        inner = names.get(one.annotation, one.annotation)
+        if isinstance(inner, type) and inner.__module__ == "submission" and inner is not kind:
+            found[name] = inner(**_placeholders(inner, names))
+        else:
+            found[name] = Unsaid(1.5 + len(found) * 0.37)
+    return found
 
 
 def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
@@ -134,7 +152,7 @@ def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[st
     if not own:
         return names, []
     try:
-        made = classes[-1](**_placeholders(classes[-1]))
+        made = classes[-1](**_placeholders(classes[-1], names))
     except Exception as error:
         words = f"{classes[-1].__name__}() ends in {type(error).__name__}: {error}"
         raise InputError(f"file {path}: {words}: have a function, or values for all") from None

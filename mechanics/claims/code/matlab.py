@@ -44,7 +44,7 @@ OPERATIONS = {
 COMPARED = {"==": "==", "~=": "!=", "!=": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 SHOWN = frozenset(
     {"disp", "fprintf", "printf", "clc", "clear", "close", "format", "hold", "figure", "plot",
-     "error", "warning", "assert", "tic", "toc", "drawnow"}
+     "syms", "error", "warning", "assert", "tic", "toc", "drawnow"}
 )  # fmt: skip
 """Commands that change no number."""
 SOLVERS = ("ode", "lsode", "integral")
@@ -220,8 +220,8 @@ def _targets(node: Any) -> Iterator[tuple[Any, Any]]:
 
 
 def _is_list(node: Any) -> bool:
-    """[m, g] = p{:}, which says nothing but that m and g are parameters."""
-    return re.search(r"=\s*(?:deal\()?\w+\{:\}", words(node)) is not None
+    """[m, g] = p{:} and m = sym('m'), which say nothing but that m is a name."""
+    return re.search(r"=\s*(?:(?:deal\()?\w+\{:\}|sym\()", words(node)) is not None
 
 
 def _base(target: Any) -> str:

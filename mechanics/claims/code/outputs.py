@@ -33,6 +33,9 @@ Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 ACC = re.compile(r"_?[aA]cc$")
 """Ends the name of an acceleration; in a text such a name is one of the author's own."""
 
+BEFORE = re.compile(r"a_?(\w+)")
+"""Begins one: atheta, a_x."""
+
 TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")
 """What people put before and behind the name of what a function returns."""
 ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
@@ -237,6 +240,8 @@ def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
 def _second(naming: Naming, name: str) -> tuple[str, int] | None:
     """The scene's name, and no more dots, of what a name is an acceleration of."""
     found = naming.lookup(ACC.sub("_ddot", name))
+    if found is None and (part := BEFORE.fullmatch(name)):
+        found = naming.lookup(f"{part[1]}_ddot")
     if found is None or found[0] not in naming.vocabulary.functions:
         return None
     symbol = naming.symbol(found[0], found[1])

@@ -239,6 +239,8 @@ def stand_in(value: Any, depth: int = 0) -> Any:
     for name, replacement in NUMPY.items():
         if value is getattr(np, name, None):
             return replacement
+    if isinstance(value, types.FunctionType) and value.__module__ == "casadi.casadi":
+        return CASADI.get(value.__name__, value)
     if found := _of_linear_systems(value):
         return found
     if isinstance(value, types.FunctionType) and not foreign(value):
