@@ -186,7 +186,7 @@ CASES = {
         "- g/l", "+ g/(l*l)",
     ),
     "the order that a comment tells": (
-        "carts.py", "upright", "c",
+        "cart_poles.py", "bob", "c",
         "#include <math.h>\n// w: x, x', theta, theta'\n"
         "void f(double u, double *w, double *a, double M, double m, double l, double g)\n{\n"
         "  double s = sin(w[2]), c = cos(w[2]), D = M + m*s*s;\n"
