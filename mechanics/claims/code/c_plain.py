@@ -9,6 +9,9 @@ array whose entries have names.
 
 import re
 from dataclasses import dataclass
+from fractions import Fraction
+
+from numpy import float32
 
 from mechanics.claims.code.c_library import NAMES
 from mechanics.claims.code.unpacking import Apart
@@ -29,6 +32,11 @@ STRUCT = re.compile(
     r"(?P<typedef>\btypedef\s+)?\bstruct\s*(?P<tag>\w*)\s*\{(?P<fields>[^{}]*)\}\s*(?P<name>\w*)\s*;"
 )
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
+TO_SINGLE = re.compile(
+    r"\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*=(?!=)"
+    r"|(?<![\w.])(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b"
+)
+"""What makes a number one of single precision."""
 WORDS = frozenset({"float", "double", "const", "struct", "typedef"})
 
 MOST, LARGEST = 8, 64
@@ -65,6 +73,11 @@ def plain(text: str, origin: str) -> Plain:
     """
     doubled = re.sub(TOKEN, _doubled, text)
     notes = (SINGLE_NOTE,) if doubled != text else ()
+    if rounded := _rounded(_blank(text)) if notes else None:
+        raise ExpressionError(
+            f"{_place(text, rounded.start(), origin)}: {rounded[0]} is rounded to single precision"
+            " among doubles, which is no exact formula: write it as a double"
+        )
     records = re.search(r"\bstruct\b", doubled) is not None
     for name in DEFINE.findall(_blank(text)) if records or notes else ():
         if name in SINGLE or name in WORDS:
@@ -78,6 +91,16 @@ def plain(text: str, origin: str) -> Plain:
     for match in reversed(structs):
         doubled = _as_arrays(doubled, match, origin, apart)
     return Plain(doubled, apart, notes)
+
+
+def _rounded(text: str) -> re.Match[str] | None:
+    """What is no number of single precision, and made one beside doubles: ``0.1f``, a cast."""
+    if not re.search(r"\bdouble\b", text):
+        return None
+    for one in TO_SINGLE.finditer(text):
+        if one["number"] is None or Fraction(one["number"]) != float32(float(one["number"])):
+            return one
+    return None
 
 
 def _doubled(match: re.Match[str]) -> str:
