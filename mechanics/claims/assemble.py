@@ -78,6 +78,8 @@ SAID = re.compile(
     r"\b(?:defin(?:e|ing)|let|with|where|denot(?:e|ing)|abbreviat(?:e|ing))\s+(?:\$+|\\\(|\\\[)?\s*$",
     re.I,
 )
+IN_PROSE = re.compile(r"[\w,]\s+(?:\$|\\\()\s*\Z")
+"""Words before a formula between single dollars."""
 DEFINING = re.compile(r"\\equiv(?![A-Za-z])|:=|\\coloneqq")
 """What says that a name is short for something."""
 SHORT = ("sin", "cos", "tan")
@@ -326,7 +328,10 @@ class _Assembly:
     def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
         """Whether the text says that a name is short for parameters, and it names no result."""
         start = " ".join(self.text[max(0, line.at - 60) : line.at].split())
-        said = SAID.search(start) or DEFINING.search(line.source)
+        number, rest = self.scene.plain(meaning).as_coeff_Mul()
+        before = self.text[max(0, line.at - 8) : line.at]
+        multiple = number.is_Rational and rest in self.scene.parameters and IN_PROSE.search(before)
+        said = multiple or SAID.search(start) or DEFINING.search(line.source)
         held = self.scene.plain(meaning).free_symbols - {*self.scene.parameters, TIME}
         return bool(said) and not held and name not in LETTERS and name not in MATRIX_NAMES
 
