@@ -65,3 +65,24 @@ def test_a_rate_that_the_text_alone_gives_is_put_in() -> None:
     text = r"$$T = \frac12 m l^2 \dot\psi^2$$ $$\dot\psi = 1 \dot\theta$$"
     assert verdicts(text) == ["PROVED"]
     assert verdicts(text.replace("1 ", "2 ")) == ["REFUTED"]
+
+
+@pytest.mark.parametrize("number", ["2.0", r"\SI{2.0}{s}", r"2.0\,\mathrm{s}."])
+def test_the_number_that_a_formula_comes_to_is_no_claim(number: str) -> None:
+    text = rf"The period is $$T = 2\pi\sqrt{{\frac{{l}}{{g}}}} \approx {number}$$"
+    assert verdicts(text) == ["PROVED"]
+    assert verdicts(text.replace("{g}", "{2g}")) == ["REFUTED"]
+
+
+def test_an_energy_holds_up_to_a_constant() -> None:
+    text = r"$$V = -m g l \cos\theta + C$$"
+    assert verdicts(text) == ["PROVED"]
+    assert verdicts(text.replace("C", r"C \theta")) == ["UNDECIDED"]
+    assert verdicts(text.replace(r"\cos", r"\sin")) == ["REFUTED"]
+
+
+def test_words_and_dots_of_plain_text() -> None:
+    text = "potential energy = -m*g*l*cos(θ)\nkinetic energy = m*(l*θ.)^2/2\n"
+    text += "得: m*l^2*θ..+m*g*l*sinθ=0"
+    found = mechanics.check(ROD, text, notation="text", blame=False)
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"] * 3

@@ -18,7 +18,17 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput
 from mechanics.claims.columns import names_a_column
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.latex.bars import barred
-from mechanics.claims.latex.blocks import Block, blocks, claims, continued, is_value
+from mechanics.claims.latex.blocks import (
+    BRACES,
+    NUMBER,
+    SPACE,
+    UNIT,
+    Block,
+    blocks,
+    claims,
+    continued,
+    is_value,
+)
 from mechanics.claims.latex.fold import ALL, FIRST, GLUED, SLASH, Fold
 from mechanics.claims.latex.grammar import PARSER
 from mechanics.claims.latex.item import bare
@@ -36,6 +46,9 @@ from mechanics.claims.prose import energy_before
 from mechanics.claims.tree import Name, Node, ended, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
+ABOUT_NUMBER = re.compile(
+    rf"{SPACE}(?:{NUMBER}{SPACE}(?:{UNIT}{SPACE})*|\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?{BRACES})[.,;]?"
+)
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
 TAG = re.compile(r"[{(]\s*(.*?)\s*[})]", re.DOTALL)
 
@@ -246,6 +259,9 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     if framed := FRAMED.search(whole[max(0, offset + start - 14) : offset + start]):
         start -= len(framed[0])
     source = " ".join(whole[offset + start : offset + end].split())
+    count, kept = len(kept), _without_number(kept, text)
+    if len(kept) < count and not any(is_kind(piece, "REL") for piece in kept):
+        return value(source, offset + start)
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
         if SMALL_ANGLE.fullmatch(source.replace(" ", "")):
             return Aside(f"{source[:60]}: approximations in the text are not used", offset + start)
@@ -275,6 +291,15 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         move(tree, offset)
     unique = tuple(dict.fromkeys(notes))
     return Line(nodes, tag, offset + start, source, unique, others)
+
+
+def _without_number(pieces: Pieces, text: str) -> Pieces:
+    """The pieces without the number that they come to: T = 2 pi sqrt(l/g) ~ 2.0 s."""
+    at = next((i for i, piece in enumerate(pieces) if is_kind(piece, "ORDER")), 0)
+    if at == 0 or str(pieces[at]) not in ABOUT:
+        return pieces
+    behind = text[_span(pieces[at:])[0] + len(str(pieces[at])) : _span(pieces)[1]]
+    return pieces[:at] if ABOUT_NUMBER.fullmatch(behind) else pieces
 
 
 def _general(source: str, whole: str) -> bool:
