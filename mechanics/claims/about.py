@@ -37,14 +37,23 @@ Ranks = tuple[tuple[str, ...], ...]
 
 _MEANINGS: tuple[tuple[str, str, str], ...] = (
     ("T", "kinetic energy", "tension|torque|period"),
-    ("K KE E_k E_kin E_K T_kin Ek Ekin", "kinetic energy", ""),
+    (
+        "K KE E_k E_kin E_K T_kin Ek Ekin E_kinetic T_tot T_total K_tot K_total KE_tot KE_total",
+        "kinetic energy",
+        "",
+    ),
     ("V", "potential energy", "speed"),
-    ("U PE E_p E_pot Ep Epot Pi", "potential energy", ""),
-    ("E E_tot Etot", "energy", ""),
+    (
+        "U PE E_p E_pot Ep Epot Pi E_potential V_tot V_total U_tot U_total PE_tot PE_total",
+        "potential energy",
+        "",
+    ),
+    ("E E_tot Etot E_total E_mech E_m", "energy", ""),
+    ("T_period T_per", "period", ""),
     ("L", "Lagrangian", "angular momentum"),
     ("Lagrangian Lag", "Lagrangian", ""),
     ("H h", "Hamiltonian", "angular momentum"),
-    ("P", "power", "momentum"),
+    ("P", "power", "momentum|period"),
     ("D", "Rayleigh's function", "dissipated power"),
     *((f"P_{axis}", f"momentum along {axis}", "") for axis in "xyz"),
     ("S N", "reaction", ""),

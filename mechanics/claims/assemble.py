@@ -78,8 +78,13 @@ SAID = re.compile(
     r"\b(?:defin(?:e|ing)|let|with|where|denot(?:e|ing)|abbreviat(?:e|ing))\s+(?:\$+|\\\(|\\\[)?\s*$",
     re.I,
 )
+IN_PROSE = re.compile(r"[\w,]\s+(?:\$|\\\()\s*\Z")
+"""Words before a formula between single dollars."""
 DEFINING = re.compile(r"\\equiv(?![A-Za-z])|:=|\\coloneqq")
 """What says that a name is short for something."""
+UP_TO_A_CONSTANT = ("energy", "potential energy", "Lagrangian")
+CONSTANTS = ("C", "c", "C_0", "C_1", "const", "constant", "V_0", "U_0", "E_0")
+"""Names of a constant that an energy is determined up to."""
 SHORT = ("sin", "cos", "tan")
 """What a name alone is short for, which says nothing where it is not used."""
 
@@ -141,6 +146,15 @@ def _beside_unread(
         return ""
 
     return tuple(replace(s, doubt=doubt(s)) for s in statements)
+
+
+def _free_constant(unknown: Sequence[str], sides: Sequence[Value]) -> Symbol | None:
+    """The only name that nothing explains, where it is added to an energy as a constant."""
+    if len(set(unknown)) != 1 or unknown[0] not in CONSTANTS or not scalar(tuple(sides)):
+        return None
+    held = {s for side in sides for s in side.free_symbols if s.name == unknown[0]}
+    alone = held and all((side.diff(s)).is_Rational for side in sides for s in held)
+    return held.pop() if alone else None
 
 
 def _used(written: Written | None) -> set[str]:
@@ -274,6 +288,11 @@ class _Assembly:
         if not letter.said:
             letter = replace(letter, said=said_of(self.text, letter.name))
         words = letter.said or LETTERS[letter.name][0][0]
+        if words in UP_TO_A_CONSTANT and (free := _free_constant(builder.unknown, sides)):
+            builder.unknown = []
+            sides = tuple(side.subs(free, 0) for side in sides)
+            letter = replace(letter, sides=tuple(map(self.scene.pressed, sides)))
+            line = replace(line, notes=(*line.notes, f"{free} is a constant"))
         self._keep(line, tag, place, named_quantity(words), sides, builder, letter=letter)
 
     def _define(
@@ -326,7 +345,10 @@ class _Assembly:
     def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
         """Whether the text says that a name is short for parameters, and it names no result."""
         start = " ".join(self.text[max(0, line.at - 60) : line.at].split())
-        said = SAID.search(start) or DEFINING.search(line.source)
+        number, rest = self.scene.plain(meaning).as_coeff_Mul()
+        before = self.text[max(0, line.at - 8) : line.at]
+        multiple = number.is_Rational and rest in self.scene.parameters and IN_PROSE.search(before)
+        said = multiple or SAID.search(start) or DEFINING.search(line.source)
         held = self.scene.plain(meaning).free_symbols - {*self.scene.parameters, TIME}
         return bool(said) and not held and name not in LETTERS and name not in MATRIX_NAMES
 

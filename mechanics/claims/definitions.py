@@ -26,9 +26,11 @@ from mechanics.claims.tree import (
     Sum,
     Table,
     constant,
+    ended,
     inverse,
     names,
     parts,
+    with_parts,
 )
 
 
@@ -114,6 +116,36 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
             line = replace(line, sides=line.sides[::-1])
         found.append(line)
     return found
+
+
+def with_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines, in which a rate that alone says how something turns is a name: psi' = R/r q'.
+
+    Nothing else says what psi is, and its rate is used elsewhere.
+    """
+    every = used(lines)
+    counts = Counter(name.name for name in every if name.order)
+    at_rest = {name.name for name in every if not name.order}
+    lefts = [n.sides[0] for n in lines if isinstance(n, Line) and len(n.sides) == 2]
+    given = {side.name for side in lefts if isinstance(side, Name) and side.order == 1}
+    own = {
+        name for name in given - at_rest
+        if counts[name] > 1 and naming.target(name) is None and name not in LETTERS
+        and not column(naming, name)
+    }  # fmt: skip
+
+    def named(node: Node) -> Node:
+        if isinstance(node, Name):
+            again = replace(node, name=f"{node.name}_dot", order=node.order - 1)
+            return again if node.name in own else node
+        inside = parts(node)
+        new = tuple(map(named, inside))
+        return node if new == inside else ended(with_parts(node, new), node.end)
+
+    return [
+        replace(line, sides=tuple(map(named, line.sides))) if isinstance(line, Line) else line
+        for line in lines
+    ]  # fmt: skip
 
 
 def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence[Entry]) -> Entry:

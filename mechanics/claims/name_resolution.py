@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from mechanics.claims.arguments import applied
 from mechanics.claims.columns import with_columns, with_entries
-from mechanics.claims.definitions import apart, definitions, momenta, own, turned, used
+from mechanics.claims.definitions import apart, definitions, momenta, own, turned, used, with_rates
 from mechanics.claims.guess import guess
 from mechanics.claims.laws import without_laws
 from mechanics.claims.lines import Entry, Line
@@ -51,7 +51,8 @@ def _lines(read: Read, naming: Naming) -> list[Entry]:
         replace(line, sides=_without_determinant(line)) if isinstance(line, Line) else line
         for line in read(naming)
     ]  # fmt: skip
-    lines = turned(apart(with_entries(whole, naming), naming), naming)
+    lines = with_rates(apart(with_entries(whole, naming), naming), naming)
+    lines = turned(lines, naming)
     own = {*definitions(lines, naming), *(_left(line) for line in lines)}
     lines = [
         replace(line, sides=_once([canonical(s, naming, own) for s in line.sides]))

@@ -60,13 +60,13 @@ def canonical(node: Node, naming: Naming, own: Container[str]) -> Node:
         of, by = node.arguments
         known = isinstance(of, Name) and (naming.knows(of.name) or of.name in own)
         if not known and isinstance(of, Name) and of.name in CONJUGATE and isinstance(by, Name):
-            return _conjugate(of.name, by, naming) or node
+            return _conjugate(CONJUGATE[of.name], by, naming) or node
     inside = parts(node)
     new = tuple(canonical(part, naming, own) for part in inside)
     return node if new == inside else ended(with_parts(node, new), node.end)
 
 
-CONJUGATE = ("L", "H")
+CONJUGATE = {"L": "L", "Lagrangian": "L", "H": "H"}
 
 
 def _conjugate(letter: str, by: Name, naming: Naming) -> Node | None:

@@ -7,7 +7,7 @@ What is displayed is read, and inline what is an equation: its value of a parame
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 OPENS = re.compile(
     r"\$\$|(?<!\\)\\\[|^[ \t]*(?P<fence>`{3,})[ \t]*math[ \t]*$"
@@ -21,7 +21,11 @@ INLINE = re.compile(
     r":math:`(?P<role>[^`]+)`|(?<!#)##(?P<hash>[^#\n]+)##(?!#)|(?<![\\$])\$(?P<one>(?:[^$\n]|\n(?!\s*\n))+)\$(?!\$)|(?<!\\)\\\((?P<two>(?:[^$\\]|\\[^()\[\]])+)\\\)"
 )
 
-NAME = r"(?!\\d*dot)\\?[A-Za-z]+(?:\s?\{\s?\\?[A-Za-z]+\s?\})?(?:\s?_\s?(?:\{[^{}]*\}|\\?\w+))?"
+BRACES = r"\{(?:[^{}]|\{[^{}]*\})*\}"
+NAME = (
+    r"(?!\\d*dot)\\?[A-Za-z]+(?:\s?\{\s?\\?[A-Za-z]+\s?\})?"
+    rf"(?:\s?_\s?(?:{BRACES}|\\?\w+))?"
+)
 RATE = rf"(?:\\dot\s?\{{\s?{NAME}\s?\}}|(?:\\dot\s?)?{NAME})"
 SPACE = r"(?:\\[,;:! ]|~|\s)*"
 FONT = (
@@ -35,11 +39,16 @@ NUMBER = r"[-+\u2212]?\s?\d[\d.,]*(?:\s?(?:\\cdot|\\times)\s?10\s?\^\s?(?:\d|\{\
 BRACKET = r"(?:\\left\s?)?(?:\(|\[|\\\{)[^=+*/()\[\]]*,[^=+*/()\[\]]*(?:\\right\s?)?(?:\)|\]|\\\})"
 VALUES = (
     re.compile(rf"{NAME}{SPACE}={SPACE}{NUMBER}{SPACE}{UNIT}(?:{SPACE}{UNIT})*{SPACE}[.,;]?"),
-    re.compile(rf"{NAME}{SPACE}={SPACE}\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?\{{[^{{}}]*\}}[.,;]?"),
+    re.compile(rf"{NAME}{SPACE}={SPACE}\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?{BRACES}[.,;]?"),
     re.compile(rf"{RATE}{SPACE}\(\s?(?:0|t_0|t_\{{0\}})\s?\){SPACE}=[^=]*"),
     re.compile(rf"{NAME}{SPACE}={SPACE}{BRACKET}\s?(?:\^\s?\{{?\s?\\?[A-Za-z]+\s?\}}?)?\s?[.,;]?"),
 )
 """A number with its unit, a value at the beginning, a list of names."""
+BESIDE = re.compile(r"[\w$)][ \t,:;(*_-]*\Z")
+"""Words in the same line: some Markdown marks formulas in prose so, too: the mass $$m$$."""
+GOES_ON = re.compile(r"[\s&]*=(?![\s&]*\Z)")
+FARTHEST = 120
+"""Characters between two displays of which the second goes on from the first."""
 LONGEST_VALUE = 200
 ONE = ("multline", "dmath")
 ALIGNED = re.compile(r"\\begin\s*\{(aligned|gathered|split)\}.*?\\end\s*\{\1\}", re.DOTALL)
@@ -86,6 +95,28 @@ def blocks(text: str) -> list[Block]:
     return kept
 
 
+def continued(text: str, found: list[Block]) -> tuple[str, list[Block]]:
+    """The text, and its formulas; one display that begins with = goes on from the one before.
+
+    What stands between the two is blanked, place by place.
+    """
+    kept: list[Block] = []
+    for block in found:
+        last = kept[-1] if kept else None
+        goes_on = last is not None and not last.inline and not block.inline and last.closed
+        if last is None or not goes_on or not GOES_ON.match(text, block.start, block.end):
+            kept.append(block)
+            continue
+        between = text[last.end : block.start]
+        if len(between) > FARTHEST or "#" in between or r"\item" in between or last.one:
+            kept.append(block)
+            continue
+        blank = "".join(c if c == "\n" else " " for c in between)
+        text = text[: last.end] + blank + text[block.start :]
+        kept[-1] = replace(last, end=block.end, closed=block.closed)
+    return text, kept
+
+
 def _aligned(text: str) -> list[Block]:
     """Parts of a display that stand without one, as in Markdown, in nothing but words."""
     found = list(ALIGNED.finditer(text))
@@ -112,7 +143,12 @@ def _displays(text: str) -> Iterator[Block]:
             missing.add(ends)
             yield Block(at, min(at + 60, len(text)), closed=False)
             continue
-        yield Block(at, closes.start(), one=(opens["env"] or "").rstrip("*") in ONE)
+        beside = (
+            opens[0] == "$$"
+            and BESIDE.search(text[max(0, opens.start() - 40) : opens.start()]) is not None
+        )
+        word = beside and not claims(text[at : closes.start()])
+        yield Block(at, closes.start(), word, one=(opens["env"] or "").rstrip("*") in ONE)
         at = closes.end()
 
 

@@ -201,6 +201,11 @@ class Items:
                 return [self._accent(base, sub, at)]
             case "style":
                 inside = self.of(pieces_of(base.children[1]))
+                script = "cal" in str(base.children[0]) or "scr" in str(base.children[0])
+                node = inside[0].node if len(inside) == 1 else None
+                length = self.naming.is_function("L") is False
+                if script and length and isinstance(node, Name) and node.name == "L" and not sub:
+                    return [named("Lagrangian", "", at)]
                 if sub and len(inside) == 1 and isinstance(inside[0].node, Name):
                     return [named(inside[0].node.name, sub, at)]
                 items = inside

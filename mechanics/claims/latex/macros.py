@@ -66,6 +66,8 @@ class Macro:
         Of the first argument.
     final : bool
         Whether the body is not expanded further: that of ``\let\a\b``.
+    between : tuple of str
+        What stands before and behind each argument of one that is made by ``\\def``.
     unread : str
         By what it is defined, where that is not understood.
     """
@@ -74,6 +76,7 @@ class Macro:
     arguments: int = 0
     default: str | None = None
     final: bool = False
+    between: tuple[str, ...] = ()
     unread: str = ""
 
 
@@ -158,8 +161,11 @@ class _Expansion:
         if macro.default is not None:
             option = self.input.option(at)
             given.append(macro.default if option is None else option)
+        if macro.between[:1] not in ((), ("",)):
+            self.input.until(macro.between[0], at)
         while len(given) < macro.arguments:
-            given.append(self.input.argument(at, token))
+            end = macro.between[len(given) + 1] if macro.between else ""
+            given.append(self.input.until(end, at) if end else self.input.argument(at, token))
         self.count += 1
         longest = max(map(len, given), default=0)
         self.length += len(macro.body) + macro.body.count("#") * longest
@@ -246,11 +252,8 @@ class _Expansion:
         while self.input.tokens and self.input.peek() != "{":
             parameters += self.input.tokens.pop()[0]
         body = self.input.argument(at, "\\def")
-        plain = "".join(f"#{k}" for k in range(1, parameters.count("#") + 1))
-        if re.sub(r"\s", "", parameters) != plain:
-            self.known[name] = Macro(unread="def with text between its arguments")
-        else:
-            self.known[name] = Macro(body, parameters.count("#"))
+        between = tuple(part.strip() for part in re.split(r"#[1-9]", parameters))
+        self.known[name] = Macro(body, len(between) - 1, between=between)
 
 
 def _of(given: list[str], number: str, token: str, at: int) -> str:

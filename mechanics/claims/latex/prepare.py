@@ -30,6 +30,13 @@ LEADER = re.compile(
     r"(?<=[\w})])\s*\\[cl]?dots\s*[A-Za-z]?(?:_?\{?\d\}?)?\s*(?=\$\$|\\\]|\\end\s*\{equation)"
 )
 """Dots up to the label of a display."""
+DOTS = re.compile(
+    r"\\mathop\s*\{(?P<one>[^{}]*)\}\s*\\limits\s*\^\s*\{?\s*(?P<dots>\.{1,3})\s*\}?"
+    r"|\\(?:overset|stackrel)\s*\{\s*(?P<over>\.{1,3}|(?:\\cdot\s*){1,3})\}\s*\{(?P<two>[^{}]*)\}"
+)
+"""Dots that are set above a letter."""
+BOLD = re.compile(r"(?<=\{)\s*\\(?:bf|it|boldmath)(?![A-Za-z])")
+"""A font from here on: {\\bf q}."""
 NEW_LINE = re.compile(r"\\newline(?![A-Za-z])")
 """Between rows, as some Markdown needs it."""
 LABEL = re.compile(r"\s*[_^]\s*\{")
@@ -49,6 +56,7 @@ def prepared(text: str) -> str:
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     text = LEADER.sub(lambda m: " " * len(m[0]), text)
+    text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))
     text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
     for initials, name in SHORT:
@@ -75,6 +83,12 @@ def prepared(text: str) -> str:
         if label and below is not None:
             blank(out, label.start(), below + 1)
     return "".join(out)
+
+
+def _dotted(match: re.Match[str]) -> str:
+    marks = match["dots"] or match["over"].replace("\\cdot", ".").replace(" ", "")
+    letter = match["one"] or match["two"] or ""
+    return f"\\{'d' * len(marks)}ot{{{letter}}}".ljust(len(match[0]))
 
 
 def labels(text: str) -> Iterator[tuple[int, int]]:

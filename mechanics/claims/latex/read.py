@@ -16,8 +16,19 @@ from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
 from mechanics.claims.columns import names_a_column
+from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.latex.bars import barred
-from mechanics.claims.latex.blocks import Block, blocks, claims, is_value
+from mechanics.claims.latex.blocks import (
+    BRACES,
+    NUMBER,
+    SPACE,
+    UNIT,
+    Block,
+    blocks,
+    claims,
+    continued,
+    is_value,
+)
 from mechanics.claims.latex.fold import ALL, FIRST, GLUED, SLASH, Fold
 from mechanics.claims.latex.grammar import PARSER
 from mechanics.claims.latex.item import bare
@@ -35,6 +46,9 @@ from mechanics.claims.prose import energy_before
 from mechanics.claims.tree import Name, Node, ended, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
+ABOUT_NUMBER = re.compile(
+    rf"{SPACE}(?:{NUMBER}{SPACE}(?:{UNIT}{SPACE})*|\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?{BRACES})[.,;]?"
+)
 BY_CASES = re.compile(r"=[\s&]*(?:\\left\s*(?:\.|\\\{)\s*)?\\begin\s*\{d?cases\}")
 TAG = re.compile(r"[{(]\s*(.*?)\s*[})]", re.DOTALL)
 
@@ -58,12 +72,10 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     bounded(text, origin)
     try:
         clean = prepared(text)
-        every = blocks(clean)
-        called = {b.start: energy_before(clean, b.start) for b in every if b.inline}
-        spans = [
-            b for b in every
-            if not b.inline or called[b.start] or claims(clean[b.start : b.end])
-        ]  # fmt: skip
+        clean, every = continued(clean, blocks(clean))
+        alone = {b.start for b in every if b.closed and not claims(clean[b.start : b.end])}
+        called = {at: letter for at in alone if (letter := energy_before(clean, at))}
+        spans = [b for b in every if not b.inline or b.start not in alone or b.start in called]
         bounded_mathematics(sum(block.end - block.start for block in spans), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
@@ -73,7 +85,7 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
         try:
             whole = clean if block.inline else without_boxes(clean, block.start, block.end)
             letter = called.get(block.start, "")
-            if letter and not claims(clean[block.start : block.end]):
+            if letter:
                 found += _called(whole, text, block, naming, origin, letter)
                 continue
             found += _entries(whole, text, block, naming, origin)
@@ -164,6 +176,16 @@ SUMMED = f"a side with {SUM} is what the others are"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
+SMALL_ANGLE = re.compile(
+    r"\\?(?:sin|cos|tan)(?:\{?\(?\\?[\w{}]+\)?\}?)(?:\\approx|\\simeq|\\sim|\u2248)"
+    r"(?:1(?:-\\?[dt]?frac\{?[^=]{1,30}\}?)?|\{?\\?[\w{}]+\}?|0)|"
+    r"\{?\\dot\{?\\?\w+\}?\}?(?:_\{?\w\}?)?\^\{?2\}?(?:\\approx|\\simeq|\u2248)0"
+)
+GENERAL = re.compile(
+    r"[^=(]{1,60}=\s*(?P<name>(?:\\(?:mathbf|boldsymbol|bm|vec|mathcal)\s?)?\{?(?:[A-Za-z]|\\[a-z]{2,8})"
+    r"\}?(?:_\s?(?:\w|\{[^{}]*\}|\\\w+))?)\s*(?:\\left)?\s*"
+    r"\([^=()+*/\d-]*,[^=()+*/-]*(?:\\right\s*)?\)\s*[.,]?"
+)
 UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
 ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
 
@@ -237,10 +259,18 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     if framed := FRAMED.search(whole[max(0, offset + start - 14) : offset + start]):
         start -= len(framed[0])
     source = " ".join(whole[offset + start : offset + end].split())
+    count, kept = len(kept), _without_number(kept, text)
+    if len(kept) < count and not any(is_kind(piece, "REL") for piece in kept):
+        return value(source, offset + start)
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
+        if SMALL_ANGLE.fullmatch(source.replace(" ", "")):
+            return Aside(f"{source[:60]}: approximations in the text are not used", offset + start)
         if _moves(source, naming):
             raise Refused(_span(kept)[0], "an inequality or approximation cannot be judged")
         return _condition(kept, source, offset + start)
+    if _general(source, whole):
+        words = f"{source[:60]}: a function that the text does not give, not judged"
+        return Aside(words, offset + start)
     sides: list[Pieces] = [[]]
     for piece in kept:
         if is_kind(piece, "REL"):
@@ -261,6 +291,23 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         move(tree, offset)
     unique = tuple(dict.fromkeys(notes))
     return Line(nodes, tag, offset + start, source, unique, others)
+
+
+def _without_number(pieces: Pieces, text: str) -> Pieces:
+    """The pieces without the number that they come to: T = 2 pi sqrt(l/g) ~ 2.0 s."""
+    at = next((i for i, piece in enumerate(pieces) if is_kind(piece, "ORDER")), 0)
+    if at == 0 or str(pieces[at]) not in ABOUT:
+        return pieces
+    behind = text[_span(pieces[at:])[0] + len(str(pieces[at])) : _span(pieces)[1]]
+    return pieces[:at] if ABOUT_NUMBER.fullmatch(behind) else pieces
+
+
+def _general(source: str, whole: str) -> bool:
+    """Whether it says only on what something depends: x' = f(x, u), where nothing gives f."""
+    match = GENERAL.fullmatch(source)
+    if match is None or re.sub(r"\W", "", match["name"]) in FUNCTIONS:
+        return False
+    return re.search(re.escape(match["name"]) + r"\s*(?:\\left)?\s*\([^()=]*\)\s*=", whole) is None
 
 
 def _letters(piece: Tree | Token) -> str:

@@ -51,15 +51,15 @@ class Pending:
         return token[0]
 
     def until(self, end: str, at: int) -> str:
-        """Take what stands before a bracket that closes at this level, and it."""
+        """Take what stands before a bracket or text that ends it at this level, and that."""
         depth, found = 0, ""
         while self.tokens:
             token, place = self.tokens.pop()
             here = token.find(end) if depth == 0 and token[0] != "\\" else -1
             if here >= 0:
                 found += token[:here]
-                if rest := token[here + 1 :]:
-                    self.tokens.append((rest, place + here + 1))
+                if rest := token[here + len(end) :]:
+                    self.tokens.append((rest, place + here + len(end)))
                 self.lines += found.count("\n")
                 return found.replace("\n", " ")
             depth += (token == "{") - (token == "}")

@@ -56,6 +56,17 @@ LEADS = re.compile(
     re.MULTILINE | re.IGNORECASE,
 )
 """Words between equations, and behind them."""
+CALLED = re.compile(
+    r"^(?P<before>[ \t]*)(?:the[ \t]+)?(?:(?P<kinetic>kinetic)|(?P<potential>potential)|total"
+    r"|mechanical)[ \t]+energy(?=[ \t]*=)",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""An energy by its name in words, on the left side."""
+CJK = re.compile(r"[\u3000-\u30ff\u3400-\u9fff\uac00-\ud7a3\uff0c\uff1a]+:?")
+"""Words and stops of languages in which no formula is written."""
+OVERDOTS = re.compile(r"(?<=[\u03b1-\u03c9])\.{1,2}(?![\w.])")
+INSIDE = re.compile(r"[\u03b1-\u03c9]\.{1,2}[)^=+*]")
+"""Dots that stand behind a Greek letter, for want of a place above it: mr^2θ.. + mgr sinθ = 0."""
 GROUP = re.compile(
     r"(?<=[\w)\u00b2\u00b3])(?P<gap>[ \t]+)\[(?P<sum>[^\[\],;:=\n]*[ ][-+][ ][^\[\],;:=\n]*)\]"
 )
@@ -74,6 +85,9 @@ OVER_TIMES = re.compile(
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
+    text = CALLED.sub(_letter, CJK.sub(lambda m: " " * len(m[0]), text))
+    if INSIDE.search(text):
+        text = OVERDOTS.sub(lambda m: "'" * len(m[0]), text)
     for words in (ANONYMOUS, BRACES):
         text = words.sub(lambda m: " " * len(m[0]), text)
     for words in (GLOSSARY, LEADS):
@@ -100,6 +114,12 @@ def prepared(text: str) -> str:
         elif character in " \t" and open_brackets[-1:] == ["["] and _between(text, i):
             out[i] = ","
     return "".join(out)
+
+
+def _letter(match: re.Match[str]) -> str:
+    """The letter of an energy that words name."""
+    letter = "E_k" if match["kinetic"] else "E_p" if match["potential"] else "E"
+    return f"{match['before']}{letter}".ljust(len(match[0]))
 
 
 def _blank(text: str, i: int, open_brackets: list[str]) -> bool:
