@@ -73,3 +73,24 @@ def test_a_wrong_formula_is_refuted(function) -> None:
 @pytest.mark.parametrize("function", [inside, changed])
 def test_what_is_assigned_twice_is_no_parameter(function) -> None:
     assert mechanics.check(ROD, function, blame=False).verdict.name != "PROVED"
+
+
+def test_casadi_by_its_functions_names() -> None:
+    space: dict = {}
+    exec(
+        "from casadi import sin, vertcat\n"
+        "def rate(x, u, l, g, m):\n"
+        "    return vertcat(x[1], 3*g/(2*l)*sin(x[0]) + 3*u/(m*l**2))\n",
+        space,
+    )
+    assert mechanics.check(ROD, space["rate"]).verdict.name == "PROVED"
+
+
+def test_accelerations_named_by_a_letter_before() -> None:
+    def rate(theta, u, m, g, l):
+        atheta = 3 * g / (2 * l) * np.sin(theta) + 3 * u / (m * l**2)
+        return atheta
+
+    (entry,) = mechanics.check(ROD, rate).judged
+    assert entry.statement.tag == "theta_ddot"
+    assert entry.finding.shown
