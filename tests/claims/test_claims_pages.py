@@ -20,6 +20,7 @@ def verdicts(text: str, of: object = ROD) -> list[str]:
     "beside",
     [
         "The mass is $$m$$ and the angle $$\\theta$$.\n",  # as Jekyll marks it
+        "The angle is \\\\( \\theta \\\\), its rate \\\\( \\dot{\\theta} \\\\).\n",
         r"For small angles $\sin\theta \approx \theta$, $\cos\theta\approx 1$." + "\n",
         "$$\\dot{x} = f(x, u)$$\n",
         r"The masses are $m_1 = m$ and $m_2 = 2m$." + "\n",
