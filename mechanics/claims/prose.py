@@ -37,9 +37,7 @@ _AFTER = (
 ENERGY = re.compile(
     r"\b(?:(?P<kinetic>kinetic)|(?P<potential>potential)|(?:total|mechanical)) energy"
     r"(?: (?:of|in) (?:the |this |our )?[\w ]{1,24}?)?"
-    r"(?: is| reads| becomes| equals|:| =)\s*(?:\$\$?|\\[(\[])?\s*$"
-    r"|#+ (?:[\d.]+ )?(?:(?P<kinetic_>kinetic)|(?P<potential_>potential)|total|mechanical)"
-    r" energy(?: \([^()#]{1,6}\))?:? (?:\$\$|\\\[) *$",
+    r"(?: is| reads| becomes| equals|:| =)\s*(?:\$\$?|\\[(\[])?\s*$",
     re.IGNORECASE,
 )
 """What an expression without a letter is called before it."""
@@ -50,9 +48,7 @@ def energy_before(text: str, at: int) -> str:
     match = ENERGY.search(" ".join(text[max(0, at - 80) : at].split()) + " ")
     if match is None:
         return ""
-    if match["kinetic"] or match["kinetic_"]:
-        return "T"
-    return "V" if match["potential"] or match["potential_"] else "E"
+    return "T" if match["kinetic"] else "V" if match["potential"] else "E"
 
 
 EQUILIBRIUM = re.compile(

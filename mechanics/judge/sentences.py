@@ -35,7 +35,9 @@ from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.scene.units import rolled
 from mechanics.symbolic import is_zero
 
-DELIMITER = re.compile(r"\$+|\\[\[\]()]|:math:|^\s*\.\.\s+math::|```\s*math|[`#*]", re.MULTILINE)
+DELIMITER = re.compile(
+    r"\$+|\\{1,2}[\[\]()]|:math:|^\s*\.\.\s+math::|```\s*math|[`#*]", re.MULTILINE
+)
 BESIDE = re.compile(r"\\(?:text(?:rm|it|normal|bf|up)?|[mh]box|intertext)\s*\{([^{}]*)\}")
 """Words in a display."""
 SCRIPT = re.compile(r"[_^]\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\\w+\s*\{[^{}]*\})")
