@@ -60,13 +60,14 @@ def page() -> str:
         '<meta name="viewport" content="width=device-width"><style>'
         f":root {{{light} color-scheme: light dark}}"
         f" @media (prefers-color-scheme: dark) {{ :root {{{dark}}} }} {drawing_rules()}"
-        " body { margin: 1rem; display: grid; gap: 1rem; background: var(--paper);"
+        " main { margin: 1rem; display: grid; gap: 1rem; background: var(--paper);"
         " grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); color: var(--ink);"
         " font: 14px var(--sans); } figure { margin: 0; break-inside: avoid; }"
-        " svg + svg { display: inline-block !important; width: calc(50% - .3rem) !important;"
-        " margin: .3rem .3rem 0 0; } @media print { body { display: block; columns: 2; }"
-        " figure { margin-bottom: 1rem; } }"
-        f"</style>{figures}</html>"
+        " svg + svg { display: inline-block !important; width: calc(50% - .7rem) !important;"
+        " margin: .3rem .3rem 0 0; } h1 { grid-column: 1 / -1; }"
+        " body { margin: 0; background: var(--paper); } svg { break-inside: avoid; }"
+        " @media print { figure { break-inside: auto; } }"
+        f"</style><main><h1>Drawings</h1>{figures}</main></html>"
     )
 
 

@@ -48,7 +48,7 @@ def _about(equations: Equations, declared: Mapping[str, Any]) -> Found:
     try:
         linear = linearize(equations, rest, still)
     except MechanicsError as error:
-        cure = "" if scene.equilibria else "; or declare equilibria= in the scene"
+        cure = "" if scene.equilibria else "; declare equilibria= in the scene"
         return (), (f"No small motions about {where}: {error}{cure}",)
     if len(linear.coordinates) > LARGEST_EXACT or scene.constraints:
         return _numeric(linear, where)

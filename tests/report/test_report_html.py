@@ -227,3 +227,9 @@ def test_what_may_scroll_is_reached_by_the_keyboard() -> None:
     assert re.findall(r'class="wide" style="--letters: (\d+)"', wide) == [
         str(10 * 2 + 20 * 3 + 29 + 1)
     ]
+
+
+def test_a_sum_of_no_terms_is_zero() -> None:
+    """The momentum of a pulley without mass, in Atwood's machine."""
+    line = typeset.equation(Line("p", ()))
+    assert re.findall(r"<m[on][^>]*>([^<]*)<", line) == ["&#x0003D;", "0"]
