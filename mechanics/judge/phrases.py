@@ -167,6 +167,18 @@ ALIKE = (
     frozenset(("hoop", "ring", "circle")),
 )
 """Words for one thing, in a scene that uses no two of them."""
+GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "constant"))
+TURNING = frozenset(("torque", "moment", "couple"))
+PUSHING = frozenset(("force", "thrust"))
+PLACES = frozenset((
+    "angle", "angular", "position", "displacement", "coordinate", "deflection", "equilibrium",
+))  # fmt: skip
+PLAIN_NOUNS = frozenset((
+    "generalized", "generalised", "constant", "parameter", "given", "same", "control", "input",
+    "applied", "driving", "external", "motor", "uniform", "polar", "scene", "system", "motion",
+    "so", "we", "as", "usual", "respectively",
+))  # fmt: skip
+"""Words that agree with any kind."""
 SIZES = frozenset(("half", "twice", "quarter", "minus", "not", "no"))
 """Words of meanings that are no nouns."""
 OTHERS = (

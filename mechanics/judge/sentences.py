@@ -16,7 +16,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from sympy import Expr, Rational, Symbol
+from sympy import Basic, Expr, Rational, Symbol
 
 from mechanics.claims.directions import Counted, counted
 from mechanics.claims.latex.blocks import blocks
@@ -28,7 +28,7 @@ from mechanics.claims.prose import ENDS, energy_before
 from mechanics.claims.text.letters import plain
 from mechanics.judge import phrases as p
 from mechanics.judge.markup import without_markup
-from mechanics.judge.vocabulary import strange
+from mechanics.judge.vocabulary import PHRASES, strange
 from mechanics.scene import Gravity, Particle, RigidBody, Scene
 from mechanics.scene.loads import Coulomb, Damper, Force, Spring, Torque, TorsionSpring
 from mechanics.scene.unit_names import dimension_of_unit
@@ -51,6 +51,7 @@ GIVEN = re.compile(
 """A parameter that is a number."""
 WITHOUT_CLAIM = re.compile(r"\b(?:like|terms?|factor|by|eliminating|substituting) $")
 """Before what is only named."""
+QUESTION = re.compile(r"\?+(?=\s|\Z)")
 INSIDE = re.compile(r"[.;!?](?=\s)")
 """What ends no sentence."""
 ACCENT = r"\\(?:d{1,4}ot|vec|hat|bar|tilde|mathbf|mathcal|mathrm|mathscr|boldsymbol|bm)(?![A-Za-z])"
@@ -83,9 +84,11 @@ TEXT_FORMULA = re.compile(
 )
 """Lines of a text that are no prose: with an equals sign, or lists without words."""
 CODE = re.compile(
-    r"^[ \t]*(?:@\w+ )?(?:end\w*(?:[ \t]+[\w.]+)?[ \t]*;?"
-    r"|(?:function|model|block|class|package|record|module|(?:mutable )?struct|return|using"
-    r"|import|extends|within|global|persistent)\b[^\n]*"
+    r"^[ \t]*(?:@\w+ )?(?:end\w*(?:[ \t]+[\w.]+)?[ \t]*;?|function\b[^\n]*[(=][^\n]*"
+    r"|(?:model|block|class|package|record|module|(?:mutable )?struct)[ \t]+\w+(?:\{[^\n]*)?"
+    r"(?:[ \t]+\"[^\"\n]*\")?[ \t]*;?"
+    r"|(?:return|using|import|extends|within|global|persistent)\b"
+    r"(?!(?:[^\n]*[A-Za-z]{2,} +){3})[^\n]*"
     r"|(?:initial )?(?:equation|algorithm)|protected|public|\w+::\S+|else|begin"
     r"|clear\w*|clc|close all;?"
     r"|(?:(?:parameter|constant|input|output|final|flow|discrete|protected|public)[ \t]+)*"
@@ -119,11 +122,12 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[str]
         text = without_markup(marked(text))
     else:
         code = CODE.search(text) is not None
-        text = re.sub(r";[ \t]*(?=\S)", ";\n", BEHIND.sub(r"\n\1", text)) if code else text
+        text = BEHIND.sub(r"\n\1", text)
+        text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         text = TEXT_FORMULA.sub("\u27e8= \u27e9", CODE.sub("\u27e8= \u27e9", text))
         text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
-    for sentence in ENDS.split(text):
+    for sentence in ENDS.split(QUESTION.sub(r" \g<0>.", text)):
         if one := " ".join(sentence.split()):
             yield one
 
@@ -268,6 +272,10 @@ class Said:
         own = self.alike(word)
         return [b for b in self.scene.bodies if own in self.nouns(b.name)]
 
+    def held(self, load: Force | Torque) -> set[Basic]:
+        """Symbols of a load."""
+        return self.scene.vector(load.vector, load.name).free_symbols
+
     def moves(self, body: Particle | RigidBody) -> bool:
         """Whether coordinates place or turn a body."""
         place = list(self.scene.position(body.centre))
@@ -365,7 +373,31 @@ def unread(about: Said, sentence: str) -> list[str]:
         if not (RELATION.search(m[1]) or PLAIN.fullmatch(m[1]) or energy_before(rest, m.start())
                 or WITHOUT_CLAIM.search(rest, 0, m.start()))
     ]  # fmt: skip
-    return [*strange(MARKED.sub(" ", rest), about.own_words), *values]
+    kinds = [w for said in p.DENOTED.finditer(rest) for w in _kinds(about, said)]
+    asked = ["?"] if "?" in sentence and MARKED.search(sentence) else []
+    return [*strange(MARKED.sub(" ", rest), about.own_words), *values, *kinds, *asked]
+
+
+def _kinds(about: Said, said: re.Match[str]) -> list[str]:
+    """Nouns of what a name is said to be that the scene does not have of it."""
+    words, *more = p.BREAK.split(said["words"])
+    own = about.own(said)
+    meaning = about.meaning(own)
+    if (said["formula"] and not more and not LINKED.match(said[0])) or own not in about.names:
+        return []
+    if p.SCALED.search(words):
+        return []
+    if own in about.parameters:
+        have = about.nouns(meaning) | p.GRAVITY if "gravit" in meaning else about.nouns(meaning)
+        have = have if meaning else about.nouns(words)
+    elif own in about.inputs:
+        turns = any(isinstance(x, Torque) and any(s.name == own for s in about.held(x))
+                    for x in about.scene.loads)  # fmt: skip
+        have = p.TURNING if turns else p.PUSHING
+        have |= about.own_words | {"pivot"}
+    else:
+        have = p.PLACES | about.own_words
+    return sorted(about.nouns(PHRASES.sub(" ", words)) - have - p.PLAIN_NOUNS)
 
 
 def _left(about: Said, said: re.Match[str]) -> str:

@@ -39,33 +39,32 @@ TALK = words("""
     described describing describe show shows shown showing see note recall remember know known
     need needs want make makes making state states stated proceed look looks go goes going come
     comes involve involves involved include includes represent represents linearize linearized
-    linearizing linearization linearise linearised depend depends act acts acting exert exerts
-    cause causes contain contains appear appears enter enters mean means choose choosing chosen
-    evaluate evaluating say says set setting think draw drawing balance balancing explicit
-    explicitly implicit final general deduce deduces deduced assume assumes assuming assumed
-    suppose corrected modeled modelled equals equation equations expression expressions formula
-    formulas formulae term terms side sides hand form forms matrix matrices vector vectors row
-    rows column columns component components entry entries variable variables parameter
-    parameters coefficient coefficients function functions notation symbol symbols shorthand
-    derivative derivatives partial differential ordinary order system systems model models case
-    cases part parts section chapter figure fig table page example problem answer step method
-    approach procedure textbook book lecture paper appendix theorem principle law laws summary
-    description setup work name names nonlinear linear coupled homogeneous standard above below
-    previous explicit relevant complete determinant const constant constants conjugate cyclic
-    dot dots prime primes standard pair sin cos tan shm approx difference ratios conservation
-    direction directions due derivate user effect effects problems ode odes result approximation
-    mass masses length lengths angle angles angular position positions coordinate coordinates
-    displacement displacements velocity velocities speed speeds acceleration accelerations force
-    forces torque torques moment moments inertia momentum momenta energy energies kinetic
-    potential mechanical motion motions dynamics dynamic dynamical kinematics kinematic
-    kinematical generalized generalised reaction reactions tension tensions time rate rates
-    frequency frequencies natural period oscillation oscillations vibration vibrations libration
-    librations oscillates oscillate amplitude amplitudes pivot hinged correct usual but pitch
-    roll yaw near respect satisfy satisfies equilibria floor bear plane planes surface ground
-    track wall small equilibrium radial tangential axis radius gravity gravitational lagrangian
-    lagrange hamiltonian hamilton newton euler kane alembert conserved control input inputs
-    output metre metres meter meters kilogram kilograms seconds newtons radian radians rad kg si
-    units unit
+    linearizing linearization linearise linearised cause causes contain contains appear appears
+    enter enters mean means choose choosing chosen evaluate evaluating say says set setting
+    think draw drawing balance balancing explicit explicitly implicit final general deduce
+    deduces deduced assume assumes assuming assumed suppose corrected modeled modelled equals
+    equation equations expression expressions formula formulas formulae term terms side sides
+    hand form forms matrix matrices vector vectors row rows column columns component components
+    entry entries variable variables parameter parameters coefficient coefficients function
+    functions notation symbol symbols shorthand derivative derivatives partial differential
+    ordinary order system systems model models case cases part parts section chapter figure fig
+    table page example problem answer step method approach procedure textbook book lecture paper
+    appendix theorem principle law laws summary description setup work name names nonlinear
+    linear coupled homogeneous standard above below previous explicit relevant complete
+    determinant const constant constants conjugate cyclic dot dots prime primes standard pair
+    sin cos tan shm approx difference ratios conservation direction directions due derivate user
+    effect effects problems ode odes result approximation mass masses length lengths angle
+    angles angular position positions coordinate coordinates displacement displacements velocity
+    velocities speed speeds acceleration accelerations force forces torque torques moment
+    moments inertia momentum momenta energy energies kinetic potential mechanical motion motions
+    dynamics dynamic dynamical kinematics kinematic kinematical generalized generalised reaction
+    reactions tension tensions time rate rates frequency frequencies natural period oscillation
+    oscillations vibration vibrations libration librations oscillates oscillate amplitude
+    amplitudes pivot hinged correct usual but pitch roll yaw near respect satisfy satisfies
+    equilibria floor bear plane planes surface ground track wall small equilibrium radial
+    tangential axis radius gravity gravitational lagrangian lagrange hamiltonian hamilton newton
+    euler kane alembert conserved control input inputs output metre metres meter meters kilogram
+    kilograms seconds newtons radian radians rad kg si units unit
 """)
 """In English."""
 OTHER_TALK = words("""
@@ -114,6 +113,12 @@ PHRASES = re.compile(
 """Of words that say something by themselves."""
 WORDS = re.compile(r"(?<!\w)[^\W\d_]+(?![\w(])")
 MADE = re.compile(r"^(?:d{1,2}|sin|cos|tan)(?=.)")
+SPACED = re.compile(r"(?<!\w)[A-Za-z](?:[ .{}]{1,4}[A-Za-z]){2,}(?!\w)")
+"""Letters of a word apart."""
+SIGN = re.compile(
+    r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff-]"
+)
+"""No letter, and no mark of plain prose."""
 ENDINGS = re.compile(r"'s\b|['\u2019`]")
 
 
@@ -126,11 +131,12 @@ def strange(words: str, own: Collection[str]) -> list[str]:
     own : collection of str
         Nouns of the scene and names, in lower case.
     """
+    apart = [m[0] for form in (SPACED, SIGN) for m in form.finditer(words)]
     plain = PHRASES.sub(" ", ENDINGS.sub(" ", words))
     every = (word.lower() for word in WORDS.findall(plain))
     kept = TALK | OTHER_TALK
     open_words = (w for w in every if len(w) > 1 and w not in kept and not _named(w, own))
-    return [w for w in open_words if not _misspelled(w)]
+    return [*apart, *(w for w in open_words if not _misspelled(w))]
 
 
 def _named(word: str, own: Collection[str]) -> bool:

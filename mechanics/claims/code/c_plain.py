@@ -34,6 +34,7 @@ STRUCT = re.compile(
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
 TO_SINGLE = re.compile(
     r"\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*=(?!=)"
+    r"|(?<![\w.])[\d.]+[fF]\s*/\s*\d+(?![\w.])"
     r"|(?<![\w.])(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b"
 )
 """What makes a number one of single precision."""
