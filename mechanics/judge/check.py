@@ -178,7 +178,7 @@ def check(
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
+    remarks += (*(f"the text says how it counts: {one.told}" for one in said), *prose.remarks)
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)

@@ -57,6 +57,10 @@ DIRECTIONS = (
     ),
 )
 """From where an angle is counted."""
+EVERY_ANGLE = phrase(
+    r"\b(?:both|all|the) angles (?:are )?(?:COUNTED )?from THE"
+    r"(?P<way>VERTICAL|upright|horizontal)\b"
+)
 WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
     "highest": "upright", "bottom": "hanging", "lowest": "hanging",
@@ -153,6 +157,21 @@ ABSENT = re.compile(
     re.IGNORECASE,
 )
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
+LIMITS = re.compile(
+    r"no|not|nor|non|never|none|nothing|without|\w+n't|cannot|unlike|rather|instead|than|contrast"
+    r"|contrary|except|unless|until|only|provided|if|neglect\w*|ignor\w+|negligibl\w+|disregard\w*"
+    r"|absen\w+|missing|half|halves|halved|twice|thrice|double[ds]?|third|quarter|times|equal"
+    r"|identical|same|different|unequal|opposite|negative|minus|revers\w+|tilted|inclined"
+    r"|concentrated|lumped|hollow|horizontal|clamped|fixed|held|locked|stuck|frozen|freely|heav\w+"
+    r"|light\w*|longer|shorter|larger|smaller|slow\w*|fast\w*|\w+less|degrees?|downwards?"
+    r"|upwards?|(?:counter|anti)?clockwise|c?cw|otherwise|else|wrong\w*|false\w*|incorrect\w*"
+    r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|unter\w*|ober\w*|halbe\w*|doppelt\w*"
+    r"|gleich\w*|falsch\w*|ne|pas|sans|néglig\w*|seulement|moitié|égale?s?|faux|sin|senza|sem|nunca"
+    r"|não|mai|trascur\w*|despreci\w*|desprez\w*|solo|sólo|mitad|metà|doble|doppi\w*|iguale?s?"
+    r"|ugual\w*|abajo|arriba|fals[oa]",
+    re.IGNORECASE,
+)
+"""Words that deny, limit, compare or turn round what they stand beside."""
 THINGS = re.compile(
     r"\b(?:mass(?:es)?|rods?|poles?|pendulums?|bars?|links?|arms?|carts?|carriage|trolley|springs?"
     r"|strings?|pivots?|hinges?|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?"

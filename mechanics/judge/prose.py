@@ -25,10 +25,12 @@ from mechanics.judge.phrases import BACK, DENIAL
 from mechanics.judge.sentences import (
     Said,
     against,
+    bare,
     conventions,
     described,
     marked,
     outside,
+    passed_over,
     senses,
     sentences,
 )
@@ -39,6 +41,10 @@ from mechanics.scene import Scene
 UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
 """Degrees in a declaration of Modelica's."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
+
+
+MOST_QUOTED = 4
+"""Sentences that are not read."""
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -95,11 +101,14 @@ class Prose:
     conventions : tuple of Declared
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
-        What it says that the scene has otherwise, and what of it was not read; in words.
+        What it says that the scene has otherwise, or may say so, in words that were not read.
+    remarks : tuple of str
+        Sentences that were not read, and have no word that may deny or limit a statement.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
+    remarks: tuple[str, ...]
 
 
 def prose_of(
@@ -137,7 +146,11 @@ def prose_of(
         )
         contrary += unread
     contrary += (one for text in written for one in outside(about, text))
-    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)))
+    quoted = [repr(bare(text)[:90]) for text in texts if passed_over(about, text)]
+    more = [f"and {len(quoted) - MOST_QUOTED} more"] if len(quoted) > MOST_QUOTED else []
+    words = ", ".join(quoted[:MOST_QUOTED] + more)
+    remarks = (f"not read, and not judged: {words}",) if quoted else ()
+    return Prose(tuple(counted), tuple(dict.fromkeys(contrary)), remarks)
 
 
 def seen_from_one_side(

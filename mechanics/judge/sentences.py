@@ -7,8 +7,9 @@ sentence -> the rows of `phrases` that match it -> what they say, beside what th
     The rod is massless.                         against the scene, whose rod has an inertia
     The hoop turns freely.                       of the scene, and not read: that is told
 
-Conventions are named as a person declares them. What is against the scene, or speaks of it and is
-not read, leaves what it stands beside UNDECIDED. What is said as the scene has it changes nothing.
+Conventions are named as a person declares them. What is against the scene leaves what it stands
+beside UNDECIDED; so does what is not read and has a word that may deny or limit. What else is not
+read is quoted. What is said as the scene has it changes nothing.
 """
 
 import re
@@ -290,6 +291,9 @@ def conventions(about: Said, sentence: str) -> Iterator[str]:
             way = said["way"].lower()
             sense = (said.groupdict().get("sense") or "").lower()
             yield f"{' '.join(filter(None, (p.WAYS.get(way, way), sense)))} of {_name(said)}"
+    for said in p.EVERY_ANGLE.finditer(sentence):
+        way = said["way"].lower()
+        yield from (f"{p.WAYS.get(way, way)} of {angle.symbol.name}" for angle in about.angles)
     for pattern, words in ((p.HALF, "half-length"), (p.DOUBLE, "half-length"),
                            (p.TWICE, "twice the length")):  # fmt: skip
         yield from (f"{words} of {_name(said)}" for said in pattern.finditer(sentence))
@@ -336,9 +340,23 @@ def against(about: Said, sentence: str, whole: bool = True) -> Iterator[str]:
         yield from _value(about, said)
     yield from _features(about, sentence)
     yield from _motion(about, sentence)
-    if whole and not MARK.match(sentence) and (words := unread(about, sentence)):
+    if whole and (words := _limiting(about, sentence)):
         shown, last = bare(sentence)[:120], f" ({', '.join(words[:3])})"
         yield f"the sentence '{shown}' was not read: it may say otherwise than the scene{last}"
+
+
+def _limiting(about: Said, sentence: str) -> list[str]:
+    """What is not read of a sentence that may deny or limit, or has what the scene has not."""
+    words, claims = unread(about, sentence)
+    rows = (p.LIMITS, p.THINGS)
+    limits = any(not w.isalpha() or any(row.fullmatch(w) for row in rows) for w in words)
+    return [*words, *claims] if claims or limits else []
+
+
+def passed_over(about: Said, sentence: str) -> bool:
+    """Whether a sentence is not read, and has no word that may deny or limit anything."""
+    words, claims = unread(about, sentence)
+    return bool(words) and not claims and not _limiting(about, sentence)
 
 
 def outside(about: Said, text: str) -> Iterator[str]:
@@ -355,8 +373,10 @@ def outside(about: Said, text: str) -> Iterator[str]:
             yield f"the text has {value}, the scene's {symbol.name} is positive"
 
 
-def unread(about: Said, sentence: str) -> list[str]:
-    """What of a sentence may say otherwise than the scene: words and values no row compares."""
+def unread(about: Said, sentence: str) -> tuple[list[str], list[str]]:
+    """What of a sentence no row compares with the scene: words; values, kinds and questions."""
+    if MARK.match(sentence):
+        return [], []
     rest = sentence
     for pattern in READ:
         rest = pattern.sub(lambda said: _left(about, said), rest)
@@ -375,7 +395,7 @@ def unread(about: Said, sentence: str) -> list[str]:
     ]  # fmt: skip
     kinds = [w for said in p.DENOTED.finditer(rest) for w in _kinds(about, said)]
     asked = ["?"] if "?" in sentence and MARKED.search(sentence) else []
-    return [*strange(MARKED.sub(" ", rest), about.own_words), *values, *kinds, *asked]
+    return strange(MARKED.sub(" ", rest), about.own_words), [*values, *kinds, *asked]
 
 
 def _kinds(about: Said, said: re.Match[str]) -> list[str]:
@@ -405,14 +425,14 @@ def _left(about: Said, said: re.Match[str]) -> str:
     groups = said.groupdict()
     if groups.get("name") and about.own(said) not in about.names:
         return said[0]
-    if groups.get("body") and not about.bodies(groups["body"]):
+    if groups.get("body") and not (about.bodies(groups["body"]) or _link(groups["body"])):
         return said[0]
     return " "
 
 
 READ = (
-    *p.DIRECTIONS, p.HALF, p.TWICE, p.DOUBLE, p.WHOLE, p.TO_CENTRE, p.NEGATIVE, p.TURNS, p.PUSHES,
-    p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL,
+    *p.DIRECTIONS, p.EVERY_ANGLE, p.HALF, p.TWICE, p.DOUBLE, p.WHOLE, p.TO_CENTRE, p.NEGATIVE,
+    p.TURNS, p.PUSHES, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL,
     p.SORT, p.DRIVEN,
 )  # fmt: skip
 """Rows whose words are compared with the scene."""
@@ -572,13 +592,18 @@ def _massless(about: Said, said: re.Match[str]) -> Iterator[str]:
     """A body without mass has no inertia."""
     word = said["body"]
     bodies = about.bodies(word)
-    if not bodies and re.fullmatch(p.SLOTS["LINK"], word, re.IGNORECASE):
+    if not bodies and _link(word):
         rods = p.ALIKE[0]
         bodies = [b for b in about.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
     heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
     if heavy and len(heavy) == len(bodies):
         words = f"the text says {bare(said[0])!r}, the scene has a mass and an inertia"
         yield f"{words} of {', '.join(heavy)}"
+
+
+def _link(word: str) -> bool:
+    """Whether a word is one for what joins bodies, which may be a body itself or not."""
+    return re.fullmatch(p.SLOTS["LINK"], word, re.IGNORECASE) is not None
 
 
 def _value(about: Said, said: re.Match[str]) -> Iterator[str]:

@@ -98,6 +98,8 @@ PHRASES = re.compile(
     rf"|steps? \d+|free[- ]body diagrams?|polar coordinates?|parallel axis theorem|ratio of"
     rf"|non[- ]?linear|(?:1st|2nd|first|second|third|fourth|one|two|three|four|five|six|both)"
     rf"(?:(?:[ -]|and|first|second|1st|2nd|four){{1,6}}(?:{COUNTED}))"
+    rf"|horizontal(?:ly)? (?:track|force|surface|position|distance|displacement|direction|component"
+    rf"|motion|speed|velocity|line|rail|axis of|and vertical)"
     rf"|(?:near|about|around|at) the (?:upright|inverted|lower|upper|stable|unstable|hanging)?"
     rf" ?(?:equilibrium(?: position| point)?|position)|acceleration (?:due to|of) gravity"
     rf"|tensions? (?:in|of) the (?:string|cord|rope|cable)s?"

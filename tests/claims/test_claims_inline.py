@@ -90,7 +90,7 @@ def test_other_displays_are_read(environment: str) -> None:
 
 def test_a_price_in_dollars_hides_no_equation() -> None:
     text = rf"It costs $5." "\n\n" rf"We have ${RAIL.replace('F', '2 F')}$ and {SHOWN}"
-    assert verdicts(text) == ["REFUTED", "UNDECIDED"]  # what costs is not read
+    assert verdicts(text) == ["REFUTED", "PROVED"]
 
 
 @pytest.mark.sample(2)

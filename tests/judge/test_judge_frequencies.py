@@ -162,8 +162,8 @@ def hung() -> Equations:
         (r"It oscillates about $r = a + \frac{mg}{k}$, $\phi = \pi$.", "UNDECIDED"),
         (r"It oscillates about $r = a - \frac{mg}{k}$, $\phi = 0$.", "UNDECIDED"),
         (r"It oscillates about $r = a + \frac{mg}{k}$.", "UNDECIDED"),
-        (r"Its natural frequency is $\omega = \sqrt{k/m}$.", "PROVED"),
-        (r"Its natural frequency is $\omega = \sqrt{2k/m}$.", "REFUTED"),
+        (r"Up and down its frequency is $\omega = \sqrt{k/m}$.", "PROVED"),
+        (r"Up and down its frequency is $\omega = \sqrt{2k/m}$.", "REFUTED"),
     ],
 )
 def test_a_place_among_several_coordinates(text: str, verdict: str) -> None:

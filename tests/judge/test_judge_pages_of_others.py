@@ -20,17 +20,17 @@ l \ddot\theta = SIGN g \sin\theta
 which is *nonlinear*.
 """
 DIRECTIVE = r"""
-A bob of mass :math:`m`.
+A bob of mass :math:`m` hangs on a rod.
 
 .. math::
 
     l \ddot\theta
     = SIGN g \sin\theta
 
-It follows.
+It swings.
 """
 WIKIPEDIA = r"""
-θ = ángulo
+θ = ángulo respecto a la vertical
 
 {\displaystyle {\ddot {\theta }}=SIGN{\frac {g}{l}}\operatorname {sen} \theta }
 """
@@ -102,7 +102,7 @@ GLOSSARY = """
 The equation of the pendulum is:
     m l ddtheta = SIGN m g sin(theta)
     where
-        m: mass of the bob
+        m: mass of the bob (a point)
         g: acceleration by gravity
         theta: angle of the rod
 """

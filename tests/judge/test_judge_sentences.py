@@ -73,6 +73,10 @@ AS_IT_IS = [
     ("rod_pendulum", r"Hence"),
     ("rod_pendulum", r"where $l$ is in metres, $m$ in kilograms and time in seconds,"),
     ("rod_pendulum", r"where $g$ is gravity,"),
+    (
+        "rod_pendulum",
+        r"Consider a uniform rod of length $l$ and mass $m$ that is hinged at one end.",
+    ),
     ("rod_pendulum", r"We neglect friction in the pivot."),
     ("rod_pendulum", r"Taking moments about the pivot gives"),
     (
@@ -80,15 +84,27 @@ AS_IT_IS = [
         r"where $u$ is the torque at the pivot and $\theta$ the angle from the upward vertical,",
     ),
     ("rod_pendulum", r"This result is well known; see Section 2.3 of the textbook."),
+    ("cartpole", r"The cart moves without friction along a horizontal track."),
     ("cartpole", r"A pole of mass $m_p$ is hinged to a cart of mass $m_c$."),
     (
         "cartpole",
         r"Here $x$ is the position of the cart, $\theta$ the angle of the pole from the vertical.",
     ),
     ("cartpole", r"where $F$ is the horizontal force on the cart,"),
+    ("double_pendulum", r"The rods are massless and carry point masses at their ends."),
+    ("double_pendulum", r"Both angles are measured from the downward vertical."),
     ("double_pendulum", r"The equations are nonlinear and coupled."),
     ("two_mass_chain", r"where $x_1$ and $x_2$ are the displacements from equilibrium,"),
     ("two_mass_chain", r"Applying Newton's second law to the first mass,"),
+    (
+        "bead_on_hoop",
+        r"A bead of mass $m$ slides without friction on a circular hoop of radius $R$.",
+    ),
+    (
+        "bead_on_hoop",
+        r"The hoop rotates about its vertical diameter with constant angular velocity $\omega$.",
+    ),
+    ("elastic_pendulum", r"The carriage is attached to two identical springs of stiffness $k$."),
 ]
 
 
@@ -147,13 +163,8 @@ def test_comments_and_documentation_of_code_are_prose(
 
 
 NOT_READ = [
-    # right descriptions, in words that nobody compares: the price of the rows below
-    r"Consider a uniform rod of length $l$ and mass $m$ that is hinged at one end.",
-    # otherwise than the scene, in words that no row has
     r"Der Winkel $\theta$ wird von der unteren Ruhelage aus gemessen.",
     r"Here $g = 1.62\,\mathrm{m/s^2}$ points upwards.",
-    r"\section{The pendulum measured from the hanging position}",
-    r"\begin{figure}\caption{The angle $\theta$ is zero when it hangs straight down.}\end{figure}",
     r"A thin hoop of radius $l$ turns about a pin on its rim.",
     r"The rod has a second, equal mass $m$ fixed at its end.",
     r"The rod's moment of inertia about its pivot is $m l^2$.",
@@ -165,7 +176,7 @@ NOT_READ = [
 
 
 @pytest.mark.parametrize("said", NOT_READ)
-def test_a_sentence_is_harmless_only_if_it_was_read_or_is_talk_of_derivations(
+def test_what_is_not_read_and_may_deny_or_limit_shows_nothing(
     truths: dict[str, Equations], said: str
 ) -> None:
     answer = check(truths["rod_pendulum"], f"{said} $${EQUATIONS['rod_pendulum']}$$", blame=False)
@@ -203,3 +214,29 @@ def test_a_value_that_the_scene_cannot_have_shows_nothing(
 ) -> None:
     text = f"{said}\ntheta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
     assert check(truths["rod_pendulum"], text, blame=False).verdict is Verdict.UNDECIDED
+
+
+QUOTED = [
+    "The springs are made of steel.",
+    "The second mass sits behind a wall of glass.",
+    "Federn aus Stahl verbinden die Massen.",
+]
+
+
+@pytest.mark.parametrize("said", QUOTED)
+def test_what_is_not_read_and_limits_nothing_is_quoted(
+    truths: dict[str, Equations], said: str
+) -> None:
+    answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
+    assert answer.verdict is Verdict.PROVED
+    assert any("not read" in remark and said[:20] in remark for remark in answer.remarks)
+
+
+@pytest.mark.parametrize(
+    ("way", "verdict"), [("downward", Verdict.PROVED), ("upward", Verdict.REFUTED)]
+)
+def test_a_sentence_on_every_angle_is_one_on_each(
+    truths: dict[str, Equations], way: str, verdict: Verdict
+) -> None:
+    text = f"Both angles are measured from the {way} vertical. $${EQUATIONS['double_pendulum']}$$"
+    assert check(truths["double_pendulum"], text, blame=False).verdict is verdict
