@@ -432,8 +432,8 @@ def _left(about: Said, said: re.Match[str]) -> str:
 
 READ = (
     *p.DIRECTIONS, p.EVERY_ANGLE, p.HALF, p.TWICE, p.DOUBLE, p.WHOLE, p.TO_CENTRE, p.NEGATIVE,
-    p.TURNS, p.PUSHES, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, *p.NO_MASS, *p.EQUAL, p.VALUE, p.FLAT, p.STILL,
-    p.SORT, p.DRIVEN,
+    p.TURNS, p.PUSHES, p.RELATIVE, p.ABSOLUTE, p.PLACE, p.ON_BODY, *p.NO_MASS, *p.EQUAL, p.VALUE,
+    p.FLAT, p.STILL, p.SORT, p.DRIVEN,
 )  # fmt: skip
 """Rows whose words are compared with the scene."""
 
