@@ -157,6 +157,10 @@ ABSENT = re.compile(
     re.IGNORECASE,
 )
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
+CARRIERS = re.compile(
+    r"mass(?:es)?|bod(?:y|ies)|particles?|beads?|bobs?|balls?|blocks?|weights?", re.IGNORECASE
+)
+"""Words for what has a mass, whatever it is."""
 LIMITS = re.compile(
     r"no|not|nor|non|never|none|nothing|without|\w+n't|cannot|unlike|rather|instead|than|contrast"
     r"|contrary|except|unless|until|only|provided|if|neglect\w*|ignor\w+|negligibl\w+|disregard\w*"
@@ -165,7 +169,7 @@ LIMITS = re.compile(
     r"|concentrated|lumped|hollow|horizontal|clamped|fixed|held|locked|stuck|frozen|freely|heav\w+"
     r"|light\w*|longer|shorter|larger|smaller|slow\w*|fast\w*|\w+less|degrees?|downwards?"
     r"|upwards?|(?:counter|anti)?clockwise|c?cw|otherwise|else|wrong\w*|false\w*|incorrect\w*"
-    r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|unter\w*|ober\w*|halbe\w*|doppelt\w*"
+    r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|untere[mnrs]?|obere[mnrs]?|halbe\w*|doppelt\w*"
     r"|gleich\w*|falsch\w*|ne|pas|sans|néglig\w*|seulement|moitié|égale?s?|faux|sin|senza|sem|nunca"
     r"|não|mai|trascur\w*|despreci\w*|desprez\w*|solo|sólo|mitad|metà|doble|doppi\w*|iguale?s?"
     r"|ugual\w*|abajo|arriba|fals[oa]",

@@ -238,7 +238,7 @@ class Said:
         nouns = {*self.words, *re.findall("[a-z]+", " ".join(called).lower())} - p.SIZES
         alike = {w for some in p.ALIKE if len(some & nouns) == 1 for w in some}
         alike |= {"uniform"} if any(isinstance(b, RigidBody) for b in self.scene.bodies) else set()
-        alike |= {"elastic"} if self.has["springs"] else set()
+        alike |= {"elastic", "spring"} if self.has["springs"] else set()
         plural = {f"{word}s" for word in nouns | alike}
         named = {m.name.lower() for m in self.known} | {name.lower() for name in self.names}
         return frozenset(nouns | alike | plural | named)
@@ -348,8 +348,8 @@ def against(about: Said, sentence: str, whole: bool = True) -> Iterator[str]:
 def _limiting(about: Said, sentence: str) -> list[str]:
     """What is not read of a sentence that may deny or limit, or has what the scene has not."""
     words, claims = unread(about, sentence)
-    rows = (p.LIMITS, p.THINGS)
-    limits = any(not w.isalpha() or any(row.fullmatch(w) for row in rows) for w in words)
+    others = [w for w in words if p.THINGS.fullmatch(w) and not p.CARRIERS.fullmatch(w)]
+    limits = others or any(not w.isalpha() or p.LIMITS.fullmatch(w) for w in words)
     return [*words, *claims] if claims or limits else []
 
 
