@@ -18,6 +18,9 @@ COMMANDS = words("""
     quad qquad small large Large LARGE huge normalsize footnotesize LaTeX TeX ldots dots
     textwidth linewidth hline toprule midrule bottomrule today left right displaystyle boxed
     nonumber intertext hbox mbox fbox
+    vec hat bar tilde dot ddot frac sqrt sin cos tan alpha beta gamma delta epsilon varepsilon zeta
+    eta theta vartheta kappa lambda mu nu xi rho sigma tau phi varphi chi psi omega Delta Theta
+    Omega Phi Psi
 """)
 """That show their argument, and change nothing but its font or place."""
 ENVIRONMENTS = words("""
