@@ -231,7 +231,12 @@ def _check_program(
         _by_letter(Judged(s.statement, judge(truth, s.statement, {})), s) for s in settled
     )
     matches = {match.name: match for reading in readings for match in reading.names}
+    source = [text for part in things for text in source_of(part)]
+    prose = prose_of(truth.scene, statements, [*matches.values()], source)
+    pairs = zip(judged, statements, strict=True)
+    judged = tuple(as_told(entry, statement, prose.against) for entry, statement in pairs)
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
+    remarks += prose.remarks
     if blame and _operations(truth) <= LARGEST_SEARCHED:
         judged = blamed(reference, judged)
     elif any(entry.finding.verdict is Verdict.REFUTED for entry in judged):

@@ -157,6 +157,23 @@ ABSENT = re.compile(
     re.IGNORECASE,
 )
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
+SORTS = re.compile(
+    r"\b(velocity|speed|acceleration|mass|force|torque|moment|couple|stiffness|energy|momentum)"
+    r"(?= *$)"
+)
+"""Last nouns that tell a place from what is none, and a force from a torque."""
+PREDICATES = re.compile(
+    r"\b(?:(?:kinetic|potential) energ(?:y|ies)|angles?|velocit(?:y|ies)|speeds?|positions?"
+    r"|coordinates?|displacements?|motion|system)(?: (?:of|in|on) (?:the )?\w+){0,2}"
+    r" (?:is|are|remains?|stays?) (?:\w+ )?(?:constant|conserved|small|linear|zero)\b",
+    re.IGNORECASE,
+)
+"""What is said of a motion or a system, and nobody compares."""
+VERBS = re.compile(
+    r"\b(?:is|are|has|have|acts?|moves?|turns?|rolls?|slides?|spins?|hangs?|carr(?:y|ies)|becomes?)\b"
+)
+CONDITION = re.compile(r"[<>\u226a\u226b\u2208]|\\(?:ll|gg|in|to|infty|leq?|geq?)(?![A-Za-z])")
+"""What a formula limits."""
 CARRIERS = re.compile(
     r"mass(?:es)?|bod(?:y|ies)|particles?|beads?|bobs?|balls?|blocks?|weights?", re.IGNORECASE
 )

@@ -25,12 +25,12 @@ from mechanics.judge.phrases import BACK, DENIAL
 from mechanics.judge.sentences import (
     Said,
     against,
-    bare,
     conventions,
     described,
     marked,
     outside,
     passed_over,
+    quoted,
     senses,
     sentences,
 )
@@ -44,7 +44,7 @@ COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", r
 
 
 MOST_QUOTED = 4
-"""Sentences that are not read."""
+"""Sentences of one answer."""
 
 
 def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
@@ -146,10 +146,10 @@ def prose_of(
         )
         contrary += unread
     contrary += (one for text in written for one in outside(about, text))
-    quoted = [repr(bare(text)[:90]) for text in texts if passed_over(about, text)]
-    more = [f"and {len(quoted) - MOST_QUOTED} more"] if len(quoted) > MOST_QUOTED else []
-    words = ", ".join(quoted[:MOST_QUOTED] + more)
-    remarks = (f"not read, and not judged: {words}",) if quoted else ()
+    others = [f"'{quoted(text)}'" for text in texts if passed_over(about, text)]
+    more = [f"and {len(others) - MOST_QUOTED} more"] if len(others) > MOST_QUOTED else []
+    words = ", ".join(others[:MOST_QUOTED] + more)
+    remarks = (f"formulas are judged, these words are not: {words}",) if others else ()
     return Prose(tuple(counted), tuple(dict.fromkeys(contrary)), remarks)
 
 

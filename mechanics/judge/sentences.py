@@ -29,7 +29,8 @@ from mechanics.claims.prose import ENDS, energy_before
 from mechanics.claims.text.letters import plain
 from mechanics.judge import phrases as p
 from mechanics.judge.markup import without_markup
-from mechanics.judge.vocabulary import PHRASES, strange
+from mechanics.judge.sentence_forms import one_form
+from mechanics.judge.vocabulary import PHRASES, TALK, strange
 from mechanics.scene import Gravity, Particle, RigidBody, Scene
 from mechanics.scene.loads import Coulomb, Damper, Force, Spring, Torque, TorsionSpring
 from mechanics.scene.unit_names import dimension_of_unit
@@ -130,12 +131,17 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[str]
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
     for sentence in ENDS.split(QUESTION.sub(r" \g<0>.", text)):
         if one := " ".join(sentence.split()):
-            yield one
+            yield from one_form(one)
 
 
 def bare(words: str) -> str:
     """Words without the marks of names and formulas."""
     return re.sub("\u27e8(?:= ?)?|\u27e9", "", words).strip()
+
+
+def quoted(sentence: str) -> str:
+    """The words of a sentence, with dots for formulas."""
+    return bare(re.sub("\u27e8= [^\u27e9]{9,}\u27e9", "\u2026", sentence))[:90]
 
 
 def marked(text: str) -> str:
@@ -354,9 +360,23 @@ def _limiting(about: Said, sentence: str) -> list[str]:
 
 
 def passed_over(about: Said, sentence: str) -> bool:
-    """Whether a sentence is not read, and has no word that may deny or limit anything."""
+    """Whether a sentence is neither compared with the scene nor talk, nor limits anything."""
     words, claims = unread(about, sentence)
-    return bool(words) and not claims and not _limiting(about, sentence)
+    if MARK.match(sentence) or claims or _limiting(about, sentence):
+        return False
+    return bool(words) or _states(about, sentence)
+
+
+def _states(about: Said, sentence: str) -> bool:
+    """Whether a sentence says something of the scene that no row compares."""
+    if any(pattern.search(sentence) for pattern in (*READ, p.DENOTED)):
+        return False
+    if any(re.search(words, sentence, re.IGNORECASE) for _, words in p.FEATURES):
+        return False
+    if any(p.CONDITION.search(one[1]) for one in VALUE.finditer(sentence)):
+        return True
+    said = {*re.findall("[a-z]+", MARKED.sub(" ", sentence).lower())} - TALK
+    return bool(said & about.own_words) and p.VERBS.search(sentence) is not None
 
 
 def outside(about: Said, text: str) -> Iterator[str]:
@@ -395,7 +415,8 @@ def unread(about: Said, sentence: str) -> tuple[list[str], list[str]]:
     ]  # fmt: skip
     kinds = [w for said in p.DENOTED.finditer(rest) for w in _kinds(about, said)]
     asked = ["?"] if "?" in sentence and MARKED.search(sentence) else []
-    return strange(MARKED.sub(" ", rest), about.own_words), [*values, *kinds, *asked]
+    claims = [one[0] for one in p.PREDICATES.finditer(bare(sentence))]
+    return strange(MARKED.sub(" ", rest), about.own_words), [*values, *kinds, *asked, *claims]
 
 
 def _kinds(about: Said, said: re.Match[str]) -> list[str]:
@@ -490,6 +511,8 @@ def _denoted(about: Said, said: re.Match[str]) -> Iterator[str]:
     text = f"the text says that {_name(said)} is the {words}"
     if own not in about.parameters:
         yield from [text] if own in about.inputs and p.SCALED.search(words) else ()
+        if _other_sort(about, own, words):
+            yield f"{text}, which {own} of the scene is not"
         return
     meaning, unit = about.meaning(own), about.unit(own)
     have = f"{text}, the scene's {own} is the {meaning or f'one in {unit}'}"
@@ -546,6 +569,16 @@ def _other_kind(unit: str, words: str) -> bool:
         if re.search(rf"\b(?:{noun})$", head.strip()):
             return dimension_of_unit(of, "") != dimension_of_unit(unit, "")
     return False
+
+
+def _other_sort(about: Said, own: str, words: str) -> bool:
+    """Whether a coordinate is said to be no place, or a force a torque."""
+    (head,) = p.SORTS.findall(re.split(r"\b(?:of|on|at|in|from|to|about)\b", words)[0])[-1:] or [""]
+    if own in about.inputs and head:
+        loads = [x for x in about.scene.loads if isinstance(x, Force | Torque)]
+        turns = {isinstance(x, Torque) for x in loads if own in {s.name for s in about.held(x)}}
+        return turns == {head == "force"}
+    return own in about.coordinates and bool(head)
 
 
 def _place(about: Said, said: re.Match[str]) -> Iterator[str]:

@@ -119,7 +119,7 @@ SPACED = re.compile(r"(?<!\w)[A-Za-z](?:[ .{}]{1,4}[A-Za-z]){2,}(?!\w)")
 """Letters of a word apart."""
 SIGN = re.compile(
     r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff"
-    r"\u3001\u3002\uff0c\uff1a\uff1b\uff08\uff09-]"
+    r"\u3001\u3002\uff0c\uff1a\uff1b\uff08\uff09\u220e\u25a0\u25a1-]"
 )
 """No letter, and no mark of plain prose."""
 ENDINGS = re.compile(r"'s\b|['\u2019`]")

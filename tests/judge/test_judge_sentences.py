@@ -229,7 +229,7 @@ def test_what_is_not_read_and_limits_nothing_is_quoted(
 ) -> None:
     answer = check(truths["two_mass_chain"], f"{said} $${EQUATIONS['two_mass_chain']}$$")
     assert answer.verdict is Verdict.PROVED
-    assert any("not read" in remark and said[:20] in remark for remark in answer.remarks)
+    assert any("words are not" in remark and said[:20] in remark for remark in answer.remarks)
 
 
 @pytest.mark.parametrize(
@@ -240,3 +240,23 @@ def test_a_sentence_on_every_angle_is_one_on_each(
 ) -> None:
     text = f"Both angles are measured from the {way} vertical. $${EQUATIONS['double_pendulum']}$$"
     assert check(truths["double_pendulum"], text, blame=False).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("system", "said", "verdict"),
+    [
+        ("rod_pendulum", "The length of the rod is $l$.", Verdict.PROVED),
+        ("rod_pendulum", "A rod of mass $m$ and radius $l$ turns.", Verdict.UNDECIDED),
+        ("cartpole", "$m_c$ and $m_p$ are the masses of the cart and the pole.", Verdict.PROVED),
+        ("cartpole", "$m_c$ and $m_p$ are the masses of the pole and the cart.", Verdict.UNDECIDED),
+        ("cartpole", "The length of the pole is $l$.", Verdict.REFUTED),
+        ("cartpole", "$x$ is the velocity of the cart.", Verdict.UNDECIDED),
+        ("cartpole", "$F$ is the torque on the cart.", Verdict.UNDECIDED),
+        ("bead_on_hoop", "The kinetic energy of the bead is conserved.", Verdict.UNDECIDED),
+    ],
+)
+def test_a_name_is_what_a_sentence_of_any_form_says(
+    truths: dict[str, Equations], system: str, said: str, verdict: Verdict
+) -> None:
+    answer = check(truths[system], f"{said} $${EQUATIONS[system]}$$", blame=False)
+    assert answer.verdict is verdict
