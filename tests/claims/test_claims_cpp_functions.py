@@ -1,10 +1,15 @@
 """Methods of C++ as code: structs, members, vectors, casts, numbers of integers."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import mechanics
 from mechanics.claims.code.cpp_functions import in_python
 from mechanics.claims.code.python_page import Unread
+from mechanics.errors import InputError
+from systems import rod_pendulum
 
 
 def function(text: str):
@@ -45,6 +50,11 @@ def test_what_is_filled_is_returned_and_loops_are_followed() -> None:
     [
         "while (x > 1) x -= 1; return x;", "return x.norm();",
         "double& other = x; other = -other; return x;", "int k = 2.9; return k*x;",
+        "double a = x; const double& b = a; a = 0; return b;", "long long k = 2.9; return k*x;",
+        "double a[1] = {x}; double *b = a; b[0] = 0; return a[0];",
+        "int a[1]; a[0] = 2.9; return x;",
+        "static double k = 0; k += 1; return k*x;", "double s = x; { double s = 0; } return s;",
+        "double s = x; for (int i = 0; i < 3; ++i) { i += 1; s += x; } return s;",
     ],
 )  # fmt: skip
 def test_what_is_not_known_is_refused_by_its_line(body: str) -> None:
@@ -65,6 +75,9 @@ def test_a_method_is_called_with_the_members_that_it_reads() -> None:
     [
         "double f(double x) { return f(x); }",
         "double f(double x) { return x; }\ndouble f(float x) { return 2*x; }",
+        "long half(double x) { return x; }\ndouble f(double x) { return half(x); }",
+        "double g(double &x) { x = 0; return x; }\ndouble f(double x) { return g(x) + x; }",
+        "double f(double x) { if (x > 1) { double k = 0; return k; } double k = 1; return k*x; }",
         "double sin(double x) { return x; }\ndouble f(double x) { return sin(x); }",
         "double g(double m) { return k*m; }\ndouble f(double k) { return g(k); }",
         "double h(double x) { double c = 1; return c*x; }\n"
@@ -76,3 +89,44 @@ def test_a_method_is_called_with_the_members_that_it_reads() -> None:
 def test_what_means_two_things_is_refused(text: str) -> None:
     with pytest.raises(Unread):
         function(text)
+
+
+def test_an_early_return_ends_the_function() -> None:
+    one = function("void f(const double x[], double dx[]) {\n  dx[0] = 1; dx[1] = x[1];\n"
+                   "  if (x[0] > 1) return;\n  dx[0] = 2;\n}")  # fmt: skip
+    assert list(one(x=[3.0, 5.0])) == [1.0, 5.0]
+    assert list(one(x=[0.0, 5.0])) == [2.0, 5.0]
+
+
+@pytest.mark.parametrize(
+    ("quotient", "value"),
+    [
+        ("(x > 0 ? 3 : 1)/2", 1), ("2*(1 < 2)/4", 0), ("-3/-2", 1), ("-3/2", -1), ("3u/2u", 1),
+        ("abs(3)/2", 1), ("(!0 + 2)/2", 1), ("(x > 0 ? 3 : 1.0)/2", 1.5),
+    ],
+)  # fmt: skip
+def test_integers_are_divided_as_c_does(quotient: str, value: float) -> None:
+    assert function(f"double f(double x) {{ return x*({quotient}); }}")(x=1.0) == value
+
+
+def test_what_is_unsigned_is_not_negative() -> None:
+    with pytest.raises(ValueError, match="unsigned"):
+        function("double f(double x) { unsigned k = 1; return x*(k - 2); }")(x=1.0)
+
+
+def test_brackets_before_a_sign_are_no_cast() -> None:
+    assert function("double f(double x, double y) { return (x) - (y); }")(x=3.0, y=1.0) == 2.0
+
+
+@pytest.mark.parametrize(
+    ("turns", "words"), [(10**9, "64 at most"), (60, "more than 300000 operations")]
+)
+def test_loops_and_formulas_are_bounded(turns: int, words: str, tmp_path: Path) -> None:
+    path = tmp_path / "page.cpp"
+    path.write_text(
+        "double acceleration(double theta, double m) { double y = theta;\n"
+        f"for (int i = 0; i < {turns}; ++i) {{ y = y*y + y; }} return y*m; }}",
+        encoding="utf-8",
+    )
+    with pytest.raises(InputError, match=words):
+        mechanics.check(mechanics.derive(rod_pendulum.scene(), "free_body"), path)

@@ -118,3 +118,23 @@ def test_momenta_are_not_taken_for_speeds(tmp_path: Path) -> None:
     path.write_text(STATE % ("% z(1) -> theta\n% z(2) -> p_theta", 1, 2, 2, "3", 1))
     with pytest.raises(InputError, match="momentum p_theta"):
         mechanics.check(load("rod_pendulum").scene(), path)
+
+
+@pytest.mark.parametrize(
+    ("lines", "value"),
+    [
+        ("k = -1; k = k*1; s = 0; for i = 3:k:1\n s = s + i;\n end", 6),
+        ("s = 0; for i = 1:0.5:2.2\n s = s + i;\n end", 4.5),
+        ("a = sum([1 2; 3 4]); s = a(1);", 4),
+    ],
+)
+def test_ranges_and_sums_are_those_of_matlab(lines: str, value: float) -> None:
+    (function,) = functions(f"function y = f(x)\n {lines}\n y = s*x;\n end")
+    assert function(x=1.0) == value
+
+
+@pytest.mark.parametrize("value", ["norm([3 0; 0 4])", "b(1.7)", "b(2 > 1)", "det([4 0; 0 4]^0.5)"])
+def test_what_matrices_mean_otherwise_is_refused(value: str) -> None:
+    (function,) = functions(f"function y = f(x)\n b = [1 2 3];\n y = x*{value};\n end")
+    with pytest.raises(ValueError, match=r"is not read|no integer"):
+        function(x=1.0)

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from mechanics.claims.code.python_page import LONGEST
+
 ALL = slice(None)
 LARGEST = 4096
 """Entries of an array, and an exponent."""
@@ -92,7 +94,11 @@ def places(index: Any, size: int) -> list[int]:
     """Places from 0 of an index from 1."""
     if isinstance(index, slice):
         return list(range(size))
+    if any(isinstance(k, bool | np.bool_) for k in np.ravel(index)):
+        raise ValueError("an index that is true or false is not read")
     found = [int(k) - 1 for k in np.ravel(index)]
+    if any(place != k - 1 for place, k in zip(found, np.ravel(index), strict=True)):
+        raise ValueError(f"index {index} is no integer")
     if any(k < 0 for k in found):
         raise ValueError(f"index {min(found) + 1} is below 1")
     return found
@@ -181,6 +187,35 @@ def diag(a: Any) -> Any:
     return np.diag(array.ravel()) if 1 in array.shape else np.diag(array)
 
 
+def total(a: Any, axis: Any = None) -> Any:
+    """sum(a), sum(a, 2)"""
+    array = table(a)
+    way = 0 if array.shape[0] > 1 else 1
+    return tidy(array.sum(axis=way if axis is None else int(axis) - 1, keepdims=True))
+
+
+def of_vectors(*arrays: Any) -> list[Any]:
+    """Rows and columns; MATLAB takes matrices otherwise than NumPy."""
+    if any(min(table(a).shape) > 1 for a in arrays):
+        raise ValueError("a product or norm of matrices is not read")
+    return [np.ravel(a) for a in arrays]
+
+
+def dot(a: Any, b: Any) -> Any:
+    """dot(a, b)"""
+    return np.dot(*of_vectors(a, b))
+
+
+def cross(a: Any, b: Any) -> Any:
+    """cross(a, b)"""
+    return np.cross(*of_vectors(a, b))
+
+
+def norm(a: Any) -> Any:
+    """norm(a)"""
+    return np.linalg.norm(*of_vectors(a))
+
+
 def vector(a: Any) -> Any:
     """What is returned: a row as a column."""
     return a.ravel() if isinstance(a, np.ndarray) and 1 in a.shape else a
@@ -213,8 +248,12 @@ def power(a: Any, b: Any) -> Any:
     """a^b"""
     if isinstance(b, int | float) and abs(b) > LARGEST:
         raise ValueError(f"an exponent of {b}: {LARGEST} at most")
+    if isinstance(b, np.ndarray):
+        raise ValueError("a power whose exponent is an array is not read")
     if not isinstance(a, np.ndarray):
         return a**b
+    if b != int(b) or b == 0:
+        raise ValueError(f"a matrix to the power of {b} is not read")
     one = inverse(a) if b < 0 else a
     found = one
     for _ in range(abs(int(b)) - 1):
@@ -225,4 +264,19 @@ def power(a: Any, b: Any) -> Any:
 def quotient(a: Any, b: Any) -> Any:
     """a / b of integers, towards zero."""
     found = abs(a) // abs(b)
-    return found if (a < 0) is (b < 0) else -found
+    return found if (a < 0) == (b < 0) else -found
+
+
+def unsigned(a: Any) -> Any:
+    """An integer of C without a sign."""
+    if isinstance(a, int | np.integer) and not 0 <= a < 2**32:
+        raise ValueError(f"{a} becomes unsigned, another number: write it with a sign")
+    return a
+
+
+def steps(first: Any, step: Any, last: Any) -> list[Any]:
+    """first:step:last"""
+    count = int(np.floor((last - first) / step + 1e-10)) + 1
+    if count > LONGEST:
+        raise ValueError(f"a loop of {count} turns: {LONGEST} at most")
+    return [first + k * step for k in range(count)]

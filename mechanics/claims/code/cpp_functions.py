@@ -36,11 +36,15 @@ LIBRARY = {
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
-INTEGERS = ("int", "long", "unsigned", "size_t", "short")
+INTEGERS = re.compile(
+    r"\b(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|(?:size|ptrdiff|u?int\w*)_t)\b"
+)
+UNSIGNED = re.compile(r"\b(?:unsigned|byte|word|size_t|uint\w*_t)\b")
 
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
-WHOLE = re.compile(r"\{?\s*(?:\d+[uUlL]*|[\w.]+\.size\(\))\s*\}?")
+WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
+CHANGES = ("assignment_expression", "update_expression")
 
 
 @dataclass
@@ -57,6 +61,10 @@ class Scope:
         Of functions that it may call.
     references : set of str
         Numbers that it writes where its caller says.
+    changed : set of str
+        What it assigns.
+    whole : bool
+        Whether it returns an integer.
     """
 
     arguments: list[str]
@@ -72,7 +80,10 @@ class Scope:
     references: set[str] = field(default_factory=set)
     shapes: dict[str, int] = field(default_factory=dict)
     outputs: list[str] = field(default_factory=list)
+    changed: set[str] = field(default_factory=set)
+    unsigned: set[str] = field(default_factory=set)
     returns: bool = True
+    whole: bool = False
     numbers: bool = False
 
 
@@ -90,7 +101,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     Unread
         For what is not read, by line and column.
     """
-    root = tree(_language, text, "tree-sitter-cpp")
+    root = _tree(text)
     nodes, twice = _functions(root)
     if not nodes or (wanted and wanted not in nodes):
         raise Unread(f"there is no function {wanted or ''} in it")
@@ -108,6 +119,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     scopes: dict[str, Scope] = {}
     bodies: dict[str, Page] = {}
     for name in order:
+        _refuse_shadows(nodes[name], set())
         scope = _scope(nodes[name], structs, nodes, scopes)
         scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
         bodies[name] = Page()
@@ -121,6 +133,19 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
     return tuple(space[name] for name in chosen)
+
+
+def _tree(text: str) -> Any:
+    """The tree of a file, where ``(a[1]) - (b)`` is no cast to a type a[1]."""
+    root = tree(_language, text, "tree-sitter-cpp")
+    data = bytearray(text.encode())
+    for node in within(root, "cast_expression"):
+        kind, value = (node.child_by_field_name(f) for f in ("type", "value"))
+        name = within(kind, "type_identifier")
+        signed = name and "*" not in words(kind) and words(value)[0] in "+-*&"
+        if signed and not INTEGERS.search(words(name[0])):
+            data[node.start_byte] = data[kind.end_byte] = ord(" ")
+    return _tree(data.decode()) if data != text.encode() else root
 
 
 def _functions(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
@@ -199,11 +224,35 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
                 continue
             scope.free |= own.free
             constants[name] = number
-            whole = kind in INTEGERS or (kind == "auto" and _whole(value, scope))
-            integers |= {name} if whole else set()
+            whole = _whole(value, own)
+            if _integral(kind) and not whole:
+                raise refuse(node, "what is rounded to an integer is not read")
+            integers |= {name} if _integral(kind) or (kind == "auto" and whole) else set()
     if unknown := scope.free:
         raise refuse(root, f"{', '.join(unknown)}: nothing gives it a value")
     return constants, integers
+
+
+def _refuse_shadows(node: Any, outside: set[str]) -> None:
+    """Refuse a name that a block declares again: Python has one variable where C has two.
+
+    Raises
+    ------
+    Unread
+    """
+    for one in named(node):
+        inside = one.type in ("compound_statement", "for_statement", "if_statement")
+        if one.type in ("declaration", "parameter_declaration"):
+            for declarator in one.children_by_field_name("declarator"):
+                if declarator.type == "init_declarator":
+                    declarator = declarator.child_by_field_name("declarator")
+                names = within(declarator, "identifier")
+                for name in map(words, names[: None if "binding" in declarator.type else 1]):
+                    if name in outside:
+                        raise refuse(one, f"{name} is declared twice: rename one")
+                    outside.add(name)
+        else:
+            _refuse_shadows(one, {*outside} if inside else outside)
 
 
 def _constant(node: Any, declarator: Any, value: Any, scope: Scope) -> str:
@@ -268,7 +317,7 @@ def _title(node: Any) -> str:
 
 def _fields(struct: Any) -> list[str]:
     for one in within(struct, "field_declaration"):
-        if words(one.child_by_field_name("type")) in INTEGERS:
+        if _integral(words(one.child_by_field_name("type"))):
             raise refuse(one, "integers of a struct are not read")
     return [safe(words(one)) for one in within(struct, "field_identifier")]
 
@@ -299,7 +348,7 @@ def _scope(
     parameters = _declarator(node).child_by_field_name("parameters")
     arguments: list[str] = []
     fields: dict[str, list[str]] = {}
-    outputs, references, integers = [], set(), set()
+    outputs, references, integers, unsigned = [], set(), set(), set()
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
@@ -308,19 +357,20 @@ def _scope(
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
-        if kind in INTEGERS:
+        if _integral(kind):
             integers.add(arguments[-1])
+            unsigned |= {arguments[-1]} if UNSIGNED.search(kind) else set()
         if "const" not in words(one).split() and declarator.type != "identifier":
             outputs.append(arguments[-1])
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
     scope = Scope(arguments, fields, functions, printed)
-    scope.references, scope.integers = references, integers
+    scope.references, scope.integers, scope.unsigned = references, integers, unsigned
     kind = words(node.child_by_field_name("type") or node)
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
     } | {_root(one) for one in within(node, "update_expression")}
-    scope.locals = changed - {*arguments}
+    scope.changed, scope.locals, scope.whole = changed, changed - {*arguments}, _integral(kind)
     if kind in ("void", "int"):
         scope.returns = False
         scope.outputs = [o for o in outputs if o in changed]
@@ -340,12 +390,13 @@ def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: 
         one.id for new in within(body_of, "new_expression") for one in within(new, "identifier")
     }
     used = {safe(words(one)) for one in within(body_of, "identifier") if one.id not in sizes}
+    if not main and scope.references & scope.changed:
+        raise refuse(node, f"{name} changes a number of another function: return it")
     if not main and not scope.returns:
         raise refuse(node, f"{name} returns no number, and another function calls it")
     given = [a for a in scope.arguments if a in used or not main]
     extra = [n for n in scope.free if n not in given]
     page.put(line_of(node), 0, f"def {name}({joined([*given, *extra])}):", opens=True)
-    start = page.lines
     for one, parts in scope.fields.items():
         if one in given:
             page.put(line_of(node), 1, f"{joined(parts)}{',' * (len(parts) == 1)} = {one}")
@@ -357,11 +408,15 @@ def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: 
             depth = (len(text) - len(text.lstrip())) // 4
             page.put(number, depth, text.strip(), opens=text.rstrip().endswith(":"))
     if not scope.returns:
-        outputs = [n for n in scope.outputs if n in used]
         page.compound = True
-        whole = [f"{n} = vector({n})" for n in outputs if n not in scope.references]
-        page.put(len(start), 1, "; ".join([*whole, f"return {joined(outputs)}"]))
+        page.put(len(page.lines), 1, _end(scope))
     page.compound = True
+
+
+def _end(scope: Scope) -> str:
+    """What a function that returns no number ends with: what it has written."""
+    whole = [f"{n} = vector({n})" for n in scope.outputs if n not in scope.references]
+    return "; ".join([*whole, f"return {joined(scope.outputs)}"])
 
 
 def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
@@ -384,12 +439,14 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, _changed(named(node)[0], scope))
         case "return_statement":
             if scope.returns:
+                if scope.whole and not _whole(named(node)[0], scope):
+                    raise refuse(node, "what is rounded to an integer is not read")
                 value = _value(named(node)[0], scope)
                 page.put(
                     line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
                 )
             else:
-                page.put(line, depth, "pass")
+                page.put(line, depth, _end(scope))
         case "if_statement":
             condition = node.child_by_field_name("condition").child_by_field_name("value")
             page.put(line, depth, f"if {_value(condition, scope)}:", opens=True)
@@ -415,6 +472,10 @@ def _counting(node: Any, scope: Scope) -> str:
     start = re.fullmatch(rf"(?:int|size_t|unsigned)\s+{counter}\s*=\s*(\d+)\s*;", words(first))
     if not (plain and start and words(step) in (f"++{counter}", f"{counter}++")):
         raise refuse(node)
+    body = node.child_by_field_name("body")
+    changed = {_root(one.child_by_field_name("left") or one) for one in within(body, *CHANGES)}
+    if changed & {counter, plain[2]}:
+        raise refuse(node, "a loop that changes its counter is not read")
     scope.locals.add(counter)
     scope.integers.add(counter)
     return f"for {counter} in range({start[1]}, {plain[2]}):"
@@ -434,10 +495,23 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         name = _variable(declarator)
         if declarator.type == "reference_declarator" and "const" not in words(node).split():
             raise refuse(one, "a second name of a variable is not read")
-        if kind in INTEGERS:
-            if value is not None and not WHOLE.fullmatch(words(value)):
+        if _integral(kind):
+            whole = value is None or _whole(value, scope)
+            if not whole or ("bool" in kind and (value is None or name in scope.changed)):
+                raise refuse(one, "what is rounded to an integer is not read")
+            if "bool" in kind and re.search(r"\d", words(value)) and not _compared(value):
                 raise refuse(one, "what is rounded to an integer is not read")
             scope.integers.add(name)
+            scope.unsigned |= {name} if UNSIGNED.search(kind) else set()
+        inner_names = {safe(words(n)) for n in within(value, "identifier")} if value else set()
+        second = declarator.type in ("reference_declarator", "pointer_declarator")
+        if second and (value is None or value.type != "new_expression") and (
+            scope.changed & {name, *inner_names}
+        ):  # fmt: skip
+            raise refuse(one, "a second name of a variable is not read")
+        lasting = "static" in words(node).split()
+        if lasting and (name in scope.changed or inner_names & {*scope.arguments, *scope.locals}):
+            raise refuse(one, "a static variable keeps what a call leaves: pass it")
         target = value and _pointed(value, scope)
         if target:
             scope.aliases[name] = target
@@ -448,6 +522,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         inner = named(value) if value is not None and value.type == "initializer_list" else []
         number = inner[0] if len(inner) == 1 and _is_scalar(kind) and not array else value
         if number is not None and number.type == "number_literal" and name not in scope.locals:
+            if scope.constants.get(name, _number(number)) != _number(number):
+                raise refuse(one, f"{name} is the name of two numbers: rename one")
             scope.constants[name] = _number(number)
             continue
         if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
@@ -463,7 +539,20 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
 
 
 def _is_scalar(kind: str) -> bool:
-    return kind in ("double", "float", "auto", *INTEGERS)
+    return kind in ("double", "float", "auto") or _integral(kind)
+
+
+def _integral(kind: str) -> bool:
+    """Whether a type is one of integers, or an array of them."""
+    return "double" not in kind and INTEGERS.search(kind.partition("<")[2] or kind) is not None
+
+
+def _compared(node: Any) -> bool:
+    """Whether it is true or false."""
+    if node.type == "parenthesized_expression":
+        return _compared(named(node)[0])
+    sign = node.child_by_field_name("operator")
+    return sign is not None and words(sign) in (*COMPARED, "&&", "||", "!")
 
 
 def _pointed(value: Any, scope: Scope) -> str:
@@ -477,8 +566,11 @@ def _pointed(value: Any, scope: Scope) -> str:
 
 def _changed(node: Any, scope: Scope) -> str:
     if node.type == "update_expression":
-        name = _read(_root(node), scope)
-        return f"{name} = {name} {words(node.child_by_field_name('operator'))[0]} 1"
+        name, sign = _read(_root(node), scope), words(node.child_by_field_name("operator"))[0]
+        if node.child_by_field_name("argument").type != "identifier":
+            raise refuse(node)
+        value = f"({name} {sign} 1)"
+        return f"{name} = {f'unsigned{value}' if name in scope.unsigned else value}"
     if node.type in ("comma_expression", "binary_expression"):
         return _streamed(node, scope)
     if node.type != "assignment_expression":
@@ -489,10 +581,12 @@ def _changed(node: Any, scope: Scope) -> str:
         if sign[0] not in OPERATIONS:
             raise refuse(node)
         value = f"{OPERATIONS[sign[0]]}({_value(left, scope)}, {value})"
+    if _root(left) in scope.integers and not _whole(right, scope):
+        raise refuse(node, "what is rounded to an integer is not read")
+    if _root(left) in scope.unsigned:
+        value = f"unsigned({value})"
     if left.type == "identifier":
         name = safe(words(left))
-        if name in scope.integers and not _whole(right, scope):
-            raise refuse(node, "what is rounded to an integer is not read")
         scope.locals.add(name)
         return f"{name} = {value}"
     name, indices = _entry(left, scope)
@@ -563,19 +657,50 @@ def _read(name: str, scope: Scope) -> str:
 
 def _whole(node: Any, scope: Scope) -> bool:
     """Whether it is an integer of C."""
-    if node.type == "number_literal":
-        return words(node).isdigit()
-    if node.type in (
-        "identifier",
-        "parenthesized_expression",
-        "unary_expression",
-        "binary_expression",
-    ):
-        parts = [p for p in named(node) if p.type != "operator"]
-        if node.type == "identifier":
-            return words(node) in scope.integers
-        return bool(parts) and all(_whole(part, scope) for part in parts)
-    return False
+    return _numbers_in(node, scope) is not None
+
+
+def _is_unsigned(node: Any, scope: Scope) -> bool:
+    """Whether it is an integer without a sign."""
+    return _numbers_in(node, scope) is True
+
+
+def _numbers_in(node: Any, scope: Scope) -> bool | None:
+    """Whether an integer is unsigned; None for what is no integer."""
+    parts: list[Any] = []
+    match node.type:
+        case "number_literal":
+            text = words(node).replace("'", "")
+            return "u" in text.lower() if WHOLE.fullmatch(text) else None
+        case "true" | "false":
+            return False
+        case "identifier" | "qualified_identifier":
+            name = safe(words(node).split("::")[-1])
+            return name in scope.unsigned if name in scope.integers else None
+        case "subscript_expression":
+            name = _root(node)
+            return name in scope.unsigned if name in scope.integers else None
+        case "field_expression" if node.child_by_field_name("argument").type == "this":
+            return False if words(node.child_by_field_name("field")) in scope.integers else None
+        case "unary_expression" | "binary_expression" if _compared(node):
+            return False
+        case "parenthesized_expression" | "initializer_list" | "binary_expression":
+            parts = named(node)
+        case "unary_expression":
+            parts = [node.child_by_field_name("argument")]
+        case "conditional_expression":
+            parts = [node.child_by_field_name(f) for f in ("consequence", "alternative")]
+        case "call_expression":
+            name = _called(node.child_by_field_name("function"))
+            if name.endswith(".size"):
+                return True
+            if name in scope.printed:
+                return False if scope.printed[name].whole else None
+            if name in ("abs", "max", "min"):
+                parts = named(node.child_by_field_name("arguments"))
+    signs = [_numbers_in(part, scope) for part in parts]
+    empty = node.type != "initializer_list" and not signs
+    return None if empty or None in signs else any(signs)
 
 
 def _value(node: Any, scope: Scope) -> str:
@@ -595,7 +720,8 @@ def _value(node: Any, scope: Scope) -> str:
             inner = _value(node.child_by_field_name("argument"), scope)
             if sign not in ("+", "-", "!"):
                 raise refuse(node)
-            return f"({'not ' if sign == '!' else sign}{inner})"
+            value = f"({'not ' if sign == '!' else sign}{inner})"
+            return f"unsigned{value}" if sign == "-" and _is_unsigned(node, scope) else value
         case "binary_expression":
             return _binary(node, scope)
         case "conditional_expression":
@@ -623,10 +749,15 @@ def _binary(node: Any, scope: Scope) -> str:
     sides = [node.child_by_field_name(f) for f in ("left", "right")]
     sign = words(node.child_by_field_name("operator"))
     left, right = (_value(side, scope) for side in sides)
+    if not scope.numbers and any(_is_unsigned(side, scope) for side in sides) and (
+        all(_whole(side, scope) for side in sides)
+    ):  # fmt: skip
+        left, right = f"unsigned({left})", f"unsigned({right})"
     if sign in OPERATIONS:
-        return (
-            f"({left} {sign} {right})" if scope.numbers else f"{OPERATIONS[sign]}({left}, {right})"
-        )
+        if scope.numbers:
+            return f"({left} {sign} {right})"
+        value = f"{OPERATIONS[sign]}({left}, {right})"
+        return f"unsigned({value})" if left.startswith("unsigned(") else value
     if sign == "/":
         if all(_whole(side, scope) for side in sides):
             return f"quotient({left}, {right})"

@@ -31,12 +31,11 @@ ELEMENTWISE = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log",
                                "floor", "ceil", "sign")},
     "abs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2",
-    "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "sum": "sum",
-    "cross": "cross", "dot": "dot", "norm": "linalg.norm", "det": "linalg.det",
+    "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "det": "linalg.det",
 }  # fmt: skip
 """Functions and what NumPy calls them."""
 INVERSES = ("inv", "pinv")
-ARRAYS = ("zeros", "ones", "eye", "diag")
+ARRAYS = ("zeros", "ones", "eye", "diag", "sum", "dot", "cross", "norm")
 CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
 OPERATIONS = {
     "+": "plus", "-": "minus", "*": "times", ".*": "each_times", "./": "each_over",
@@ -60,8 +59,8 @@ class Scope:
     ----------
     arguments, locals, functions, constants : set of str
     outputs : list of str
-    free : dict of str to None
-        Names that nothing gives a value.
+    free : dict of str to str
+        Names that nothing gives a value, and what they are fields of.
     flags : set of str
         Arguments that are asked whether they are true.
     """
@@ -72,7 +71,7 @@ class Scope:
     constants: dict[str, str]
     outputs: list[str]
     scalar: Callable[[str], bool]
-    free: dict[str, None] = field(default_factory=dict)
+    free: dict[str, str | None] = field(default_factory=dict)
     flags: set[str] = field(default_factory=set)
 
 
@@ -389,8 +388,7 @@ def _list(node: Any, scope: Scope) -> str:
         parts = [expression(part, scope) for part in named(node)]
         first, last = parts[0], parts[-1]
         step = parts[1] if len(parts) == 3 else "1"
-        sign = "- 1" if step.replace(" ", "").startswith(("-", "(-")) else "+ 1"
-        return f"range({first}, {last} {sign}, {step})"
+        return f"steps({first}, {step}, {last})"
     if node.type == "matrix":
         return (
             f"[{joined([expression(part, scope) for row in named(node) for part in named(row)])}]"
@@ -512,7 +510,10 @@ def _field(node: Any, scope: Scope) -> str:
             if scope.scalar(local) or not scope.scalar(name):
                 name = local
                 scope.locals.discard(name)
-    scope.free[name] = None
+    owner = ".".join(parts[:-1])
+    if (scope.free.get(name) or owner) != owner:
+        raise refuse(node, f"{name} is a field of {scope.free[name]} and of {owner}: rename one")
+    scope.free[name] = owner
     return name
 
 
@@ -534,7 +535,7 @@ def _call(node: Any, scope: Scope) -> str:
     if name in INVERSES:
         return f"inverse({joined(given)})"
     if name in ARRAYS:
-        return f"{name}({joined(given)})"
+        return f"{'total' if name == 'sum' else name}({joined(given)})"
     if name == "transpose":
         return f"transposed({joined(given)})"
     if name in ("deg2rad", "double", "single", "simplify"):

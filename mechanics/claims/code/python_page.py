@@ -98,7 +98,8 @@ class Page:
         """
         text = "\n".join(self.lines) + "\n"
         linecache.cache[origin] = (len(text), None, text.splitlines(keepends=True), origin)
-        space = {"np": np, "__name__": "code", "__builtins__": BUILTINS, **names}
+        # By their names, too: a copy that is traced has all builtins.
+        space = {"np": np, "__name__": "code", "__builtins__": BUILTINS, **BUILTINS, **names}
         try:
             parsed = ast.parse(text, origin)
         except SyntaxError as error:

@@ -130,6 +130,7 @@ def read_function(
         passed = [symbol for value in given.values.values() for symbol in _entries(value)]
         standing, told = beside(function, called.standing, passed)
         outputs = trace(function, given.values, standing)
+        _bounded_outputs(outputs, title)
         if called.steps and len(_all(outputs)) == size:
             stepping = trace(function, given.values, {**standing, **called.steps})
             if {entry.subs(STEP, 0) for entry in _all(stepping)} == {*scene.q, *scene.u}:
@@ -442,6 +443,26 @@ def _orders(scene: Scene) -> Iterator[tuple[Expr, ...]]:
 def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:
     """Arguments that are one thing of the scene, under another name: formulas are told with it."""
     return [m for m in matches if m.name != m.meaning and naming.vocabulary.target(m.meaning)]
+
+
+def _bounded_outputs(outputs: Outputs, title: str) -> None:
+    """Refuse formulas that, written out, are larger than can be looked at.
+
+    Raises
+    ------
+    InputError
+    """
+    sizes: dict[Expr, int] = {}
+    todo = _all(outputs)
+    while todo:
+        one = todo[-1]
+        if missing := [part for part in one.args if part not in sizes]:
+            todo += missing
+            continue
+        todo.pop()
+        sizes[one] = min(1 + sum(sizes[part] for part in one.args), LARGEST_FORMULA + 1)
+    if max(sizes.values(), default=0) > LARGEST_FORMULA:
+        raise InputError(f"{title}: its formulas have more than {LARGEST_FORMULA} operations")
 
 
 def bounded_code(nodes: Sequence[Node], origin: str) -> None:
