@@ -72,6 +72,9 @@ class Statement:
     derived : bool
         Whether a side of `row` is the scene's own, what was written is compared with: an entry of
         the mass matrix, what accelerates at an equilibrium. It counts as the scene does.
+    unsure : tuple of str
+        Under what else it may be right: what nobody said, and was taken to read it. It is not
+        REFUTED then, only open.
     """
 
     row: Published | None
@@ -87,6 +90,7 @@ class Statement:
     ways: Mapping[Expr, Written] = field(default_factory=dict)
     taken: tuple[tuple[str, Published], ...] = ()
     derived: bool = False
+    unsure: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ def right_otherwise(
 def under_guessed_orders(
     judged: Sequence[Judged], counts: Sequence[int], names: Sequence[Sequence[Match]]
 ) -> tuple[Judged, ...]:
-    """Entries of code, open where they are wrong in an order of an argument that is a guess.
+    """Entries, open where they are wrong, and what nobody said was taken to read them.
 
     Parameters
     ----------
@@ -95,9 +95,10 @@ def under_guessed_orders(
     for count, matches in zip(counts, names, strict=True):
         guesses = [m for m in matches if GUESSED_ORDER in m.why]
         words = tuple(f"{m.name} is in another order than {m.meaning}" for m in guesses)
-        for k in range(start, start + count) if words else ():
-            if _is_wrong(found[k]):
-                found[k] = replace(found[k], right_if=(*found[k].right_if, *words), open=True)
+        for k in range(start, start + count):
+            both = (*words, *found[k].statement.unsure)
+            if both and _is_wrong(found[k]):
+                found[k] = replace(found[k], right_if=(*found[k].right_if, *both), open=True)
         start += count
     return tuple(found)
 

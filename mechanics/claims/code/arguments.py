@@ -272,6 +272,13 @@ def _by_spelling(naming: Naming, order: Sequence[str]) -> list[tuple[str, int] |
         for name in order
         for base, dots in bases(name) if dots == 1 and base in keys and keys[base] != name
     }  # fmt: skip
+    numbers = {
+        n[0]: name for name in order if not SPEED.fullmatch(name) and (n := NUMBER.search(name))
+    }
+    for name in order:
+        speed = SPEED.fullmatch(name)
+        if speed and name not in rate_of and speed["number"] in numbers:
+            rate_of[name] = numbers[speed["number"]]
     first = [name for name in order if name not in rate_of]
     coordinates = [q.name for q in naming.vocabulary.scene.q]
     if len(first) != len(coordinates) or {*rate_of.values()} != {*first}:

@@ -12,7 +12,7 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 from itertools import islice, permutations
 
-from sympy import Expr, Matrix, S
+from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import QUANTITIES, named_quantity
@@ -20,13 +20,16 @@ from mechanics.claims.code.assignments import written_of
 from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.claims.code.tracing import Outputs
 from mechanics.claims.demands import Demands
+from mechanics.claims.kind import kind_of
 from mechanics.claims.names import Naming
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
 from mechanics.scene.rates import rate_table
+from mechanics.scene.symbols import DOTS
 
 Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 
@@ -93,9 +96,24 @@ def claims(
                 for i, entry in enumerate(entries, 1)
             ]
         )
+    momenta = [p for p in momentum_symbols(scene) if p in passed]
+    if momenta and len(entries) == len(scene.q) + len(momenta):
+        return _canonical(scene, [*scene.q, *momenta], entries)
     if named := _accelerations(naming, outputs.names or (title,), len(entries)):
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
+    moving = (*scene.q, *scene.u)
+    part = len(state) == size > 1 and {*state} & {*scene.q} and {*state} & {*scene.u}
+    if part and in_order(scene, [Matrix(entries)], state) and len(entries) == size:
+        return [
+            _rate_of(scene, symbol, value) for symbol, value in zip(state, entries, strict=True)
+        ]
     if len(entries) == size:
+        bare = next((entry for entry in entries if size > 1 and entry in moving), None)
+        if bare is not None:
+            raise InputError(
+                f"{title} returns {bare} as it is, which is no acceleration: say what it is:"
+                f" {_choices(naming)}"
+            )
         return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
     state, entries = _without_held(scene, state, entries)
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
@@ -107,6 +125,16 @@ def claims(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def _canonical(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Claim]:
+    """The rates of coordinates and momenta, in this order."""
+    found: list[Claim] = []
+    for symbol, value in zip(state, entries, strict=True):
+        rate = Symbol(f"{symbol}{DOTS[1]}", real=True)
+        quantity, sides, _ = kind_of(scene, (rate, value))
+        found.append((str(rate), quantity, sides))
+    return found
 
 
 def _without_held(
@@ -300,20 +328,23 @@ def state_of_scalars(
     """The state whose rates code returns that takes its entries one by one; empty for no state.
 
     In the order of the arguments, or x, theta, ..., x_dot, theta_dot, ..., or x, x_dot, theta,
-    theta_dot, ...: the first in which the rates of the coordinates are where they belong.
+    theta_dot, ...: the first in which the rates of the coordinates are where they belong. Code
+    need not take what nothing depends on.
     """
     both = (*scene.q, *scene.u)
     given = tuple(symbol for symbol in arguments if symbol in both)
-    if set(given) != set(both):
-        return ()
+    whole = set(given) == set(both)
+    if sum(map(len, values)) != len(both) or not given:
+        return given if whole else ()
     mixed = tuple(symbol for pair in zip(scene.q, scene.u, strict=False) for symbol in pair)
-    orders = [given, both, mixed] if len(mixed) == len(both) else [given, both]
-    return next((order for order in orders if in_order(scene, values, order)), given)
+    orders = [*([given] if whole else []), both, *([mixed] if len(mixed) == len(both) else [])]
+    fitting = (order for order in orders if in_order(scene, values, order))
+    return next(fitting, given if whole else ())
 
 
 def statement(
     claim: Claim, title: str, outputs: Outputs, naming: Naming,
-    others: Sequence[tuple[str, Claim]] = (),
+    others: Sequence[tuple[str, Claim]] = (), unsure: tuple[str, ...] = (),
 ) -> Statement:  # fmt: skip
     """A claim as a statement, with what else it may be; constants stand in its notes."""
     tag, _, sides = claim
@@ -325,7 +356,7 @@ def statement(
         _row(claim, title), source, tag, notes=outputs.notes, doubt=outputs.doubt,
         written=written_of(known, naming) if known else None, ways=ways,
         taken=tuple((words, _row(other, title)) for words, other in others),
-        demands=_demands(entries, outputs),
+        demands=_demands(entries, outputs), unsure=unsure,
     )  # fmt: skip
 
 

@@ -82,12 +82,16 @@ from mechanics.program.c.select import latest
 from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols
 
 LARGEST_C = 30_000
 """Characters of a C file."""
 
 LARGEST_FORMULA = 300_000
 """Operations of one output, written out without sharing."""
+
+PART = re.compile(r"grav|coriol|centri|friction|damping", re.IGNORECASE)
+"""In the name of a function that returns a part of what drives."""
 
 Run = Callable[[Arguments], Outputs]
 
@@ -121,7 +125,8 @@ def read_function(
     """
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
-    function = with_local_numbers(unwrapped(function), {*vocabulary.constants, *(names or {})})
+    held = {*vocabulary.constants, *(names or {}), *STEPS}
+    function = with_local_numbers(unwrapped(function), held)
     function = returning(function, size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(vocabulary), names or {}, title)
@@ -344,11 +349,52 @@ def _read(
     found = claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)
+    if arguments.state and not _is_said(arguments) and len(_all(outputs)) < len(arguments.state):
+        for words, ordered in _in_other_orders(naming, wanted, sizes, given, apart, run, arguments):
+            try:
+                other = claims(naming, ordered[1], ordered[0].state, about, title, passed)
+            except InputError:
+                continue
+            others += [(words, other)] if len(other) == len(found) else []
+    unsure = _unsure(scene, outputs, passed, about, title)
     statements = tuple(
-        statement(claim, title, outputs, naming, [(words, other[k]) for words, other in others])
+        statement(
+            claim, title, outputs, naming, [(words, other[k]) for words, other in others], unsure
+        )
         for k, claim in enumerate(found)
     )
     return Reading(statements, arguments.matches, ())
+
+
+def _in_other_orders(
+    naming: Naming, wanted: Sequence[str], sizes: Mapping[str, int | None],
+    given: Mapping[str, str], apart: Mapping[str, Apart], run: Run, guess: Arguments,
+) -> Iterator[tuple[str, tuple[Arguments, Outputs]]]:  # fmt: skip
+    """What code returns where its state has another usual order than the one that was guessed."""
+    name = next(n for n in wanted if tuple(_entries(guess.values[n])) == tuple(guess.state))
+    for order in _orders(naming.vocabulary.scene):
+        meaning = " ".join(map(str, order))
+        if {*order} != {*guess.state} or order == tuple(guess.state):
+            continue
+        if contradicted(naming, apart, name, order):
+            continue
+        try:
+            meant = arguments_of(naming, wanted, sizes, {**given, name: meaning}, apart=apart)
+            yield f"{name} is {meaning}: --name '{name}={meaning}' gives it", (meant, run(meant))
+        except InputError:
+            continue
+
+
+def _unsure(
+    scene: Scene, outputs: Outputs, passed: Sequence[Expr], about: str | None, title: str
+) -> tuple[str, ...]:
+    """Under what else outputs may be right that are taken for accelerations."""
+    moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
+    if about or len(_all(outputs)) != len(scene.u) or len(scene.u) < 2:
+        return ()
+    if not {*passed} & moving:
+        return (f"{title}, which takes neither speeds nor inputs, returns no accelerations",)
+    return (f"{title} returns a part of the forces",) if PART.search(title) else ()
 
 
 def _is_said(arguments: Arguments) -> bool:
@@ -413,7 +459,8 @@ def _arranged(
 def _orders(scene: Scene) -> Iterator[tuple[Expr, ...]]:
     """Usual orders of a state: in blocks, in pairs, speeds first, of angles elsewhere.
 
-    Then without a coordinate that nothing may depend upon, and with inputs that are held.
+    Then without a coordinate that nothing may depend upon, and with inputs that are held; of one
+    coordinate alone.
     """
     turning = angular(scene)
     if len(scene.q) != len(scene.u):
@@ -438,6 +485,8 @@ def _orders(scene: Scene) -> Iterator[tuple[Expr, ...]]:
             yield (*kept, *(speeds[q] for q in kept), *scene.input_symbols)
     if scene.input_symbols:
         yield from ((*order, *scene.input_symbols) for order in whole)
+    if len(scene.q) > 1:
+        yield from speeds.items()
 
 
 def _renamed(naming: Naming, matches: Iterable[Match]) -> list[Match]:
