@@ -129,9 +129,15 @@ def truncated_on_one_way(state, u, m, l, g):
 
 OTHERWISE = [
     array_of_integers, zeros_of_integers, array_as_integers, state_as_integers, by_dtype, by_type,
-    by_type_of_a_float, by_attribute, by_class, by_subtype, by_exception, rounded,
-    rounded_array, absorbed, truncated_on_one_way,
+    by_type_of_a_float, by_attribute, by_class, by_subtype,
+    absorbed, truncated_on_one_way,
 ]  # fmt: skip
+
+
+@pytest.mark.parametrize("function", [by_exception, rounded, rounded_array])
+def test_what_fails_for_traced_numbers_only_is_refused_where_the_code_goes_on(function) -> None:
+    with pytest.raises(InputError, match=r"cannot be traced: line .* TypeError"):
+        mechanics.check(ROD, function, names=NAMES)
 
 
 @pytest.mark.parametrize("function", OTHERWISE)
@@ -159,15 +165,21 @@ def test_code_that_calls_chance_is_refused() -> None:
 
 
 def no_sum(state, u, m, l, g):
-    return rates(state, u if u + 0 is not None and not hasattr(u, "real") else None, m, l, g)
+    return rates(
+        state,
+        u if u + 0 is not None and type(u).__module__ not in ("builtins", "numpy") else None,
+        m,
+        l,
+        g,
+    )
 
 
 def one_number_more(state, u, m, l, g):
-    return rates(state, u, m, l, g) + ([0.0] if hasattr(u, "real") else [])
+    return rates(state, u, m, l, g) + ([0.0] if type(u).__module__ in ("builtins", "numpy") else [])
 
 
 def never_defined(state, u, m, l, g):
-    if hasattr(u, "real"):
+    if type(u).__module__ in ("builtins", "numpy"):
         raise ValueError("no number\nis right")
     return rates(state, u, m, l, g)
 

@@ -190,6 +190,49 @@ def test_chance_and_the_clock_are_refused(function: Callable) -> None:
         check(SCENE, function)
 
 
+HIDDEN = [
+    "str(u) == '0.0'", "repr((u, m))[0] == '9'", "f'{u}' == '0.5'", "'%s' % u == '0.5'",
+    "u.__str__() == '0.5'", "str(np.array([u])) == '[0.5]'", "getattr(u, 'hex', str)() == '0'",
+    "json.dumps(u) == '0.5'", "len(inspect.stack()) > 3", "'mechanics' in sys.modules",
+    "sys.argv[0] == 'x'", "__name__ == 'x'", "ValueError().__traceback__.tb_frame is None",
+    "kept(u) == '0.5'",
+]  # fmt: skip
+HELD = """
+import inspect, io, json, sys
+import numpy as np
+def kept(x):
+    words = io.StringIO()
+    print(x, file=words)
+    return words.getvalue()
+def f(y, u, m, l, g):
+    print(u)
+    try:
+        sign = -1 if {} else 1
+    except Exception:
+        sign = 1
+    return law(y, sign * u, m, l, g)
+"""
+
+
+@pytest.mark.parametrize("condition", HIDDEN)
+def test_text_of_numbers_and_the_caller_are_refused_whatever_the_code_catches(condition) -> None:
+    names = {"law": law, "__name__": "mine"}
+    exec(HELD.format(condition), names)
+    with pytest.raises(InputError, match=r"^function f.*(hid|depends on)"):
+        check(SCENE, names["f"])
+
+
+def test_conditions_decide_wherever_they_are_looked_at() -> None:
+    def found(condition: str):  # type: ignore[no-untyped-def]
+        names = {"law": law, "__name__": "mine"}
+        exec(HELD.format(condition), names)
+        return check(SCENE, names["f"]).verdict.name
+
+    for condition in ("str(u > 9) == 'True'", "{True: 1}.get(u > 9)", "u.real > 9"):
+        assert found(condition) == "REFUTED"
+    assert found("u.imag > 9") == "PROVED"
+
+
 class Noisy:
     def __init__(self) -> None:
         self.chance = {"uniform": random, "normal": np.random.randn}

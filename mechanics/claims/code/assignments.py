@@ -6,6 +6,7 @@ A name that is given twice to different formulas stands for the first; the other
 """
 
 import inspect
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -39,20 +40,27 @@ from mechanics.claims.tree import (
     Table,
     names,
 )
+from mechanics.errors import MechanicsError
 from mechanics.scene.symbols import DOTS
 
 LARGEST_ARRAY = 36
 """Entries that get names of their own."""
+NO_NUMBER = re.compile(r"has no len\(\)|not (?:iterable|subscriptable|callable)")
+"""What fails for every number."""
 
 
 @contextmanager
-def recorded(function: Callable[..., Any], found: dict[str, Assignment]) -> Iterator[None]:
+def recorded(
+    function: Callable[..., Any], found: dict[str, Assignment], failed: list[str]
+) -> Iterator[None]:
     """Learn what the lines of a function's file assign while it runs; traced numbers get names.
 
     Parameters
     ----------
     function : callable
     found : dict of str to Assignment
+    failed : list of str
+        What could not be done with traced numbers, though the code may go on: ``except: pass``.
     """
     inner = inspect.unwrap(function)
     inner = getattr(inner, "__func__", inner)
@@ -67,7 +75,9 @@ def recorded(function: Callable[..., Any], found: dict[str, Assignment]) -> Iter
     def called(frame: FrameType, event: str, _: Any) -> Any:
         return line if event == "call" and frame.f_code.co_filename == file else None
 
-    def line(frame: FrameType, event: str, _: Any) -> Any:
+    def line(frame: FrameType, event: str, what: Any) -> Any:
+        if event == "exception" and _of_tracing(what[1]):
+            failed.append(f"line {frame.f_lineno}: {what[0].__name__}: {what[1]}")
         if id(frame) in lines:
             for name, value in frame.f_locals.items():
                 _name(name, value, f"{words} {lines[id(frame)]}", found)
@@ -82,6 +92,13 @@ def recorded(function: Callable[..., Any], found: dict[str, Assignment]) -> Iter
         yield
     finally:
         sys.settrace(before)
+
+
+def _of_tracing(error: BaseException | None) -> bool:
+    """Whether an operation fails for a traced number, and would not for a float."""
+    if isinstance(error, TypeError):
+        return NO_NUMBER.search(str(error)) is None
+    return isinstance(error, MechanicsError)
 
 
 def _name(name: str, value: Any, place: str, found: dict[str, Assignment]) -> None:

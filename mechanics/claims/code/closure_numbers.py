@@ -111,7 +111,7 @@ def _copies(
     tables: dict[int, dict[str, Any]] = {}
     for f in called:
         table = tables.setdefault(id(f.__globals__), dict(f.__globals__))
-        for name in _named(f.__code__):
+        for name in named(f.__code__):
             if name not in table or table[name] is not f.__globals__[name]:
                 continue  # it is a builtin, or was met before
             value = table[name]
@@ -121,7 +121,7 @@ def _copies(
                 table[name] = with_numbers(value, asked, learn)
     copies = {f: _over(f, tables[id(f.__globals__)], wanted, asked, learn) for f in called}
     for f, copy in copies.items():
-        for name in _named(f.__code__):
+        for name in named(f.__code__):
             value = f.__globals__.get(name)
             if isinstance(value, types.FunctionType) and value in copies:
                 copy.__globals__[name] = copies[value]
@@ -137,7 +137,7 @@ def called_by(function: types.FunctionType, bound: Any = None) -> list[types.Fun
     found, open_ones = [function], [function]
     for _ in range(DEEPEST):
         called = [
-            g for f in open_ones for name in _named(f.__code__)
+            g for f in open_ones for name in named(f.__code__)
             if isinstance(g := f.__globals__.get(name), types.FunctionType)
             and g.__globals__ is f.__globals__
         ]  # fmt: skip
@@ -204,11 +204,11 @@ def _object(
     return other
 
 
-def _named(code: types.CodeType) -> Iterator[str]:
+def named(code: types.CodeType) -> Iterator[str]:
     """Names of the file that code reads, functions inside it included."""
     for instruction in get_instructions(code):
         if instruction.opname in OF_MODULES:
             yield str(instruction.argval)
     for inner in code.co_consts:
         if isinstance(inner, types.CodeType):
-            yield from _named(inner)
+            yield from named(inner)

@@ -29,7 +29,8 @@ class Explorer:
     `formulas` are those of the numbers that it returns, as its code has them; `names` are the keys
     that they have, where they are entries of a dictionary; `asked` is what each decision asks
     for, `outputs` what each number that is returned does; `failure` is how it ended in an
-    error; `assigned` what its lines give names to.
+    error; `assigned` what its lines give names to; `hidden` what it did with traced numbers that
+    does not show in formulas, in words.
     """
 
     prefix: tuple[bool, ...] = ()
@@ -41,6 +42,7 @@ class Explorer:
     outputs: list[tuple[Demand, ...]] = field(default_factory=list)
     failure: str = ""
     assigned: dict[str, Assignment] = field(default_factory=dict)
+    hidden: list[str] = field(default_factory=list)
 
     def decide(self, condition: Boolean, asked: Asked = NOTHING) -> bool:
         """Which way to go at a condition."""
@@ -77,5 +79,14 @@ class Condition:
 
     def __invert__(self) -> bool:
         return not bool(self)
+
+    def __eq__(self, other: object) -> Any:
+        return bool(self) == other
+
+    def __hash__(self) -> int:
+        return hash(bool(self))
+
+    def __repr__(self) -> str:
+        return repr(bool(self))
 
     __rand__, __ror__ = __and__, __or__

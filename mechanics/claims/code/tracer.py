@@ -194,11 +194,34 @@ class Traced:
         own = asked((), self.asked, asked_of(other))
         return self.new(sympy.atan2(self.expr, value), formula, own)
 
+    @property
+    def real(self) -> Traced:
+        """Itself, as of a float."""
+        return self
+
+    @property
+    def imag(self) -> float:
+        """Zero, as of a float."""
+        return 0.0
+
+    def __copy__(self, _: object = None) -> Traced:
+        return self
+
+    __deepcopy__ = __copy__
+
+    def __repr__(self, _: str = "") -> str:
+        self.explorer.hidden.append("it makes text of a number: what it does with that is hidden")
+        return "a traced number"
+
+    __str__ = __format__ = __repr__
+
     def __getattr__(self, name: str) -> Callable[[], Traced]:
         # NumPy's functions call the method of that name on every entry of an array of objects.
-        if name not in ELEMENTARY:
-            raise AttributeError(name)
-        return partial(self._elementary, name)
+        if name in ELEMENTARY:
+            return partial(self._elementary, name)
+        if hasattr(float, name):
+            self.explorer.hidden.append(f".{name} of a number hides a formula: write it otherwise")
+        raise AttributeError(name)
 
     def _elementary(self, name: str) -> Traced:
         if name in OF_DEGREES:

@@ -184,7 +184,7 @@ def _called(
 ) -> tuple[Matrix, ...] | None:  # fmt: skip
     title = _title(origin)
     try:
-        with recorded(origin, explorer.assigned):
+        with recorded(origin, explorer.assigned, explorer.hidden):
             result = function(**arguments)
     except InputError as error:
         raise InputError(f"{title}{_line(origin, error)[0]}: {error}") from None
@@ -197,6 +197,8 @@ def _called(
         raise InputError(f"{title}{_where(origin, error, given)}") from None
     except (Exception, SystemExit, GeneratorExit) as error:
         raise InputError(f"{title} cannot be traced{_where(origin, error, given)}") from None
+    if explorer.hidden:
+        raise InputError(f"{title} cannot be traced: {explorer.hidden[0]}")
     explorer.names = _keys(result)
     return tuple(_matrix(part, explorer, title) for part in parts_of(result))
 

@@ -20,7 +20,7 @@ import sympy
 from sympy import Expr
 
 from mechanics.claims.code import linear_systems
-from mechanics.claims.code.closure_numbers import content, foreign
+from mechanics.claims.code.closure_numbers import content, foreign, named
 from mechanics.claims.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
 from mechanics.claims.code.objects import methods_used, with_methods
 from mechanics.claims.code.tracer import Traced
@@ -141,6 +141,25 @@ RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
 CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid", "os")
 """Modules whose functions return something else at each call, or elsewhere."""
 OUTSIDE = ("input", "open", "eval", "exec", "globals", "hash", "id")
+OF_NUMBERS = frozenset((
+    "__future__", "abc", "bisect", "builtins", "cmath", "collections", "contextlib", "copy",
+    "dataclasses", "decimal", "enum", "fractions", "functools", "heapq", "itertools", "logging",
+    "math", "numbers", "operator", "re", "statistics", "string", "textwrap", "types", "typing",
+    "warnings",
+))  # fmt: skip
+"""Standard modules that show nothing of who calls, or when; all others may."""
+FRAMES = frozenset((
+    "__traceback__", "tb_frame", "f_back", "f_globals", "f_locals", "f_code", "gi_frame",
+    "__globals__", "__code__", "__closure__", "__subclasses__",
+))  # fmt: skip
+"""Attributes that lead to the caller, or out of what a function is given."""
+
+
+def _refused(name: str) -> str:
+    return (
+        f"it calls {name}: its result depends on more than its arguments: leave that out, or make"
+        " it an argument"
+    )
 
 
 class Changing:
@@ -156,13 +175,13 @@ class Changing:
         ------
         InputError
         """
-        raise InputError(
-            f"it calls {self.__name__}: its result depends on more than its arguments: leave that"
-            " out, or make it an argument"
-        )
+        raise InputError(_refused(self.__name__))
 
     def __getattr__(self, name: str) -> Any:
         return Changing(f"{self.__name__}.{name}")
+
+    __contains__ = __getitem__ = __iter__ = __eq__ = __ne__ = __bool__ = __str__ = __call__
+    __hash__ = None  # type: ignore[assignment]
 
 
 NUMPY: dict[str, Any] = {
@@ -214,13 +233,24 @@ def _changing(value: Any) -> str:
     """A name of what returns something else at each call; empty for other things."""
     # Nothing else is asked for its attributes: a person's object may answer anything.
     if isinstance(value, types.ModuleType):
-        return value.__name__ if value.__name__ in CHANGING else ""
+        return value.__name__ if value.__name__ in CHANGING or _outside(value.__name__) else ""
     owner = value.__self__ if isinstance(value, METHODS) else None
     if isinstance(value, RANDOM) or isinstance(owner, RANDOM):
         return f"random numbers ({getattr(value, '__name__', type(value).__name__)})"
+    if isinstance(value, dict | list):
+        return next((f"sys.{n}" for n, own in vars(sys).items() if own is value), "")
     if not isinstance(value, type | types.FunctionType | types.BuiltinFunctionType):
         return ""
-    return f"{value.__module__}.{value.__name__}" if value.__module__ in CHANGING else ""
+    place = value.__module__ or ""
+    # A person's file may have the name of a standard module.
+    its = getattr(sys.modules.get(place), value.__name__, None) is value
+    return f"{place}.{value.__name__}" if place in CHANGING or (its and _outside(place)) else ""
+
+
+def _outside(module: str) -> bool:
+    """Whether it is a standard module that may show who calls."""
+    root = module.partition(".")[0]
+    return root in sys.stdlib_module_names and root.lstrip("_") not in OF_NUMBERS
 
 
 def stand_in(value: Any, depth: int = 0) -> Any:
@@ -277,10 +307,15 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
         raise InputError(f"{function!r} is no Python function: its code cannot be traced")
     if depth > DEEPEST:
         return function
+    names = _used(function.__code__)
+    around = [n for n in named(function.__code__) if n[:2] == "__" and n in function.__globals__]
+    if outside := sorted({*around, *FRAMES.intersection(names)}):
+        raise InputError(f"function {function.__name__}: {_refused(outside[0])}")
     table = dict(function.__globals__)
     table["float"] = Float
+    table.setdefault("print", _printed)
     table["__builtins__"] = {**vars(builtins), "__import__": _imported}
-    for name in _used(function.__code__):
+    for name in names:
         if name in table and table[name] is not function and name != "float":
             table[name] = stand_in(table[name], depth)
         elif name == "abs":
@@ -297,6 +332,12 @@ def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
     # It calls its copy, not itself.
     table[function.__name__] = copied
     return copied
+
+
+def _printed(*words: Any, file: Any = None, **options: Any) -> None:
+    """What is printed to be seen changes nothing, and is left out; what is kept is not."""
+    if file is not None:
+        print(*words, file=file, **options)
 
 
 def _imported(*arguments: Any, **options: Any) -> Any:
