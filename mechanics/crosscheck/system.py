@@ -144,7 +144,7 @@ def crosscheck(system: Any, options: CrossCheck | None = None) -> SystemResult:
     notes = [f"Note: {note}." for note in scene.notes]
     told = (*notes, *told, *absolute_coordinates(scene))
     if any(equations.textbook is None for equations in derived.values()):
-        return _without_textbook(system, derived, programs, own, told, stage)
+        return _without_textbook(system, derived, programs, own, told, stage, options.motion)
     stage("comparing routes")
     pairs = compare_pairs(programs.routes)
     sympy = by_sympy(scene, programs, pairs, stage)
@@ -238,6 +238,7 @@ def _without_textbook(
     own: Sequence[Finding],
     told: Sequence[str],
     stage: Callable[[str], None],
+    moves: bool,
 ) -> SystemResult:
     """Of a scene that is too large to be written out by SymPy: the routes are programs alone."""
     first = next(iter(derived.values()))
@@ -288,6 +289,11 @@ def _without_textbook(
     if motions:
         findings.append(check_complete(scene, motions, equations))
     steps = large_steps(scene, programs.mechanism)
+    motion = None
+    if moves:
+        stage("simulating")
+        motion, remark = example_motion(model)
+        remarks += remark
     return SystemResult(
         name=system.name,
         scene=scene,
@@ -304,6 +310,7 @@ def _without_textbook(
         },
         findings=tuple(findings),
         published=published,
+        motion=motion,
         remarks=tuple(remarks),
         pairs=pairs,
         witnesses=tuple(witnesses),
