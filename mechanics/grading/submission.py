@@ -60,20 +60,30 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
         raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
     shown = (GONE.sub("", text) for kind, text in pairs if kind == "markdown")
     prose = "\n\n".join(text for text in shown if text.strip())
-    code = _functions([text for kind, text in pairs if kind == "code"])
-    found: list[Any] = [prose] if "=" in prose else []
-    if code and (run_python or not found):
-        found.append(_function(path, code, function, run_python))
+    code = [text for kind, text in pairs if kind == "code"]
+    beside = [text for kind, text in pairs if kind == "raw"]
+    beside += [words.lstrip("# ") for text in code for words in COMMENT.findall(text)]
+    found: list[Any] = ["\n\n".join((prose, *beside))] if "=" in prose else []
+    if any("def " in text for text in code) and (run_python or not found):
+        own = _function(path, _runnable(code), function, run_python)
+        told = "\n".join(line for text in (prose, *beside) for line in text.splitlines())
+        getattr(own, "__func__", own).__dict__["__prose__"] = told
+        found.append(own)
     if not found:
         raise InputError(f"file {path}: no cell has an equation or a function")
     return found
 
 
-def _functions(cells: list[str]) -> str:
-    """Code of the cells that define functions, or bind their names to something else."""
-    named = "|".join({name for text in cells for name in re.findall(r"\bdef\s+(\w+)", text)})
-    bound = re.compile(rf"^(?:(?:{named})\s*=[^=]|del\s+(?:{named})\b)", re.MULTILINE)
-    return "\n".join(text for text in cells if "def " in text or (named and bound.search(text)))
+COMMENT = re.compile(r"#[^\n]*")
+MAGIC = re.compile(
+    r"^[ \t]*(?:%(?:matplotlib|config|load_ext|autoreload|pip)|!pip)\b[^\n]*", re.MULTILINE
+)
+"""Lines of a notebook's own language that change no name."""
+
+
+def _runnable(cells: list[str]) -> str:
+    """The code of all cells, in order; lines that only set the notebook up are left out."""
+    return "\n".join(MAGIC.sub("pass", text) for text in cells)
 
 
 def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:

@@ -116,6 +116,9 @@ def source_of(thing: Any) -> tuple[str, ...]:
     """The source of code, where there is one."""
     if isinstance(thing, Path):
         return () if thing.suffix == ".tex" else (file_text(thing),)
+    if prose := getattr(thing, "__prose__", ""):
+        # Of a notebook: what stands beside the function is said of it, as its own comments are.
+        return ("\n".join(f"# {line}" for line in prose.splitlines()),)
     try:
         return (inspect.getsource(thing),) if inspect.isfunction(thing) else ()
     except OSError:

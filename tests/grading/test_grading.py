@@ -144,18 +144,26 @@ def test_what_a_notebook_does_not_show_is_not_graded(tmp_path: Path) -> None:
     assert shown.strip() == "the end = none"
 
 
-@pytest.mark.parametrize("later", ["f = lambda x: 0", "del f\ndef g(x): return 0"])
+@pytest.mark.parametrize(
+    "later",
+    ["f = lambda x: 0", "del f\ndef g(x): return 0", "ONE = 0", "globals()['f'] = lambda x: 0",
+     "f.__code__ = (lambda x: 0).__code__"],
+)  # fmt: skip
 def test_a_function_that_a_later_cell_binds_again_is_the_later_one(
     tmp_path: Path, later: str
 ) -> None:
     cells = [
         {"cell_type": "code", "source": [text]}
-        for text in ("def f(x):\n    return 1", "f(0)", later)
+        for text in ("%matplotlib inline\nONE = 1", "def f(x):\n    return ONE", "f(0)", later)
     ]
     path = tmp_path / "again.ipynb"
     path.write_text(json.dumps({"cells": cells}))
     (function,) = things_in(path, run_python=True)
     assert function(0) == 0
+    cells.append({"cell_type": "code", "source": ["raise RuntimeError('wrong')"]})
+    path.write_text(json.dumps({"cells": cells}))
+    with pytest.raises(InputError, match="it ends in RuntimeError: wrong"):
+        things_in(path, run_python=True)
 
 
 def test_the_function_is_the_last_one_that_is_no_part_of_another(tmp_path: Path) -> None:
