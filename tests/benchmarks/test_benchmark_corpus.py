@@ -1,7 +1,5 @@
 """The corpus of statements as their authors typed them: its form, and no false verdict."""
 
-from typing import Any
-
 import pytest
 
 from benchmarks.corpus.__main__ import false, figures
@@ -31,12 +29,6 @@ def test_scenes_of_cases_exist() -> None:
         assert scene_of(case.scene, case.function).q, case.name
 
 
-KNOWN = {
-    "rhs_hamilton/Rhs_double_pendulum, mended": "momenta among the states are taken for speeds",
-    "wip_env/dynamics": "numbers inside of a function are not said to be the parameters",
-}
-
-
 @pytest.mark.parametrize("name", QUICK)
 def test_a_case_has_its_verdict(name: str) -> None:
     (case,) = (case for case in CASES if case.name == name)
@@ -46,16 +38,9 @@ def test_a_case_has_its_verdict(name: str) -> None:
     assert next(iter(figures([trial], [])))
 
 
-def marked(case: Case) -> Any:
-    """A case; of a false verdict that is known the reason, until it is mended."""
-    why = KNOWN.get(case.name)
-    marks = [pytest.mark.xfail(strict=True, reason=why)] if why else []
-    return pytest.param(case, id=case.name, marks=marks)
-
-
 @pytest.mark.campaign
 @pytest.mark.every_case
-@pytest.mark.parametrize("case", [marked(case) for case in CASES])
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_no_verdict_is_false(case: Case) -> None:
     trial = tried(case)
     assert not false(trial), trial.words
