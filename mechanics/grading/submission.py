@@ -63,7 +63,9 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
     code = [text for kind, text in pairs if kind == "code"]
     beside = [text for kind, text in pairs if kind == "raw"]
     beside += [words.lstrip("# ") for text in code for words in COMMENT.findall(text)]
-    found: list[Any] = ["\n\n".join((prose, *beside))] if "=" in prose else []
+    # Commented code is no equation that is handed in.
+    said = (text for text in beside if "=" not in text)
+    found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
     if any("def " in text for text in code) and (run_python or not found):
         own = _function(path, _runnable(code), function, run_python)
         told = "\n".join(line for text in (prose, *beside) for line in text.splitlines())

@@ -171,3 +171,15 @@ def test_the_function_is_the_last_one_that_is_no_part_of_another(tmp_path: Path)
     path.write_text("def f(x):\n    return g(x) + 1\n\ndef g(x):\n    return 2*x\n")
     (function,) = things_in(path, run_python=True)
     assert function(3) == 7
+
+
+def test_commented_code_is_no_equation_of_a_notebook_and_other_comments_are_its_prose(
+    tmp_path: Path,
+) -> None:
+    cells = [
+        {"cell_type": "markdown", "source": ["x'' = -x"]},
+        {"cell_type": "code", "source": ["# x'' = x\n# the equation above is wrong"]},
+    ]
+    path = tmp_path / "commented.ipynb"
+    path.write_text(json.dumps({"cells": cells}))
+    assert things_in(path) == ["x'' = -x\n\nthe equation above is wrong"]
