@@ -185,7 +185,7 @@ LIMITS = re.compile(
     r"|identical|same|different|unequal|opposite|negative|minus|revers\w+|tilted|inclined"
     r"|concentrated|lumped|hollow|horizontal|clamped|fixed|held|locked|stuck|frozen|freely|heav\w+"
     r"|light\w*|longer|shorter|larger|smaller|slow\w*|fast\w*|\w+less|degrees?|downwards?"
-    r"|upwards?|(?:counter|anti)?clockwise|c?cw|otherwise|else|wrong\w*|false\w*|incorrect\w*"
+    r"|upwards?|(?:counter|anti)?clockwise|c?cw|otherwise|else|fail\w*|wrong\w*|false\w*|incorrect\w*"
     r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|untere[mnrs]?|obere[mnrs]?|halbe\w*|doppelt\w*"
     r"|gleich\w*|falsch\w*|ne|pas|sans|néglig\w*|seulement|moitié|égale?s?|faux|sin|senza|sem|nunca"
     r"|não|mai|trascur\w*|despreci\w*|desprez\w*|solo|sólo|mitad|metà|doble|doppi\w*|iguale?s?"
