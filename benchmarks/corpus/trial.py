@@ -52,19 +52,21 @@ class Trial:
     seconds: float
 
 
-def tried(case: Case, *, with_options: bool = False) -> Trial:
-    """Judge a case as a file that somebody hands in."""
+def tried(case: Case, *, with_options: bool = False, blame: bool = True) -> Trial:
+    """Judge a case as a file that somebody hands in; without blame no mistake is named."""
     scene_of(case.scene, case.function)
     start = process_time()
     try:
-        found = _checked(case, case.text, **(case.options if with_options else {}))
+        options = case.options if with_options else {}
+        found = _checked(case, case.text, blame=blame, **options)
     except MechanicsError as error:
         return Trial(case, "not read", str(error), 0, process_time() - start)
     except Exception as error:  # a defect of ours: it counts, and the other cases are still tried
         return Trial(case, "crashed", repr(error), 0, process_time() - start)
     seconds = process_time() - start
     words = "; ".join(_words(found))
-    return Trial(case, found.verdict.name, words, _place(case, found, _mended_rows(case)), seconds)
+    named = _place(case, found, _mended_rows(case)) if blame else 0
+    return Trial(case, found.verdict.name, words, named, seconds)
 
 
 def tried_all(names: Sequence[str], closed: bool) -> tuple[list[Trial], list[Trial]]:
