@@ -18,7 +18,7 @@ import sympy as sp
 
 HERE = Path(__file__).parent
 NAME = re.compile(r"(?<![\w.])[A-Za-z]\w*")
-FUNCTIONS = ("sin", "cos", "tan", "acos", "atan", "sqrt", "sign", "Abs", "pi")
+FUNCTIONS = ("sin", "cos", "tan", "tanh", "acos", "atan", "sqrt", "sign", "Abs", "pi")
 DRAWS = 4
 SMALL = 1e-9
 

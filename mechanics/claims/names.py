@@ -24,6 +24,7 @@ from mechanics.scene.momenta import momentum_symbols, rate_symbol
 from mechanics.scene.rates import TIME, coordinate_rate_table
 from mechanics.scene.symbols import DOTS, by_name, plain_symbol
 from mechanics.scene.unit_names import Dimension, dimension_of_unit
+from mechanics.scene.units import ratios
 
 LETTERS = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
@@ -100,7 +101,7 @@ class Vocabulary:
         """Dimensions of parameters as declared, and of coordinates: angles and lengths."""
         found = {s.name: dimension_of_unit(getattr(s, "unit", ""), s.name) for s in
                  self.scene.parameters}  # fmt: skip
-        angles = {symbol.name for symbol in angular(self.scene)}
+        angles = {symbol.name for symbol in angular(self.scene) | ratios(self.scene)}
         for q in self.scene.q:
             found[q.name] = dimension_of_unit("1" if q.name in angles else "m", q.name)
         return found

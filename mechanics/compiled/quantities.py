@@ -23,7 +23,7 @@ from mechanics.routes.rows import acceleration_forms
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
-from mechanics.scene.units import rolled
+from mechanics.scene.units import ratios, rolled
 
 # Digits for the value of an expression such as pi/4: more than a double has, so that rounding
 # it once gives the nearest double.
@@ -113,12 +113,20 @@ def quantities(
     scene, mechanism = equations.scene, mechanism_of(equations)
     turning_q = {s for s in scene.q if s.name in angles(mechanism)} - rolled(scene)
 
+    of_places = ratios(scene) - turning_q
+
     def motion(symbols: Iterable[Symbol], turning: set[Symbol], order: int) -> tuple[Quantity, ...]:
         per = ("", "/s", "/s^2")[order]
-        return tuple(Quantity(s, ("rad" if s in turning else "m") + per) for s in symbols)
+        plain = of_places if order == 0 else shrinking
+        return tuple(
+            Quantity(s, ("rad" if s in turning else "1" if s in plain else "m") + per)
+            for s in symbols
+        )
 
     turning = {u for u in scene.u if _turns(scene, u, turning_q)}
     rates = {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in turning}
+    shrinking = {u for u in scene.u if _turns(scene, u, of_places)} - turning
+    shrinking |= {ud for u, ud in zip(scene.u, scene.ud, strict=True) if u in shrinking}
     declared = {
         r.symbol: Quantity(r.symbol, "N m" if r.at is None else "N") for r in scene.reactions
     }

@@ -8,10 +8,10 @@ what definitions or speeds are made of, stand in more places: these have no valu
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice, permutations
+from itertools import permutations
 from typing import Any
 
-from sympy import Expr, Integer, Rational, S, Symbol
+from sympy import Expr, Integer, Rational, Symbol
 
 from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_momenta import derived
@@ -22,6 +22,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.convention_filter import glance
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
+from mechanics.judge.numbers_of_parameters import values_for
 from mechanics.judge.rounding import is_rounding
 from mechanics.judge.small_angles import as_said
 from mechanics.kernel import Finding, Verdict, undecided
@@ -43,8 +44,8 @@ KINDS = (EquationOfMotion, ReactionValue, Identity)
 DERIVED = (GeneralizedForce, GeneralizedMomentum)
 """What a side is compared with alone: inverse dynamics, and what is conserved."""
 
-MOST = 60
-"""Values that are tried."""
+FITTED = (EquationOfMotion, Identity)
+"""What values are fitted to."""
 
 TIMES = (Integer(1), Rational(1, 2), Integer(2))
 """A coefficient is a value, or twice it, or half of it."""
@@ -119,15 +120,15 @@ def as_identity(truth: Equations, row: Published) -> Published:
 def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ...]:
     """Values of parameters that the statements do not hold for which all of them are right.
 
-    A value has to stand in them as a number; or all are the scene's typical ones; or it is 1, in
-    code that gives others of the scene's parameters values.
+    They are the scene's typical ones, or fitted; then each has to be made of numbers that stand in
+    the statements, or is 1, in code that gives others of the scene's parameters values.
     """
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
         return ()
     noted = (note for s in statements for note in s.notes)
     units = any(note.endswith(NOT_USED) for note in noted)
-    for values in islice(_candidates(truth.scene, rows, units), MOST):
+    for values in _candidates(truth, rows, units):
         if right_with(truth, rows, values):
             for symbol in list(values):
                 fewer = {s: v for s, v in values.items() if s != symbol}
@@ -158,25 +159,29 @@ def words(values: Values) -> str:
 
 
 def _candidates(
-    scene: Scene, rows: Sequence[Published], units: bool
+    truth: Equations, rows: Sequence[Published], units: bool
 ) -> Iterator[dict[Symbol, Expr]]:
+    scene = truth.scene
     sides = [side for row in rows for side in row.sides]
     held = set().union(*(side.free_symbols for side in sides)) | _elsewhere(scene)
     free = [p for p in scene.parameters if p not in held]
     atoms = set().union(*(side.atoms(Rational) for side in sides))
     # Decimals come from measurements; 1/3 and 4 come from mechanics.
     numbers = sorted({abs(n) for n in atoms if n.q % 5 == 0 or abs(n) > 4}, key=lambda n: (-n.q, n))
-    values = [number * times for times in TIMES for number in numbers]
+    values = {number * times for times in TIMES for number in numbers}
     typical = {p: p.exact for p in free if getattr(p, "typical", None)}
     # What a person leaves out is the scene's own value, as a rule.
     yield from ({symbol: value} for symbol, value in typical.items() if value in values)
     if numbers and len(typical) == len(free) > 1:
         yield typical
-    yield from ({symbol: value} for value in values for symbol in free)
-    if len(free) == 2:
-        yield from (dict(zip(free, pair, strict=True)) for pair in permutations(values, 2))
-    if units:
-        yield from ({symbol: S.One} for symbol in free)
+    if not (numbers or units) or not all(isinstance(row.quantity, FITTED) for row in rows):
+        return
+    fitted = values_for(truth, rows, free)
+    pairs = list(permutations([abs(n) for n in atoms if n], 2)) if len(numbers) > 1 else []
+    if len(numbers) >= len(fitted) - 1:
+        values |= {v for a, b in pairs for v in (a + b, a - b, a * b, a / b)}
+    if fitted and all(v in values or (units and v == 1) for v in fitted.values()):
+        yield fitted
 
 
 def _elsewhere(scene: Scene) -> set[Symbol]:

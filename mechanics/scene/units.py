@@ -148,6 +148,16 @@ def rolled(scene: Declaration) -> set[Symbol]:
     return found
 
 
+def ratios(scene: Declaration) -> set[Symbol]:
+    """Coordinates that have no unit: of a place at l (1 + nu), where the unit of l is declared."""
+    found: set[Symbol] = set()
+    for where, place, unit in declared(scene):
+        for q in place.atoms(AppliedUndef) & {*scene.coordinates} if unit == "m" else ():
+            if dimension(scene, place.diff(q), where) == dimension_of_unit(unit, where):
+                found.add(plain_symbol(q))
+    return found
+
+
 def declared(scene: Declaration) -> Iterator[tuple[str, Expr, str]]:
     """What is declared, its expression, and the unit that it must have."""
     for body in scene.bodies:

@@ -157,6 +157,9 @@ class Fold:
                 raise Refused(item.at, "a comma is out of place")
             self.notes.append("(a, b) is read as a column")
             return stacked(item.at, item.arguments)
+        if item.kind == "bracket" and item.text == "+" and before and not operator:
+            words = "[+ ...] behind a factor is a term that may be left out, or a factor"
+            raise Refused(item.at, f"{words}: write it without the bracket, or with \\cdot")
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")
         if isinstance(node, Name) and node.name == DETERMINANT and queue:

@@ -30,7 +30,7 @@ class Item:
     at : int
     node : Node or None
     text : str
-        Of a sign, or the name of a function.
+        Of a sign, or the name of a function; of a bracket the plus that it begins with.
     power : Node or None
         Of a function: the square of ``\sin^2``; of a bracket.
     arguments : tuple of Node

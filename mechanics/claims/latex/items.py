@@ -236,7 +236,9 @@ class Items:
         kind = "bracket" if base.data == "leftright" else "node"
         if isinstance(node, Table) and len(pieces) == 1:
             kind = "node"
-        return Item(kind, at, node, arguments=tuple(nodes))
+        first = pieces[0] if pieces else None
+        added = isinstance(first, Token) and first.type == "SIGN" and first.value == "+"
+        return Item(kind, at, node, text="+" if added else "", arguments=tuple(nodes))
 
     def _accent(self, base: Tree, sub: str, at: int) -> Item:
         mark = base.children[0]

@@ -6,6 +6,7 @@ x.diff(t, 2), Derivative(x(t), (t, 2)), diff(x, t, t), x''    ->    x with two d
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import NamedTuple
 from unicodedata import numeric
 
 from lark import Token, Tree
@@ -56,11 +57,23 @@ INVERTED = ("inv", "pinv", "inverse")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
 
 
+class Below(NamedTuple):
+    """What a slash divides by: of ``/2L`` the name, too, and what stands beside it."""
+
+    scaled: bool
+    beside: bool
+
+
+FIRST = Below(scaled=True, beside=False)
+OTHERS = (Below(scaled=False, beside=True), Below(scaled=True, beside=True))
+"""Other ways to read ``3g/2l + 3/ml^2``: 3 g l/2 and 3/(m l^2), 3 g/(2 l) and 3/(m l^2)."""
+
+
 class Nodes:
     """Makes nodes of the parser's trees."""
 
     def __init__(
-        self, naming: Naming, offset: int, notes: list[str], below: bool = True,
+        self, naming: Naming, offset: int, notes: list[str], below: Below = FIRST,
         arrays: bool = False, state: bool = False, operators: Mapping[str, int] | None = None,
         columns: bool = False,
     ) -> None:  # fmt: skip
@@ -143,7 +156,7 @@ class Nodes:
         """What a slash divides by, and what stands beside it: ``a/b c`` may be a/(b c)."""
         words = " ".join(map(_word, (first, *beside)))
         self.slash = f"/{words} is /({words})"
-        if self.below:
+        if not self.below.beside:
             self.notes.append(f"a/b c is read as (a/b) c: /{words}")
             return [*map(self.node, beside[::-1]), *self._divided(first)]
         below = [self.node(first), *map(self.node, beside)]
@@ -156,7 +169,7 @@ class Nodes:
             return [inverse(node)]
         words = f"{tree.children[0]}{_letters(tree.children[1])}"
         self.slash = f"/{words} is /{words[: len(tree.children[0])]} * {_letters(tree.children[1])}"
-        if self.below:
+        if self.below.scaled:
             self.notes.append(f"/{words} is read as /({words})")
             return [inverse(node)]
         number, name = node.factors

@@ -8,10 +8,12 @@ A whitelist grammar makes a tree; no text is ever evaluated.
 import re
 from collections.abc import Iterator
 from functools import lru_cache
+from typing import Any
 
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
+from mechanics.claims.claim import Trees
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_constant, value
 from mechanics.claims.names import Naming
@@ -21,7 +23,7 @@ from mechanics.claims.text.components import in_components, with_values
 from mechanics.claims.text.declarations import has_columns, operators
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
-from mechanics.claims.text.nodes import Nodes
+from mechanics.claims.text.nodes import FIRST, OTHERS, Nodes
 from mechanics.claims.text.prepare import prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
 from mechanics.claims.tree import Name, ended
@@ -134,11 +136,9 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         state = TAKEN_APART.search(text) is not None
         rates, turned = operators(text), has_columns(text)
         how = (arrays, state, rates, turned)
-        nodes = Nodes(naming, offset, notes, True, *how)
+        nodes = Nodes(naming, offset, notes, FIRST, *how)
         sides = nodes.sides(statement)
-        shorter = Nodes(naming, offset, [], False, *how)
-        other = shorter.sides(statement) if nodes.slash else ()
-        others = ((f"{nodes.slash}: write the brackets", other),) if other else ()
+        others = tuple(_otherwise(statement, naming, offset, how) if nodes.slash else ())
         start, end = offset + statement.meta.start_pos, offset + statement.meta.end_pos
         rest = text[end:].split("\n", 1)[0]
         tag = TAG.search(rest)
@@ -148,6 +148,16 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         given = is_constant(told[1], naming) if told else gives_constants(line, naming)
         found.append(value(source, start) if given else line)
     return found
+
+
+def _otherwise(
+    statement: Tree, naming: Naming, offset: int, how: tuple[Any, ...]
+) -> Iterator[tuple[str, Trees]]:
+    """The sides with more or less below a slash, and in words what stands below it."""
+    for below in OTHERS:
+        nodes = Nodes(naming, offset, [], below, *how)
+        sides = nodes.sides(statement)
+        yield f"{nodes.slash}: write the brackets", sides
 
 
 def _unpacked(tree: Tree, text: str, offset: int, naming: Naming) -> list[Entry]:

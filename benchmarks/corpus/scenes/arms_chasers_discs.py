@@ -1,0 +1,209 @@
+"""Arms, satellites, masses on springs, a wedge, discs on a wire, a quarter of a car."""
+
+from sympy import cos, sin, sqrt
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+
+from benchmarks.corpus.builders import P, one_mass, two_link_arm, two_masses
+from mechanics.scene import (
+    Particle,
+    RigidBody,
+    Scene,
+    ball,
+    euler,
+    force,
+    gravity,
+    pin,
+    reaction,
+    slide,
+    torque,
+)
+
+t = dynamicsymbols._t
+
+
+def ends():
+    """Two links with the masses m1, m2 at their ends, q1 from the horizontal, torques."""
+    m1, m2, L1, L2, g = P("m1:kg m2:kg L1:m L2:m g:m/s^2")
+    u = dynamicsymbols("tau1 tau2")
+    return two_link_arm(dynamicsymbols("q1 q2"), L1, (m1, L1, 0), (m2, L2, 0), g, u, u)
+
+
+def centres():
+    """Two links with the mass centres at lc1, lc2, the inertias I1, I2 about them."""
+    m1, m2, l1, _, lc1, lc2, I1, I2, g = P(
+        "m1:kg m2:kg l1:m l2:m lc1:m lc2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2"
+    )
+    u = dynamicsymbols("tau1 tau2")
+    return two_link_arm(dynamicsymbols("q1 q2"), l1, (m1, lc1, I1), (m2, lc2, I2), g, u, u)
+
+
+def monkey():
+    """An acrobot of uniform rods, q1 from below, a torque u in the elbow."""
+    a, b, u = dynamicsymbols("q1 q2 u")
+    m1, m2, l1, l2, g = P("m1:kg m2:kg l1:m l2:m g:m/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
+    A, P1 = shoulder.frame, shoulder.point
+    elbow = pin("elbow", "one", "two", at=P1.locatenew("E", -l1 * A.y), axis=A.z, angle=b)
+    B = elbow.frame
+    C1, C2 = P1.locatenew("C1", -l1 / 2 * A.y), elbow.point.locatenew("C2", -l2 / 2 * B.y)
+    return Scene(
+        "arm", N, O, plane=N.z, joints=(shoulder, elbow), inputs=(u,),
+        loads=(gravity(-g * N.y), torque("elbow moment", u * N.z, on="two", by="one")),
+        bodies=(RigidBody("one", C1, A, m1, m1 * l1**2 / 12),
+                RigidBody("two", C2, B, m2, m2 * l2**2 / 12)),
+    )  # fmt: skip
+
+
+def euler_body():
+    """A rigid body that turns freely, rates omega_1, ... and torques T_1, ... about its axes."""
+    a, b, c = dynamicsymbols("yaw pitch roll")
+    w = dynamicsymbols("omega_1 omega_2 omega_3")
+    T = dynamicsymbols("T_1 T_2 T_3")
+    I = P("I_1:kg*m^2 I_2:kg*m^2 I_3:kg*m^2", typical="10 15 20")
+    N, O = ReferenceFrame("N"), Point("O")
+    hold = ball("hold", None, "spacecraft", at=O, frame=N, rotation=euler("zyx", a, b, c))
+    F = hold.frame
+    rates = (
+        c.diff() - a.diff() * sin(b),
+        b.diff() * cos(c) + a.diff() * cos(b) * sin(c),
+        -b.diff() * sin(c) + a.diff() * cos(b) * cos(c),
+    )
+    moment = T[0] * F.x + T[1] * F.y + T[2] * F.z
+    return Scene(
+        "spacecraft", N, O, joints=(hold,), inputs=T, speeds=tuple(zip(w, rates, strict=True)),
+        bodies=(RigidBody("spacecraft", O, F, 0, inertia(F, *I)),),
+        loads=(torque("torque", moment, on="spacecraft"),), example={"omega_1": 0.5},
+    )  # fmt: skip
+
+
+def hill():
+    """A chaser near a target in a circular orbit with the rate n: x outwards, y forwards.
+
+    Forces F_x, F_y, F_z beside the linear gravity.
+    """
+    F = dynamicsymbols("F_x F_y F_z")
+    return _chaser(lambda N, n: N.orientnew("A", "Axis", (n * t, N.z)), (2, -1, -1), F, "y")
+
+
+def hill_lvlh():
+    """A chaser near a target in a circular orbit: x forwards, z down; the linear gravity."""
+    return _chaser(lambda N, n: N.orientnew("A", "Axis", (-n * t, N.y)), (-1, -1, 2), (), "z")
+
+
+def _chaser(turned, pull, thrust, other):
+    q = dynamicsymbols("x y z")
+    m, n = P("m:kg n:1/s")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = turned(N, n)
+
+    def along(entries):
+        return sum((e * axis for e, axis in zip(entries, A, strict=True)), 0 * A.x)
+
+    C = O.locatenew("C", along(q))
+    loads = [force("gravity", C, along([m * n**2 * k * x for k, x in zip(pull, q, strict=True)]),
+                   on="chaser")]  # fmt: skip
+    if thrust:
+        loads.append(force("thrust", C, along(thrust), on="chaser"))
+    return Scene(
+        "chaser", N, O, coordinates=q, bodies=(Particle("chaser", C, m),), loads=loads,
+        inputs=thrust, example={"x": 0.3, other: 0.4},
+    )  # fmt: skip
+
+
+def two_body():
+    """A satellite at x, y about a planet mu; forces m w_1, m w_2 along the axes."""
+    x, y, w1, w2 = dynamicsymbols("x y w_1 w_2")
+    m, mu = P("m:kg mu:m^3/s^2")
+    N, O = ReferenceFrame("N"), Point("O")
+    place = x * N.x + y * N.y
+    C = O.locatenew("C", place)
+    r = sqrt(x**2 + y**2)
+    return Scene(
+        "satellite", N, O, coordinates=(x, y), bodies=(Particle("satellite", C, m),),
+        inputs=(w1, w2), example={"x": 1.0, "y": 0.5},
+        loads=(force("gravity", C, -m * mu / r**3 * place, on="satellite"),
+               force("noise", C, m * w1 * N.x + m * w2 * N.y, on="satellite")),
+        reactions=(reaction("side", at=C, on="satellite", by=None, along=N.z),),
+    )  # fmt: skip
+
+
+def discs():
+    """Two discs J_1, J_2 on one axis, a torsion wire C between them."""
+    a, b = dynamicsymbols("theta_1 theta_2")
+    J1, J2, C = P("J_1:kg*m^2 J_2:kg*m^2 C:N*m")
+    N, O = ReferenceFrame("N"), Point("O")
+    first = pin("one", None, "one", at=O, axis=N.z, angle=a)
+    second = pin("two", None, "two", at=O, axis=N.z, angle=b)
+    return Scene(
+        "discs", N, O, plane=N.z, joints=(first, second),
+        bodies=(RigidBody("one", first.point, first.frame, 0, J1),
+                RigidBody("two", second.point, second.frame, 0, J2)),
+        loads=(torque("wire", -C * (b - a) * N.z, on="two", by="one"),),
+    )  # fmt: skip
+
+
+def feder():
+    """m on a spring D."""
+    x = dynamicsymbols("x")
+    m, D = P("m:kg D:N/m")
+    return one_mass(x, m, -D * x)
+
+
+def forced():
+    """m, a spring k, a damper b, a force F."""
+    x, F = dynamicsymbols("x F")
+    m, b, k = P("m:kg b:N*s/m k:N/m")
+    return one_mass(x, m, F - b * x.diff() - k * x, (F,))
+
+
+def constant_force():
+    """m, a spring k, a damper c, a constant force F."""
+    x = dynamicsymbols("x")
+    m, c, k, F = P("m:kg c:N*s/m k:N/m F:N")
+    return one_mass(x, m, F - c * x.diff() - k * x)
+
+
+def hanging_masses():
+    """m_1 on k_1 below a ceiling, m_2 on k_2 below it; y_1, y_2 downwards from their rest."""
+    a, b = dynamicsymbols("y_1 y_2")
+    m1, m2, k1, k2 = P("m_1:kg m_2:kg k_1:N/m k_2:N/m")
+    return two_masses(
+        (a, b),
+        (m1, m2),
+        lambda N, A, B: (
+            force("upper", A, -k1 * a * N.x, on="one"),
+            force("lower", B, -k2 * (b - a) * N.x, on="two", by="one"),
+        ),
+    )
+
+
+def quarter():
+    """A mass ms at z_s on ks, cs, an unsprung one mu at z_u on ku above the road z_ur."""
+    a, b, u = dynamicsymbols("z_s z_u z_ur")
+    ms, mu, ks, cs, ku = P("ms:kg mu:kg ks:N/m cs:N*s/m ku:N/m")
+    strut = -ks * (a - b) - cs * (a.diff() - b.diff())
+    return two_masses(
+        (a, b),
+        (ms, mu),
+        lambda N, A, B: (
+            force("strut", A, strut * N.x, on="one", by="two"),
+            force("tyre", B, -ku * (b - u) * N.x, on="two"),
+        ),
+        (u,),
+    )
+
+
+def wedge():
+    """A ramp M at X on a smooth table, a block m at q down its slope, which falls towards -x."""
+    X, q = dynamicsymbols("X q")
+    M, m, g, th = P("M:kg m:kg g:m/s^2 theta:1", typical="2 1 9.81 0.7")
+    N, O = ReferenceFrame("N"), Point("O")
+    table = slide("table", None, "ramp", at=O, axis=N.x, distance=X)
+    down = -cos(th) * N.x - sin(th) * N.y
+    slope = slide("slope", "ramp", "block", at=table.point, axis=down, distance=q)
+    return Scene(
+        "block on a ramp", N, O, plane=N.z, joints=(table, slope), loads=(gravity(-g * N.y),),
+        bodies=(RigidBody("ramp", table.point, N, M, 0),
+                RigidBody("block", slope.point, N, m, 0)),
+    )  # fmt: skip
