@@ -178,13 +178,13 @@ def check(
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    remarks += (*(f"the text says how it counts: {one.told}" for one in said), *prose.remarks)
+    remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += doubtful(readings)
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth)
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth, prose.unjudged)
 
 
 def _reference(
@@ -236,14 +236,13 @@ def _check_program(
     pairs = zip(judged, statements, strict=True)
     judged = tuple(as_told(entry, statement, prose.against) for entry, statement in pairs)
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    remarks += prose.remarks
     if blame and _operations(truth) <= LARGEST_SEARCHED:
         judged = blamed(reference, judged)
     elif any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += (
             "no term-by-term search is made for a scene of this size: its equations stay a program",
         )
-    return Check(truth.scene, judged, tuple(matches.values()), remarks)
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, None, prose.unjudged)
 
 
 LARGEST_SEARCHED = 800

@@ -1,6 +1,7 @@
 r"""What became of a person's equations, as JSON, stable.
 
-    {"scene", "verdict", "ok", "statements": [...], "names": {...}, "remarks": [...]}
+    {"scene", "verdict", "ok", "statements": [...], "names": {...}, "remarks": [...],
+     "unjudged": [sentence]}
 
 | key | what it is |
 | --- | --- |
@@ -8,6 +9,7 @@ r"""What became of a person's equations, as JSON, stable.
 | statements | list of `tag`, `source`, `place`, `about`, `verdict`, `evidence`, `error_bound`,
   `witness`, `terms`, `domain`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
+| unjudged | sentences of the text that were compared with nothing |
 
 `domain` says where the verdict holds, or what was written is undefined; empty for everywhere.
 `witness` is as in `mechanics.report.json_report`, `terms` has each `term` of both sides with its
@@ -57,6 +59,7 @@ def to_json(found: Check) -> dict[str, Any]:
         "statements": [_statement(entry) for entry in found.judged],
         "names": {m.name: {"meaning": m.meaning, "why": m.why} for m in found.names},
         "remarks": list(found.remarks),
+        "unjudged": list(found.unjudged),
     }
 
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 
 from mechanics.claims.latex.prepare import COLOURS
-from mechanics.judge.vocabulary import words
+from mechanics.judge.phrases import words
 
 COMMANDS = words("""
     text textbf textit textrm textsf texttt textnormal textup emph underline bf it rm bfseries

@@ -40,6 +40,11 @@ def phrase(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern, re.IGNORECASE)
 
 
+def words(text: str) -> frozenset[str]:
+    """Words between blanks."""
+    return frozenset(text.split())
+
+
 DIRECTIONS = (
     phrase(
         r"NAMEIS (?:(?:the )?angle (?:of (?:the )?\w+ )?)?(?:COUNTED )?SENSEfrom THE"
@@ -93,7 +98,10 @@ FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
     r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
 )
-DENOTED = phrase(r"NAMEIS (?:(?:the|an?|its) )(?P<words>[^⟨.;:,()]{3,80})(?P<formula>⟨?)")
+DENOTED = phrase(
+    r"NAMEIS (?:(?:the|an?|its) )(?P<words>"
+    r"(?:(?!\b(?:and|which|that|where|with|while|but|when|if)\b)[^⟨.;:,()]){3,80})(?P<formula>⟨?)"
+)
 PER = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?P<words>(?:revolutions?|turns|cycles|rotations|degrees) (?:per|a) "
     r"(?:second|minute)|in (?:rpm|hertz|Hz|rev/s))\b"
@@ -156,6 +164,8 @@ ABSENT = re.compile(
     r"|frictionless|undamped|gravity-free|-free\b",
     re.IGNORECASE,
 )
+PARTS = re.compile(r", |\b(?:but|so that|while|and)\b")
+"""What sets parts of a sentence apart that say something each."""
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)
 SORTS = re.compile(
     r"\b(velocity|speed|acceleration|mass|force|torque|moment|couple|stiffness|energy|momentum)"
@@ -172,34 +182,26 @@ PREDICATES = re.compile(
 VERBS = re.compile(
     r"\b(?:is|are|has|have|acts?|moves?|turns?|rolls?|slides?|spins?|hangs?|carr(?:y|ies)|becomes?)\b"
 )
-CONDITION = re.compile(r"[<>\u226a\u226b\u2208]|\\(?:ll|gg|in|to|infty|leq?|geq?)(?![A-Za-z])")
-"""What a formula limits."""
-CARRIERS = re.compile(
-    r"mass(?:es)?|bod(?:y|ies)|particles?|beads?|bobs?|balls?|blocks?|weights?", re.IGNORECASE
+CONDITION = re.compile(
+    r"[<>\u226a\u226b\u2208\u2260\u2248]"
+    r"|\\(?:ll|gg|in|to|infty|leq?|geq?|neq?|not|approx|simeq|sim|forall)(?![A-Za-z])"
 )
-"""Words for what has a mass, whatever it is."""
-LIMITS = re.compile(
-    r"no|not|nor|non|never|none|nothing|without|\w+n't|cannot|unlike|rather|instead|than|contrast"
-    r"|contrary|except|unless|until|only|provided|if|neglect\w*|ignor\w+|negligibl\w+|disregard\w*"
-    r"|absen\w+|missing|half|halves|halved|twice|thrice|double[ds]?|third|quarter|times|equal"
-    r"|identical|same|different|unequal|opposite|negative|minus|revers\w+|tilted|inclined"
-    r"|concentrated|lumped|hollow|horizontal|clamped|fixed|held|locked|stuck|frozen|freely|heav\w+"
-    r"|light\w*|longer|shorter|larger|smaller|slow\w*|fast\w*|\w+less|degrees?|downwards?"
-    r"|upwards?|(?:counter|anti)?clockwise|c?cw|otherwise|else|fail\w*|wrong\w*|false\w*|incorrect\w*"
-    r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|untere[mnrs]?|obere[mnrs]?|halbe\w*|doppelt\w*"
-    r"|gleich\w*|falsch\w*|ne|pas|sans|néglig\w*|seulement|moitié|égale?s?|faux|sin|senza|sem|nunca"
-    r"|não|mai|trascur\w*|despreci\w*|desprez\w*|solo|sólo|mitad|metà|doble|doppi\w*|iguale?s?"
-    r"|ugual\w*|abajo|arriba|fals[oa]",
+"""What a formula limits."""
+DENIES = re.compile(
+    r"no|not|nor|non|never|none|nothing|nobody|without|\w+n't|cannot|unlike|rather|instead|contrast|contrary"
+    r"|except|unless|until|only|provided|if|neglect\w*|ignor\w+|negligibl\w+|disregard\w*|absen\w+"
+    r"|missing|otherwise|else|fail\w*|wrong\w*|false\w*|incorrect\w*|invalid|approximate\w*"
+    r"|nicht|kein\w*|ohne|vernachlässigt?\w*|nur|falls|falsch\w*|ne|pas|sans|néglig\w*|seulement|faux"
+    r"|sin|senza|sem|nunca|não|mai|trascur\w*|despreci\w*|desprez\w*|solo|sólo|fals[oa]",
     re.IGNORECASE,
 )
-"""Words that deny, limit, compare or turn round what they stand beside."""
+"""Words that deny what they stand beside, or limit where it holds."""
 THINGS = re.compile(
     r"\b(?:mass(?:es)?|rods?|poles?|pendulums?|bars?|links?|arms?|carts?|carriage|trolley|springs?"
-    r"|strings?|pivots?|hinges?|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?"
-    r"|bodies|body|particles?|pulleys?|ladder|top|gyroscope|block|wedge|cords?|ropes?|threads?)\b",
+    r"|hoop|ring|bead|bobs?|wheels?|disks?|discs?|cylinders?|spheres?|bodies|body|particles?)\b",
     re.IGNORECASE,
 )
-"""What scenes are made of."""
+"""What quantities of a scene are of."""
 ALIKE = (
     frozenset(("rod", "pole", "pendulum", "bar", "stick", "beam", "link", "arm")),
     frozenset(("cart", "carriage", "trolley", "car", "wagon")),
@@ -207,25 +209,18 @@ ALIKE = (
     frozenset(("hoop", "ring", "circle")),
 )
 """Words for one thing, in a scene that uses no two of them."""
-GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "constant"))
+GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "constant"))
 TURNING = frozenset(("torque", "moment", "couple"))
 PUSHING = frozenset(("force", "thrust"))
-PLACES = frozenset((
-    "angle", "angular", "position", "displacement", "coordinate", "deflection", "equilibrium",
-))  # fmt: skip
-PLAIN_NOUNS = frozenset((
-    "generalized", "generalised", "constant", "parameter", "given", "same", "control", "input",
-    "applied", "driving", "external", "motor", "uniform", "polar", "scene", "system", "motion",
-    "so", "we", "as", "usual", "respectively",
-))  # fmt: skip
-"""Words that agree with any kind."""
-SIZES = frozenset(("half", "twice", "quarter", "minus", "not", "no"))
-"""Words of meanings that are no nouns."""
+APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input"))
+PLACES = frozenset(("angle", "position", "displacement", "coordinate"))
+ARTICLES = frozenset(("the", "a", "an", "its", "of", "in", "on"))
 OTHERS = (
     (r"\bradius\b", r"\bdiameter\b"),
     (r"\beach\b", r"\b(?:total|combined|together|both|equivalent)\b"),
     (r"\bdiameter\b", r"\bradius\b"),
     (r"\b(?:length|radius|distance)\b", r"\bgyration\b"),
+    (r"\blength\b", r"\bradius\b"),
 )
 """What the scene says, and what is something else."""
 SCALED = re.compile(
@@ -233,8 +228,6 @@ SCALED = re.compile(
     r"|(?:square|inverse|reciprocal|logarithm) of)\b",
     re.IGNORECASE,
 )
-BREAK = re.compile(r"\b(?:and|which|that|where|with|while|but|when|if)\b", re.IGNORECASE)
-"""Behind it something else is spoken of."""
 ENDPOINTS = frozenset((
     "pivot", "hinge", "end", "ends", "joint", "pin", "axis", "support", "tip", "mass", "origin",
     "hole", "suspension", "top", "bottom", "point", "centre", "center", "attachment", "hinged",
@@ -244,6 +237,38 @@ ENDPOINTS = frozenset((
 SMALL = re.compile(
     r"of|the|an?|its|from|to|in|at|on|for|about|by|this|that|each|our|is|are|total|whole|between"
 )
+IDIOMS = re.compile(
+    r"\bnot (?:hard|difficult|surprising)\b|\bnon[- ]?linear\w*|\bwithout loss of generality\b"
+    r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b",
+    re.IGNORECASE,
+)
+"""Where such a word neither denies nor limits a statement."""
+UNUSUAL = re.compile(
+    r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff"
+    r"\u3001\u3002\uff0c\uff1a\uff1b\uff08\uff09\u220e\u25a0\u25a1-]"
+    r"|(?<!\w)[A-Za-z](?:[ .{}]{1,4}[A-Za-z]){2,}(?!\w)"
+)
+"""A sign that is no mark of plain prose, or letters of a word apart."""
+CONNECTIVES = words("""
+    a an the this that these it its we us our which as so then thus hence therefore because since
+    and or to of in on at for from with by into where here there also again now next finally let
+    is are be has have obtain obtains get gets give gives giving find write reads read yield yields
+    follow follows become becomes see using
+""")
+"""Function words, and the verbs that lead from one formula to the next."""
+PART_OF_DOCUMENT = re.compile(
+    r"\b(?:(?:figure|fig|table|section|chapter|part|step|example|problem|exercise|equation|eq)s?\.?"
+    r" \(?\d+(?:\.\d+)*\)?(?!\w)|equations? of motion)"
+    r"|^\W*(?:introduction|abstract|derivation|solution|answer|proof|summary|result|equations?"
+    r"|appendix|references)\W*$",
+    re.IGNORECASE,
+)
+"""What names a part of a document."""
+GIVEN = re.compile(
+    r"(?:^|[\n,;:$]|\b(?:with|where|and|for|let|if|here|take|set)\b)[ \t]*\\?(?P<name>[A-Za-z]\w*)"
+    r"[ \t]*=[ \t]*(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?)(?![ \t]*[\w*^/(\\.+-])"
+)
+"""A parameter that is a number."""
 DENIAL = re.compile(
     r"\b(?:is|are|was|were|be) (?:\w+ly )?"
     r"(?:wrong|false|incorrect|erroneous|not (?:true|correct|right))\b"

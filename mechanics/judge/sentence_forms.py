@@ -1,15 +1,12 @@
 """One form for what sentences say of names: ⟨m⟩ is the mass of the rod.
 
-    The length of the pole is ⟨l⟩.                    ⟨l⟩ is the length of the pole
-    A rod of mass ⟨m⟩ and length ⟨l⟩                  ⟨m⟩ is the mass of the rod, ...
-    The cart has the mass ⟨M⟩.                        ⟨M⟩ is the mass of the cart
-    ⟨M⟩ and ⟨m⟩ are the masses of the cart and the pole, respectively
-
-What `phrases` has rows for is asked of these, beside the sentence as it stands.
+The length of the pole is ⟨l⟩.                    ⟨l⟩ is the length of the pole
+A rod of mass ⟨m⟩ and length ⟨l⟩                  ⟨m⟩ is the mass of the rod, ...
+The cart has the mass ⟨M⟩.                        ⟨M⟩ is the mass of the cart
+⟨M⟩ and ⟨m⟩ are the masses of the cart and the pole, respectively
 """
 
 import re
-from collections.abc import Iterator
 
 QUANTITY = r"(?:moment of inertia|mass|length|half-length|radius|diameter|stiffness|inertia|weight)"
 NAME = "\u27e8(\\w+)\u27e9"
@@ -27,23 +24,27 @@ PAIR = re.compile(
 )
 
 
-def one_form(sentence: str) -> Iterator[str]:
-    """A sentence, without what it says of two names at once, and what it says of single names.
+def one_form(sentence: str) -> str:
+    """A sentence, with what it says of names in that form.
 
     Parameters
     ----------
     sentence : str
         With names marked.
     """
-    yield PAIR.sub(" ", sentence)
-    for said in INVERSE.finditer(sentence):
-        yield f"\u27e8{said[2]}\u27e9 is the {said[1]}"
-    for said in OWNED.finditer(sentence):
-        pairs = ((said[2], said[3]), (said[4], said[5]))
-        yield from (f"\u27e8{n}\u27e9 is the {what} of the {said[1]}" for what, n in pairs if n)
-    for said in BESIDE.finditer(sentence):
-        yield f"\u27e8{said[2]}\u27e9 is the {said[1]} of the {said[3]}"
-    for said in PAIR.finditer(sentence):
-        what = "radius" if said[3] == "radi" else said[3]
-        for name, body in ((said[1], said[4]), (said[2], said[5])):
-            yield f"\u27e8{name}\u27e9 is the {what} of the {body}"
+    sentence = PAIR.sub(_pair, sentence)
+    sentence = INVERSE.sub("\u27e8\\2\u27e9 is the \\1", sentence)
+    sentence = BESIDE.sub("\u27e8\\2\u27e9 is the \\1 of the \\3", sentence)
+    return OWNED.sub(_owned, sentence)
+
+
+def _pair(said: re.Match[str]) -> str:
+    what = "radius" if said[3] == "radi" else said[3]
+    pairs = ((said[1], said[4]), (said[2], said[5]))
+    return ", ".join(f"\u27e8{name}\u27e9 is the {what} of the {body}" for name, body in pairs)
+
+
+def _owned(said: re.Match[str]) -> str:
+    pairs = ((said[2], said[3]), (said[4], said[5]))
+    each = (f", \u27e8{n}\u27e9 is the {what} of the {said[1]}" for what, n in pairs if n)
+    return f"{said[1]} {''.join(each)}, "

@@ -92,17 +92,19 @@ def _dotted(match: re.Match[str]) -> str:
 
 
 def labels(text: str) -> Iterator[tuple[int, int]]:
-    r"""Labels of braces that say something of their own: ``\\underbrace{F}_{= 0}``."""
+    r"""Where labels of braces stand: ``\\underbrace{F}_{= 0}``."""
     text = on_one_line(without_hidden(text))
     closed = _closed(text)
     for mark in MARKS.finditer(text):
         label = LABEL.match(text, closed.get(mark.end() - 1, len(text)) + 1)
         end = closed.get(label.end() - 1) if label else None
-        if label is None or end is None or not mark[1].endswith("brace"):
-            continue
-        inside = text[label.end() : end]
-        if "=" in inside and WORDS.sub("", inside):
+        if label is not None and end is not None and mark[1].endswith("brace"):
             yield label.end(), end
+
+
+def states(label: str) -> bool:
+    """Whether a label says something of its own, as an equation does."""
+    return "=" in label and bool(WORDS.sub("", label))
 
 
 def without_boxes(text: str, start: int, end: int) -> str:

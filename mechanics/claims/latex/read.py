@@ -35,7 +35,7 @@ from mechanics.claims.latex.item import bare
 from mechanics.claims.latex.items import Items
 from mechanics.claims.latex.outside_formulas import stray, within
 from mechanics.claims.latex.pieces import Pieces, is_kind
-from mechanics.claims.latex.prepare import labels, prepared, without_boxes
+from mechanics.claims.latex.prepare import labels, prepared, states, without_boxes
 from mechanics.claims.latex.rows import rows
 from mechanics.claims.latex.vectors import applied
 from mechanics.claims.latex.words import SUM
@@ -93,7 +93,8 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
             words = located(text, reason.at, reason.words, origin)
             found.append(Unread(source, words, block.start, _tag_of(source)))
     inside = (span for block in spans for span in within(clean, block))
-    for start, end in (*stray(clean, every), *inside, *labels(text)):
+    labelled = (span for span in labels(text) if states(text[slice(*span)]))
+    for start, end in (*stray(clean, every), *inside, *labelled):
         words = located(text, start, STRAY, origin)
         found.append(Unread(" ".join(text[start:end].split()), words, start))
     return sorted(found, key=lambda entry: entry.at)

@@ -31,6 +31,8 @@ class Check:
     remarks : tuple of str
     derived : Equations or None
         What the statements were compared with; None where that stays a program.
+    unjudged : tuple of str
+        Sentences around the statements that nothing was compared with.
     """
 
     scene: Scene
@@ -38,6 +40,7 @@ class Check:
     names: tuple[Match, ...]
     remarks: tuple[str, ...]
     derived: Equations | None = None
+    unjudged: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -60,7 +63,7 @@ class Check:
         return numbered([once(spelled(entry, self.scene)) for entry in self.judged])
 
     def __rich__(self) -> Group:
-        return answer(self.told, self.names, self.remarks, self.scene)
+        return answer(self.told, self.names, self.remarks, self.scene, self.unjudged)
 
     def __str__(self) -> str:
         return plain(self.__rich__())

@@ -12,7 +12,14 @@ from mechanics.report.answer import formulas
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.segments import parted
-from mechanics.report.answer.sentences import counted, order, read_as, two_sided, which
+from mechanics.report.answer.sentences import (
+    counted,
+    formulas_alone,
+    order,
+    read_as,
+    two_sided,
+    which,
+)
 from mechanics.report.answer.sheets import shared_notes
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
@@ -62,6 +69,7 @@ def check_html(found: Check) -> str:
         symbols=_symbols(found, state),
         form=form,
         missing=_missing(found),
+        alone=formulas_alone([entry.verdict for entry in found.judged], len(found.unjudged)),
         derived_steps=_derivation(found, form, state),
     )
 

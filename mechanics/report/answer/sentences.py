@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from mechanics.blame.result import Edit
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
+from mechanics.kernel import Verdict
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
@@ -83,6 +84,30 @@ def sides(statement: Statement) -> tuple[str, str]:
     if row is not None and isinstance(row.quantity, EquationOfMotion | Identity):
         return "left", "right"
     return "written", "derived"
+
+
+MOST_QUOTED = 3
+"""Sentences of a person in one line."""
+LONGEST = 90
+
+
+def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
+    """That formulas are shown and sentences are not; empty where there is nothing to be said."""
+    shown = (Verdict.CERTIFIED, Verdict.PROVED)
+    if not unjudged or not verdicts or not {*verdicts} <= {*shown}:
+        return ""
+    verdict = next(v.name for v in shown if v in verdicts)
+    words = "sentence around them was" if unjudged == 1 else "sentences around them were"
+    return f"The formulas are {verdict}. {unjudged} {words} not judged."
+
+
+def quoted(sentences: Sequence[str]) -> tuple[str, ...]:
+    """The first sentences that were not judged, and how many there are beside, as one line."""
+    if not sentences:
+        return ()
+    first = ", ".join(f"'{words[:LONGEST]}'" for words in sentences[:MOST_QUOTED])
+    more = len(sentences) - MOST_QUOTED
+    return (f"not judged: {first}{f' and {more} more' if more > 0 else ''}",)
 
 
 def solved(

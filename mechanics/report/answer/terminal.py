@@ -28,8 +28,10 @@ from mechanics.report.answer.sentences import (
     COUNTED,
     about,
     counted,
+    formulas_alone,
     order,
     place,
+    quoted,
     read_as,
     sides,
     solved,
@@ -63,7 +65,7 @@ def plain(answer: RenderableType, width: int = PLAIN_WIDTH) -> str:
 
 def answer(
     judged: Sequence[Judged], names: Sequence[Match] = (), remarks: Sequence[str] = (),
-    scene: Scene | None = None,
+    scene: Scene | None = None, unjudged: Sequence[str] = (),
 ) -> Group:  # fmt: skip
     """What became of statements, for `rich.console.Console.print`.
 
@@ -75,13 +77,17 @@ def answer(
     remarks : sequence of str
     scene : Scene, optional
         What follows from the state of a witness is told as far as it places the scene.
+    unjudged : sequence of str
+        Sentences beside the statements; the first line counts them where the rest is shown.
     """
     parts: list[RenderableType] = []
+    if words := formulas_alone([entry.verdict for entry in judged], len(unjudged)):
+        parts += [Hanging(line(words)), ""]
     apart = False
     told, notes = shared_notes(judged)
     for sheet in sheets(told):
         made = [line for n, entry in enumerate(sheet) for line in one(entry, scene, again=n > 0)]
-        if parts and (len(made) > 1 or apart):
+        if parts and parts[-1] != "" and (len(made) > 1 or apart):
             parts.append("")
         parts, apart = parts + made, len(made) > 1
     hand = hand_of(judged[0].statement) if judged else Hand("", None)
@@ -89,6 +95,7 @@ def answer(
         *_names(names),
         *(Hanging(line(words, "dim")) for words in notes),
         *(Hanging(line(spoken(words, hand), "dim")) for words in remarks),
+        *(Hanging(line(words, "dim")) for words in quoted(unjudged)),
     ]
     if len(judged) > 1:
         last.insert(0, Hanging(_counted(judged)))

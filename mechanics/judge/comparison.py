@@ -1,0 +1,442 @@
+r"""A sentence beside the scene: a table of what sentences say, and how the scene has that.
+
+where $l$ is half the length of the rod      a convention: half-length of l
+where $m$ is the mass of the carriage        against the scene, whose m is the pendulum's
+The rod is massless.                         against the scene, whose rod has an inertia
+where $m$ is the mass of the rod,            as the scene has it
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from sympy import Rational
+
+from mechanics.claims.convention import combined_table
+from mechanics.claims.declared_conventions import Declared, read_declared, readings
+from mechanics.errors import InputError
+from mechanics.judge import phrases as p
+from mechanics.judge.scene_facts import SceneFacts
+from mechanics.judge.sentences import bare
+from mechanics.scene import Gravity, RigidBody
+from mechanics.scene.loads import Force, Spring
+from mechanics.scene.unit_names import dimension_of_unit
+from mechanics.symbolic import is_zero
+
+RATIOS = (Rational(1), Rational(1, 2))
+HEADS = (
+    (r"(?:moment of )?inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness", "N/m"),
+    (r"length|radius|diameter|distance|height|width", "m"), (r"torque|moment|couple", "N*m"),
+    (r"force|weight", "N"), (r"acceleration|gravity", "m/s^2"),
+)  # fmt: skip
+"""First nouns of what a name is, and their units."""
+SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)
+LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
+BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
+WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
+
+Said = re.Match[str]
+Found = str | tuple[Declared, ...] | None
+"""Empty: as the scene has it; words: otherwise; conventions; None: the scene does not tell."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A sentence beside the scene.
+
+    Attributes
+    ----------
+    conventions : tuple of Declared
+        How it counts, where the scene counts otherwise.
+    against : tuple of str
+        What it says that the scene has otherwise, in words.
+    rest : str
+        Of it what nothing compares.
+    """
+
+    conventions: tuple[Declared, ...]
+    against: tuple[str, ...]
+    rest: str
+
+
+def compared(facts: SceneFacts, sentence: str) -> Comparison:
+    """A sentence with marks, beside the scene."""
+    conventions: list[Declared] = []
+    against: list[str] = []
+    rest = list(sentence)
+    for found, spans in _found(facts, sentence):
+        if found is None:
+            continue
+        if isinstance(found, tuple):
+            conventions += found
+        elif found:
+            against.append(found)
+        for start, end in spans:
+            rest[start:end] = " " * (end - start)
+    return Comparison(tuple(dict.fromkeys(conventions)), tuple(against), "".join(rest))
+
+
+def senses(facts: SceneFacts, sentence: str) -> bool:
+    """Whether left, right or clockwise is said of what the scene counts the other way round."""
+    found = (said for row in (p.TURNS, p.PUSHES) for said in row.finditer(sentence))
+    return any(isinstance(_sense(facts, said), tuple) for said in found)
+
+
+def _found(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tuple[int, int]]]]:
+    for row, check in ROWS:
+        for said in row.finditer(sentence):
+            yield check(facts, said), [said.span()]
+    yield from _features(facts, sentence)
+
+
+def _name(said: Said) -> str:
+    return said["name"].replace("{", "").replace("}", "")
+
+
+def _declared(facts: SceneFacts, words: str) -> Found:
+    """A convention, unless the scene counts so, or does not tell."""
+    try:
+        declared = read_declared([words], facts.known)
+        tables = [combined_table(c) for c in readings(facts.scene, declared, facts.symbols)]
+    except InputError:
+        other = _other_vertical(facts, words)
+        return _declared(facts, other) if other else None
+    sizes = [facts.meaning(d.of) for d in declared if "length" in d.name]
+    if any(not size for size in sizes) or not tables:
+        return None
+    if any("half" in size for size in sizes):
+        return "" if all(d.name == "half-length" for d in declared) else None
+    same = any(all(s == e for s, e in table.items()) for table in tables)
+    return "" if same else declared
+
+
+def _other_vertical(facts: SceneFacts, words: str) -> str:
+    """The convention of an angle without a sense, as in space, that is counted from the other end.
+
+    Empty where the scene counts so, or tells no vertical.
+    """
+    way, _, name = words.rpartition(" of ")
+    turned = {"up": 3, "downward vertical": 1, "hanging": 1}
+    quarter = next((q for start, q in turned.items() if way.startswith(start)), None)
+    angles = [a for a in facts.angles if a.symbol.name == facts.own_name(name) and not a.sense]
+    return f"other vertical of {name}" if any(a.quarter == quarter for a in angles) else ""
+
+
+def _direction(facts: SceneFacts, said: Said) -> Found:
+    way, sense = said["way"].lower(), (said.groupdict().get("sense") or "").lower()
+    return _declared(
+        facts, f"{' '.join(filter(None, (p.WAYS.get(way, way), sense)))} of {_name(said)}"
+    )
+
+
+def _every_angle(facts: SceneFacts, said: Said) -> Found:
+    way = p.WAYS.get(said["way"].lower(), said["way"].lower())
+    each = [_declared(facts, f"{way} of {angle.symbol.name}") for angle in facts.angles]
+    if not each or None in each:
+        return None
+    return tuple(d for found in each if isinstance(found, tuple) for d in found) or ""
+
+
+def _half(facts: SceneFacts, said: Said) -> Found:
+    return _declared(facts, f"half-length of {_name(said)}")
+
+
+def _twice(facts: SceneFacts, said: Said) -> Found:
+    return _declared(facts, f"twice the length of {_name(said)}")
+
+
+def _whole(facts: SceneFacts, said: Said) -> Found:
+    if "half" not in facts.meaning(facts.own(said)):
+        return None
+    return read_declared([f"twice the length of {_name(said)}"], facts.known)
+
+
+def _to_centre(facts: SceneFacts, said: Said) -> Found:
+    own = facts.own(said)
+    ratio = facts.ratio(own)
+    if own not in facts.parameters or ratio == 1:
+        return None if own not in facts.parameters else ""
+    if ratio in RATIOS:
+        return read_declared([f"half-length of {_name(said)}"], facts.known)
+    words = f"the text says that {_name(said)} is the distance to a mass centre"
+    return f"{words}, but {own} of the scene is not"
+
+
+def _negative(facts: SceneFacts, said: Said) -> Found:
+    if facts.own(said) not in facts.inputs:
+        return None
+    return read_declared([f"other sign of {_name(said)}"], facts.known)
+
+
+def _sense(facts: SceneFacts, said: Said) -> Found:
+    """By left, right and clockwise: as seen from one side."""
+    own = facts.own(said)
+    way = -1 if said["way"].lower().startswith(("clock", "left")) else 1
+    have = facts.way(own)
+    if have:
+        return "" if have == way else read_declared([f"other sign of {_name(said)}"], facts.known)
+    if own not in facts.inputs:
+        return None
+    words = f"the text says that {_name(said)} acts {said['way']}"
+    return f"{words}, which the scene does not say of {own}"
+
+
+def _denoted(facts: SceneFacts, said: Said) -> Found:
+    """What the words behind a name say of the scene's symbol."""
+    own, words = facts.own(said), said["words"].strip()
+    if own not in facts.names or (said["formula"] and not LINKED.match(said[0])):
+        return None  # a mass ⟨m⟩, a length ⟨l⟩
+    text = f"the text says that {_name(said)} is the {words}"
+    if own not in facts.parameters:
+        if own in facts.inputs and p.SCALED.search(words):
+            return text
+        if _other_sort(facts, own, words):
+            return f"{text}, which {own} of the scene is not"
+        return "" if facts.is_called(own, words) else None
+    meaning, unit = facts.meaning(own), facts.unit(own)
+    if p.SCALED.search(words):
+        return text if "/" not in unit else None
+    have = f"{text}, the scene's {own} is the {meaning or f'one in {unit}'}"
+    if facts.is_called(own, words):
+        return ""
+    if other := _another(facts, own, words):
+        return f"{have}, and {other} is that"
+    wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
+    wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
+    return have if wrong or _other_distance(facts, said, meaning, words) else None
+
+
+def _other_distance(facts: SceneFacts, said: Said, meaning: str, words: str) -> bool:
+    """Whether a distance is said to be between what a length is not."""
+    if not meaning or "distance" in meaning or p.TO_CENTRE.match(said.string, said.start()):
+        return False
+    if re.match("distance (?:from|between|of|to)", words) is None:
+        return False
+    ends = facts.nouns(words.partition(" ")[2]) - {"distance"}
+    return not ends or not ends <= p.ENDPOINTS | facts.nouns(meaning)
+
+
+def _another(facts: SceneFacts, own: str, words: str) -> str:
+    """The other parameter of the same unit whose meaning words have that set it apart; or empty."""
+    said, mine = facts.nouns(words), facts.nouns(facts.meaning(own))
+    for name in facts.parameters:
+        theirs = facts.nouns(facts.meaning(name))
+        apart = theirs - mine and theirs <= said and not mine <= said
+        same = name != own and facts.unit(name) == facts.unit(own)
+        if same and apart and not (mine - theirs) & said:
+            return name
+    return ""
+
+
+def _of_another_body(facts: SceneFacts, own: str, words: str) -> bool:
+    """Whether a mass is said to be that of a body that has another; a rate, of another thing."""
+    symbol, mine = facts.parameters[own], facts.nouns(facts.meaning(own))
+    if re.match(r"(?:\w+ )?mass\b", words):
+        named = [b for b in facts.scene.bodies if facts.nouns(b.name) & facts.nouns(words)]
+        masses = [facts.scene.plain(body.mass) for body in named]
+        return len(named) == 1 and not any(symbol in mass.free_symbols for mass in masses)
+    whose = WHOSE.search(words)
+    head = facts.alike(whose[1]) if whose else ""
+    things = {facts.alike(m[0]) for m in p.THINGS.finditer(facts.meaning(own))}
+    return bool(head and facts.bodies(head) and things and head not in mine)
+
+
+def _other_kind(unit: str, words: str) -> bool:
+    """Whether the first noun of what a name is said to be has another unit."""
+    head = BEHIND_HEAD.split(words)[0]
+    if not unit or SCALE.search(words):
+        return False
+    for noun, of in HEADS:
+        if re.search(rf"\b(?:{noun})$", head.strip()):
+            return dimension_of_unit(of, "") != dimension_of_unit(unit, "")
+    return False
+
+
+def _other_sort(facts: SceneFacts, own: str, words: str) -> bool:
+    """Whether a coordinate is said to be no place, or a force a torque."""
+    (head,) = p.SORTS.findall(BEHIND_HEAD.split(words)[0])[-1:] or [""]
+    if own in facts.inputs and head:
+        return facts.turns(own) == {head == "force"}
+    return own in facts.coordinates and bool(head)
+
+
+def _unit(facts: SceneFacts, said: Said) -> Found:
+    return f"the text says {said['all'] or _name(said)} in {bare(said['unit'])}"
+
+
+def _dots(facts: SceneFacts, said: Said) -> Found:
+    return f"the text says that dots are derivatives by {bare(said['by'])}"
+
+
+def _of_name(facts: SceneFacts, said: Said) -> Found:
+    """A rate in turns, or a sense against the motion."""
+    some = facts.inputs if said.re is p.AGAINST else {*facts.parameters, *facts.inputs}
+    scaled = p.DENOTED.match(said.string, said.start())
+    if facts.own(said) not in some or (scaled and p.SCALED.search(scaled["words"])):
+        return None
+    return f"the text says of {_name(said)} {said['words']!r}"
+
+
+def _factor(facts: SceneFacts, said: Said) -> Found:
+    if facts.own(said) not in {*facts.parameters, *facts.inputs}:
+        return None
+    return f"the text says that {_name(said)} is {said['size']} the {said['what']}"
+
+
+def _from(facts: SceneFacts, said: Said) -> Found:
+    """What a coordinate is counted from."""
+    own, relative = facts.own(said), said.re is p.RELATIVE
+    if facts.is_absolute(own) is not relative:
+        return None
+    way = "relative to" if relative else "from"
+    return f"the text says that {_name(said)} counts {way} the {said['to']}, {own} does not"
+
+
+def _about(facts: SceneFacts, said: Said) -> Found:
+    meaning = facts.meaning(facts.own(said))
+    if "inertia" not in meaning or facts.alike(said["to"]) in facts.nouns(meaning):
+        return None
+    return f"the text says that {_name(said)} is about the {said['to']}, which it is not"
+
+
+def _place(facts: SceneFacts, said: Said) -> Found:
+    """A coordinate that is said to place a body is that, but for what is constant."""
+    symbol = facts.coordinates.get(facts.own(said))
+    bodies = facts.bodies(said["body"])
+    if symbol is None or len(bodies) != 1:
+        return None
+    moving = {*facts.scene.q}
+    entries = facts.scene.position(bodies[0].centre)
+    slopes = [e.diff(symbol) for e in entries]
+    own = any(s.is_number and s != 0 and not (e - s * symbol).free_symbols & moving
+              for s, e in zip(slopes, entries, strict=True))  # fmt: skip
+    if own:
+        return ""
+    if any(a.symbol == symbol for a in facts.angles):
+        return None
+    return f"the text says {bare(said[0])!r}, which {symbol.name} of the scene is not"
+
+
+def _on_body(facts: SceneFacts, said: Said) -> Found:
+    """A force that is said to act on a body does."""
+    own, bodies = facts.own(said), facts.bodies(said["body"])
+    on = {x.on for x in facts.loads if isinstance(x, Force) and own in facts.names_in(x)}
+    if own not in facts.inputs or len(bodies) != 1 or len(on) != 1 or None in on:
+        return None
+    if on == {bodies[0].name}:
+        return ""
+    words = f"the text says that {_name(said)} acts on the {said['body']}"
+    return f"{words}, the scene's does on {on.pop()}"
+
+
+def _equal(facts: SceneFacts, said: Said) -> Found:
+    """Masses, lengths and stiffnesses that are said to be equal, or not."""
+    if p.DENIED.search(said.string):
+        return None
+    scene, what = facts.scene, said["what"].lower()
+    masses = {scene.plain(body.mass) for body in scene.bodies}
+    lengths = {n for n in facts.parameters if facts.unit(n) == "m" and "length" in facts.meaning(n)}
+    springs = {scene.plain(x.stiffness) for x in scene.loads if isinstance(x, Spring)}
+    some = {"mass": masses, "leng": lengths, "spri": springs, "stif": springs}.get(what[:4], masses)
+    if not some:
+        return None
+    differ = said["how"].lower() in ("different", "unequal")
+    return "" if (len(some) > 1) is differ else f"the text says {said[0]!r}, the scene's are not"
+
+
+def _massless(facts: SceneFacts, said: Said) -> Found:
+    """A body without mass has no inertia."""
+    if p.DENIED.search(said.string) and "no" not in said[0].split():
+        return None
+    bodies = facts.bodies(said["body"])
+    link = re.fullmatch(p.SLOTS["LINK"], said["body"], re.IGNORECASE) is not None
+    if not bodies and link:
+        rods = p.ALIKE[0]
+        bodies = [b for b in facts.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
+    heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
+    if not heavy:
+        return "" if link else None
+    if len(heavy) < len(bodies):
+        return None
+    words = f"the text says {bare(said[0])!r}, the scene has a mass and an inertia"
+    return f"{words} of {', '.join(heavy)}"
+
+
+def _value(facts: SceneFacts, said: Said) -> Found:
+    """``stiffness $2k$``: something of the scene has that."""
+    scene, symbol = facts.scene, facts.parameters.get(facts.own(said))
+    if symbol is None:
+        return None
+    value, what = int(said["factor"]) * symbol, said["what"].lower()
+    if what in ("length", "radius"):
+        have = "half" in facts.meaning(symbol.name) and said["factor"] == "2"
+    else:
+        parts = [x.stiffness for x in scene.loads if isinstance(x, Spring)]
+        every = [b.mass for b in scene.bodies] if what == "mass" else parts
+        have = any(is_zero(scene.plain(one) - value) for one in every)
+    return "" if have else f"the text has a {what} of {value}, the scene has none"
+
+
+def _sort(facts: SceneFacts, said: Said) -> Found:
+    rigid = any(isinstance(b, RigidBody) and b.inertia != 0 for b in facts.scene.bodies)
+    plain = said["sort"].lower() in ("simple", "mathematical")
+    return f"the text says {said[0]!r}, which the scene has not" if rigid is plain else ""
+
+
+def _still(facts: SceneFacts, said: Said) -> Found:
+    some = [facts.moves(body) for body in facts.bodies(said["body"])]
+    if not some or (any(some) and not all(some)):
+        return None
+    return f"the text says {said[0]!r}, the scene's moves" if all(some) else ""
+
+
+def _driven(facts: SceneFacts, said: Said) -> Found:
+    named = any("accelerat" in facts.meaning(n) and n != "g" for n in facts.parameters)
+    if facts.scene.explicit_time or named:
+        return None
+    return f"the text says {said[0]!r}, the scene's is not driven"
+
+
+def _flat(facts: SceneFacts, said: Said) -> Found:
+    scene = facts.scene
+    fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
+    if not fields:
+        return None
+    named = [b for b in scene.bodies if facts.nouns(b.name) & facts.nouns(said.string)]
+    heights = [fields[0].dot(scene.position(body.centre)) for body in named or scene.bodies]
+    if any(height.free_symbols & {*scene.q} for height in heights):
+        return "the text has a horizontal plane, the scene's bodies rise and fall"
+    return ""
+
+
+def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tuple[int, int]]]]:
+    """Whether there is friction, gravity, a spring."""
+    start = 0
+    for stop in (*(m.end() for m in p.PARTS.finditer(sentence)), len(sentence)):
+        part = sentence[start:stop]
+        absent = [(start + m.start(), start + m.end()) for m in p.ABSENT.finditer(part)]
+        for name, words in p.FEATURES:
+            found = [(start + m.start(), start + m.end())
+                     for m in re.finditer(rf"\w*(?:{words})\w*", part, re.IGNORECASE)]  # fmt: skip
+            if not found or facts.has[name] is None:
+                continue
+            if facts.has[name] is not bool(absent):
+                yield "", [*found, *absent]
+            else:
+                other = f"the text speaks of {name}, the scene has none"
+                words = f"the text says that there is no {name}" if absent else other
+                yield f"{words} ({bare(part)[:60]!r})", found
+        start = stop
+
+
+ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = (
+    *((row, _direction) for row in p.DIRECTIONS), (p.EVERY_ANGLE, _every_angle),
+    (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
+    (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
+    (p.DOTS, _dots), (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
+    (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
+    (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
+    *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
+    (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.DRIVEN, _driven), (p.FLAT, _flat),
+)  # fmt: skip
+"""What a sentence may say, and how it is compared."""

@@ -1,0 +1,231 @@
+"""What a scene has that sentences speak of: names, nouns, loads, how angles are counted."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Expr, Rational, Symbol
+
+from mechanics.claims.directions import Counted, counted
+from mechanics.claims.names import Match
+from mechanics.judge import phrases as p
+from mechanics.scene import Gravity, Particle, RigidBody, Scene
+from mechanics.scene.loads import Coulomb, Damper, Force, Spring, Torque, TorsionSpring
+from mechanics.scene.units import rolled
+from mechanics.symbolic import is_zero
+
+RATIOS = (Rational(1), Rational(1, 2))
+
+
+@dataclass(frozen=True)
+class SceneFacts:
+    """What a scene has that sentences speak of.
+
+    Attributes
+    ----------
+    scene : Scene
+    known : sequence of Match
+        What names of the person were taken for.
+    """
+
+    scene: Scene
+    known: Sequence[Match]
+
+    @cached_property
+    def parameters(self) -> dict[str, Symbol]:
+        """Parameters by their names."""
+        return {symbol.name: symbol for symbol in self.scene.parameters}
+
+    @cached_property
+    def inputs(self) -> frozenset[str]:
+        """Names of inputs."""
+        return frozenset(symbol.name for symbol in self.scene.input_symbols)
+
+    @cached_property
+    def coordinates(self) -> dict[str, Symbol]:
+        """Coordinates by their names."""
+        return {symbol.name: symbol for symbol in self.scene.q}
+
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
+        """Coordinates, inputs and parameters."""
+        return frozenset((*self.scene.q, *self.scene.input_symbols, *self.scene.parameters))
+
+    def own_name(self, name: str) -> str:
+        """The scene's name for one of the person's."""
+        meanings = {match.name: match.meaning for match in self.known}
+        spelled = (name, name.replace("_", ""))
+        own = (meanings.get(n, n) for n in spelled if n in meanings or n in self.names)
+        return next(own, name)
+
+    def own(self, said: re.Match[str]) -> str:
+        """The scene's name of what a sentence is facts."""
+        return self.own_name(re.sub("[{}]", "", said["name"]))
+
+    def meaning(self, name: str) -> str:
+        """What the scene says that a parameter is."""
+        return getattr(self.parameters.get(name), "meaning", "")
+
+    def unit(self, name: str) -> str:
+        """Of a parameter; empty where none is declared."""
+        return getattr(self.parameters.get(name), "unit", "")
+
+    @cached_property
+    def angles(self) -> tuple[Counted, ...]:
+        """How the scene counts its angles."""
+        return counted(self.scene)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Of parameters, coordinates and inputs."""
+        return frozenset((*self.parameters, *self.coordinates, *self.inputs))
+
+    @cached_property
+    def has(self) -> dict[str, bool | None]:
+        """Whether there is friction, gravity, a spring; None where that is not known."""
+        return {name: have(self) for name, have in HAVE.items()}
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """All that names of bodies and meanings of parameters are made of."""
+        every = (*(b.name for b in self.scene.bodies), *map(self.meaning, self.parameters))
+        return frozenset(word for words in every for word in re.findall("[a-z]+", words.lower()))
+
+    def nouns(self, words: str) -> frozenset[str]:
+        """The words that tell things apart; those for one thing are one."""
+        plain_words = re.sub(r"'s\b", "", words.lower())
+        found = {w for w in re.findall(r"[a-z]+", plain_words) if not p.SMALL.fullmatch(w)}
+        return frozenset(map(self.alike, found))
+
+    def alike(self, word: str) -> str:
+        """The one word for a thing."""
+        word = word.lower().removesuffix("s") if word.lower() not in self.words else word.lower()
+        for some in p.ALIKE:
+            if word in some and len(some & self.words) < 2:
+                return min(some)
+        return word
+
+    def bodies(self, word: str) -> list[Particle | RigidBody]:
+        """Bodies whose names hold a word."""
+        own = self.alike(word)
+        return [b for b in self.scene.bodies if own in self.nouns(b.name)]
+
+    def is_called(self, name: str, words: str) -> bool:
+        """Whether words call a symbol what it is, as far as they go, and nothing else."""
+        said, mine = (self._content(text) for text in (words, self.meaning(name)))
+        if name in self.inputs:
+            kinds = [p.TURNING if turns else p.PUSHING for turns in self.turns(name)]
+            return len(kinds) == 1 and {*said} <= kinds[0] | p.APPLIED and bool(kinds[0] & {*said})
+        if name in self.coordinates:
+            turned = any(angle.symbol.name == name for angle in self.angles)
+            return len(said) == 1 and (said == ["angle"]) is turned and said[0] in p.PLACES
+        if "gravit" in self.meaning(name):
+            return {*said} <= p.GRAVITY
+        return bool(said) and (said == mine[: len(said)] or {*said} == {*mine})
+
+    def _content(self, words: str) -> list[str]:
+        plain_words = re.sub(r"'s\b", "", words.lower())
+        return [self.alike(w) for w in re.findall("[a-z]+", plain_words) if w not in p.ARTICLES]
+
+    @cached_property
+    def loads(self) -> list[Force | Torque]:
+        """Loads that are written out."""
+        return [load for load in self.scene.loads if isinstance(load, Force | Torque)]
+
+    def names_in(self, load: Force | Torque) -> set[str]:
+        """Names of a load's symbols."""
+        return {s.name for s in self.scene.vector(load.vector, load.name).free_symbols}
+
+    def turns(self, name: str) -> set[bool]:
+        """Whether loads that hold an input are torques."""
+        return {isinstance(load, Torque) for load in self.loads if name in self.names_in(load)}
+
+    def moves(self, body: Particle | RigidBody) -> bool:
+        """Whether coordinates place or turn a body."""
+        place = list(self.scene.position(body.centre))
+        turned = list(self.scene.rotation(body.frame)) if isinstance(body, RigidBody) else []
+        return any(entry.free_symbols & {*self.scene.q} for entry in (*place, *turned))
+
+    def ratio(self, name: str) -> Expr | None:
+        """Distances from reactions to mass centres over a length; 1 if one of them is it."""
+        scene, length = self.scene, self.parameters.get(name)
+        if length is None or self.unit(name) != "m":
+            return None
+        points = [scene.origin, *(one.at for one in scene.reactions if one.at is not None)]
+        ratios: list[Expr] = []
+        for body in scene.bodies:
+            for point in points:
+                span = scene.position(body.centre) - scene.position(point)
+                square = span.dot(span)
+                ratios += [k for k in RATIOS if is_zero(square - (k * length) ** 2)]
+        return (ratios and (Rational(1) if 1 in ratios else ratios[0])) or None
+
+    def way(self, name: str) -> int:
+        """1 where an angle or torque counts counterclockwise, a force to the right; -1; or 0."""
+        scene = self.scene
+        for angle in self.angles:
+            if angle.symbol.name == name:
+                return angle.sense if angle.fixed and angle.planar else 0
+        symbol = next((s for s in scene.input_symbols if s.name == name), Symbol(name, real=True))
+        vectors = [(isinstance(x, Torque), scene.vector(x.vector, x.name)) for x in self.loads]
+        held = [(turns, vector) for turns, vector in vectors if symbol in vector.free_symbols]
+        if len(held) != 1:
+            return 0
+        turns, vector = held[0]
+        across, up, out = (one.diff(symbol) for one in vector)
+        value = out if turns else across
+        if not value.is_number or any(one != 0 for one in (across, up, out) if one is not value):
+            return 0
+        return 1 if value.is_positive else -1 if value.is_negative else 0
+
+    def is_absolute(self, name: str) -> bool | None:
+        """Whether a coordinate is counted from what is fixed: a body's place holds no other.
+
+        None for what is no coordinate.
+        """
+        scene, symbol = self.scene, self.coordinates.get(name)
+        if symbol is None:
+            return None
+        angles = {one.symbol: one.fixed for one in self.angles}
+        if symbol in angles:
+            return angles[symbol]
+        others = {*scene.q} - {symbol}
+        places = [list(scene.position(body.centre)) for body in scene.bodies]
+        held = [set().union(*(e.free_symbols for e in place)) for place in places]
+        return any(symbol in symbols and not symbols & others for symbols in held)
+
+
+def _dissipates(facts: SceneFacts) -> bool | None:
+    """Whether loads of a scene hold speeds; unknown where bodies roll."""
+    scene = facts.scene
+    speeds = {*scene.u, *scene.qd}
+    words = [*map(facts.meaning, facts.parameters), *(r.name for r in scene.reactions)]
+    if any(isinstance(x, Damper | Coulomb) for x in scene.loads):
+        return True
+    if any(re.search(p.FEATURES[0][1], one, re.IGNORECASE) for one in words):
+        return True
+    if any(scene.vector(x.vector, x.name).free_symbols & speeds for x in facts.loads):
+        return True
+    return None if rolled(scene) or scene.constraints else False
+
+
+def _falls(facts: SceneFacts) -> bool | None:
+    pulled = any(isinstance(load, Gravity) for load in facts.scene.loads)
+    named = any("gravit" in facts.meaning(n) or n == "g" for n in facts.parameters)
+    return pulled or named or _of_places(facts)
+
+
+def _springs(facts: SceneFacts) -> bool | None:
+    sprung = any(isinstance(x, Spring | TorsionSpring) for x in facts.scene.loads)
+    named = any(re.search("spring|stiff", facts.meaning(n)) for n in facts.parameters)
+    return sprung or named or _of_places(facts)
+
+
+def _of_places(facts: SceneFacts) -> bool | None:
+    """Unknown where loads are written out that hold coordinates."""
+    vectors = (facts.scene.vector(x.vector, x.name) for x in facts.loads)
+    return None if any(v.free_symbols & {*facts.scene.q} for v in vectors) else False
+
+
+HAVE = {"friction": _dissipates, "gravity": _falls, "springs": _springs}

@@ -1,0 +1,78 @@
+"""What becomes of a sentence that is compared with the scene: one of three classes, or none.
+
+    The rod is massless.                 against the scene: nothing beside it is shown
+    This holds only for small angles.    denies or limits: the same
+    The rod is made of steel.            is quoted beside the verdict
+    Hence we obtain                      connects formulas
+
+A sentence that the scene has as it is said, and one of function words alone, changes nothing. Any
+other is quoted: no word is taken to be harmless.
+"""
+
+import re
+from enum import Enum
+
+from mechanics.judge import phrases as p
+from mechanics.judge.comparison import Comparison
+from mechanics.judge.scene_facts import SceneFacts
+from mechanics.judge.sentences import Sentence
+
+MARK = re.compile("\u27e8(?:= ?)?([^\u27e9]*)\u27e9")
+WORDS = re.compile(r"(?<!\w)[^\W\d_]+(?![\w(])")
+
+
+class SentenceClass(Enum):
+    """What becomes of a sentence."""
+
+    READ = "says what the scene has, or only connects"
+    LIMITS = "denies or limits what stands beside it"
+    QUOTED = "is not compared with anything"
+
+
+def class_of(
+    facts: SceneFacts, sentence: Sentence, comparison: Comparison
+) -> tuple[SentenceClass, str]:
+    """The class of a sentence, and why it is limiting.
+
+    A comment of code is a sentence where it has a verb and a name of the scene; else it counts only
+    where it denies.
+    """
+    if sentence.comment and not (p.VERBS.search(sentence.marked) and _names(facts, sentence)):
+        denial = p.DENIAL.search(sentence.words)
+        return (SentenceClass.LIMITS, denial[0]) if denial else (SentenceClass.READ, "")
+    if words := _limiting(sentence, comparison.rest):
+        return SentenceClass.LIMITS, ", ".join(words[:3])
+    connects = _connects(comparison.rest)
+    return (SentenceClass.READ if connects else SentenceClass.QUOTED), ""
+
+
+def _names(facts: SceneFacts, sentence: Sentence) -> bool:
+    return any(facts.own_name(m[1]) in facts.names for m in MARK.finditer(sentence.marked))
+
+
+def _limiting(sentence: Sentence, rest: str) -> list[str]:
+    """What may deny or limit, of what nothing compares; of a comment what denies an equation."""
+    marked = sentence.marked
+    asked = ["?"] if "?" in marked and (MARK.search(marked) or not WORDS.search(marked)) else []
+    if sentence.comment:
+        return [*asked, *(m[0] for m in p.DENIAL.finditer(sentence.words))]
+    plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))
+    words = [word for word in WORDS.findall(plain) if p.DENIES.fullmatch(word)]
+    others = (m[0] for row in (p.PREDICATES, p.UNUSUAL) for m in row.finditer(plain))
+    return [*words, *others, *asked]
+
+
+def _connects(rest: str) -> bool:
+    """Whether function words are all that is left, and formulas that are judged by themselves."""
+    if any(not _judged(m[0]) for m in MARK.finditer(rest)):
+        return False
+    words = re.findall(r"\w+", p.PART_OF_DOCUMENT.sub(" ", MARK.sub(" ", rest)).lower())
+    return all(word in p.CONNECTIVES for word in words)
+
+
+def _judged(mark: str) -> bool:
+    """Whether a marked formula is an equation without a condition; one of a text is a line."""
+    formula = mark.removeprefix("\u27e8= ").removesuffix("\u27e9")
+    if formula == mark[:-1]:
+        return False  # a name
+    return not formula or ("=" in formula and not p.CONDITION.search(formula))
