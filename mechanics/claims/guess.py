@@ -38,6 +38,8 @@ SURE = (
 """Reasons for a guess that nothing beside it turns."""
 CAPITALS = "the same but for capitals"
 SHORT = "short for "
+ONLY_MOMENTUM = "the only momentum"
+FIRST_LETTER = "the same first letter"
 
 Rule = tuple[Callable[[str, str], bool], str]
 
@@ -146,7 +148,7 @@ def _momenta(naming: Naming, used: Sequence[Name], own: set[str], taken: set[str
     free = [name for name in vocabulary.momenta if name not in taken]
     only = [*vocabulary.momenta] if len(vocabulary.momenta) == 1 else []
     if only and "p" in names - own and naming.lookup("p") is None:
-        return [*found, Match("p", only[0], "the only momentum")]
+        return [*found, Match("p", only[0], ONLY_MOMENTUM)]
     numbered = sorted(name for name in names if MOMENTUM.fullmatch(name))
     return [*found, *_pairs(numbered, free, [(_same_number, "a momentum, the same number")])]
 
@@ -210,7 +212,7 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         (lambda n, t: unit(n, t) and _initials(n, t), "the same unit, its letters in order"),
         (unit, "the only quantity of its unit that is left"),
         (force, "the only input that is left"),
-        (first, "the same first letter"),
+        (first, FIRST_LETTER),
     ]
 
 

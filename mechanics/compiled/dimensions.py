@@ -22,10 +22,11 @@ from mechanics.scene.quantities import (
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
-from mechanics.scene.units import declared, inferred
+from mechanics.scene.units import declared, inferred, lengths
 
 ENERGIES = (KineticEnergy, PotentialEnergy, TotalEnergy, Lagrangian, Hamiltonian)
 JOULE = dimension_of_unit("J", "")
+METRE = dimension_of_unit("m", "")
 SECOND = dimension_of_unit("s", "") or ()
 
 
@@ -41,6 +42,12 @@ def known_dimensions(truth: Equations) -> Mapping[Symbol, Dimension | None]:
     for group in (every.q, every.u, every.ud, every.inputs, every.multipliers, every.reactions):
         for entry in group:
             known[entry.symbol] = dimension_of_unit(entry.unit.replace(" ", "*"), entry.name)
+    # What no place shows to be a length is none for sure: it may be a share of one.
+    sure = lengths(scene)
+    unsure = {q.name for q in scene.q if known.get(q) == METRE and q not in sure}
+    for symbol in list(known):
+        if symbol.name in {name + dots for name in unsure for dots in DOTS}:
+            del known[symbol]
     for one in scene.reactions:
         known[one.symbol] = dimension_of_unit("N" if one.at is not None else "N*m", one.name)
     for function in (*scene.coordinates, *scene.inputs):

@@ -80,7 +80,7 @@ def judged_at(truth: Equations, row: Published, values: Values) -> Finding:
     row = as_identity(truth, row)
     if not isinstance(row.quantity, KINDS):
         raise InputError("values of parameters are for equations of motion: leave them out here")
-    there = _put(in_plain_symbols(truth.kinematics, row), values)
+    there = put(in_plain_symbols(truth.kinematics, row), values)
     found = check_row(truth.scene, there, fix(truth, values))
     if found.verdict is Verdict.REFUTED and is_rounding(there, found):
         evidence = "the sides differ by no more than the rounding of numbers that the code computes"
@@ -101,7 +101,7 @@ def small_angles_at(
     """
     there = [
         s if s.row is None or not isinstance(s.row.quantity, EquationOfMotion)
-        else replace(s, row=_put(in_plain_symbols(truth.kinematics, s.row), values))
+        else replace(s, row=put(in_plain_symbols(truth.kinematics, s.row), values))
         for s in statements
     ]  # fmt: skip
     judged, found = as_said(fix(truth, values), there, findings)
@@ -196,5 +196,6 @@ def _elsewhere(scene: Scene) -> set[Symbol]:
     return found
 
 
-def _put(row: Published, values: Values) -> Published:
+def put(row: Published, values: Values) -> Published:
+    """A row in plain symbols where parameters have values."""
     return each_side(row, lambda side: side.xreplace(dict(values)))

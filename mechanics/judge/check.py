@@ -31,7 +31,7 @@ from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import of_one_dimension, read_otherwise
-from mechanics.judge.outputs import of_one_order, right_otherwise, under_guessed_orders
+from mechanics.judge.outputs import of_one_order, right_otherwise
 from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, source_of, spread
@@ -40,6 +40,7 @@ from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.special_case import in_special_case
+from mechanics.judge.unsaid import left_open
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -166,8 +167,7 @@ def check(
         of_a_part(truth.scene, as_told(entry, statement, untold))
         for entry, statement in zip(judged, statements, strict=True)
     )
-    counts = [len(reading.statements) for reading in readings]
-    judged = under_guessed_orders(judged, counts, [reading.names for reading in readings])
+    judged = left_open(truth, judged, readings, held, not (counted or region))
     judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
     if not (counted or held or region):
         judged = in_special_case(truth, judged)

@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import islice, product
 from math import prod
 
-from sympy import Expr, Symbol
+from sympy import Symbol
 
 from mechanics.checks.ledger import check_row
 from mechanics.claims.guess import CAPITALS, SHORT, SURE
@@ -21,7 +21,7 @@ from mechanics.claims.names import Match
 from mechanics.claims.statement import Reading, Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.judge.convention_filter import glance
+from mechanics.judge.convention_filter import Table, glance
 from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
@@ -63,6 +63,22 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
         return reading
     names = (replace(m, why=WHY) if m.name in chosen else m for m in found.names)
     return replace(found, names=tuple(names))
+
+
+def other_choices(truth: Equations, reading: Reading) -> Iterator[tuple[str, Table]]:
+    """All other names that guessed ones may stand for: in words, and as a change of symbols."""
+    guessed = _guessed(reading)
+    claimed = _claimed(reading)
+    rows = [in_plain_symbols(truth.kinematics, s.row) for s in claimed if s.row is not None]
+    meanings = tuple(match.meaning for match in guessed)
+    for choice in _choices(truth, guessed, rows) if guessed else ():
+        if choice == meanings:
+            continue
+        pairs = zip(guessed, choice, strict=True)
+        new = [(match.name, name) for match, name in pairs if match.meaning != name]
+        told = " and ".join(f"{name} is {meaning}" for name, meaning in new)
+        options = " ".join(f"--name {name}={meaning}" for name, meaning in new)
+        yield f"{told}: {options}", _table(truth, guessed, choice)
 
 
 def doubtful(readings: Sequence[Reading]) -> tuple[str, ...]:
@@ -114,9 +130,7 @@ def _choices(
             yield choice
 
 
-def _table(
-    truth: Equations, guessed: Sequence[Match], choice: tuple[str, ...]
-) -> dict[Symbol, Expr]:
+def _table(truth: Equations, guessed: Sequence[Match], choice: tuple[str, ...]) -> Table:
     known = {symbol.name: symbol for symbol in truth.scene.parameters}
     return {
         known.get(match.meaning + dots, Symbol(match.meaning + dots, real=True)):

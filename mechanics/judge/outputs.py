@@ -11,8 +11,6 @@ from dataclasses import replace
 
 from sympy import Symbol
 
-from mechanics.claims.code.arguments import GUESSED_ORDER
-from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
@@ -76,30 +74,6 @@ def right_otherwise(
         if all(shown(replace(s, row=row, written=None)) for s, row in others):
             for k in wrong:
                 found[k] = replace(found[k], right_if=(words,), open=True)
-    return tuple(found)
-
-
-def under_guessed_orders(
-    judged: Sequence[Judged], counts: Sequence[int], names: Sequence[Sequence[Match]]
-) -> tuple[Judged, ...]:
-    """Entries, open where they are wrong, and what nobody said was taken to read them.
-
-    Parameters
-    ----------
-    counts : sequence of int
-        How many of them each reading has.
-    names : sequence of sequence of Match
-        What each reading took names for.
-    """
-    found, start = list(judged), 0
-    for count, matches in zip(counts, names, strict=True):
-        guesses = [m for m in matches if GUESSED_ORDER in m.why]
-        words = tuple(f"{m.name} is in another order than {m.meaning}" for m in guesses)
-        for k in range(start, start + count):
-            both = (*words, *found[k].statement.unsure)
-            if both and _is_wrong(found[k]):
-                found[k] = replace(found[k], right_if=(*found[k].right_if, *both), open=True)
-        start += count
     return tuple(found)
 
 

@@ -10,7 +10,7 @@ nothing is said; published equations are checked by `mechanics.checks.dimensions
 from collections.abc import Iterator
 from itertools import pairwise
 
-from sympy import Add, Expr, Mul, Pow, Symbol, cos, exp, sin, sympify, tan
+from sympy import Add, Expr, Mul, Pow, S, Symbol, cos, exp, sin, sympify, tan
 from sympy.core.function import AppliedUndef
 from sympy.physics.vector import Vector
 
@@ -150,12 +150,24 @@ def rolled(scene: Declaration) -> set[Symbol]:
 
 def ratios(scene: Declaration) -> set[Symbol]:
     """Coordinates that have no unit: of a place at l (1 + nu), where the unit of l is declared."""
-    found: set[Symbol] = set()
-    for where, place, unit in declared(scene):
+    metre = dimension_of_unit("m", "")
+    return {q for q, slope in _slopes(scene) if dimension(scene, slope, str(q)) == metre}
+
+
+def lengths(scene: Declaration) -> set[Symbol]:
+    """Coordinates that are lengths for sure: x of a place at x or x cos(theta)."""
+    return {
+        q for q, slope in _slopes(scene)
+        if not slope.replace(lambda e: isinstance(e, PLAIN), lambda _: S.One).free_symbols
+        & {*scene.parameters}
+    }  # fmt: skip
+
+
+def _slopes(scene: Declaration) -> Iterator[tuple[Symbol, Expr]]:
+    """Coordinates, and how places grow with them."""
+    for _, place, unit in declared(scene):
         for q in place.atoms(AppliedUndef) & {*scene.coordinates} if unit == "m" else ():
-            if dimension(scene, place.diff(q), where) == dimension_of_unit(unit, where):
-                found.add(plain_symbol(q))
-    return found
+            yield plain_symbol(q), place.diff(q)
 
 
 def declared(scene: Declaration) -> Iterator[tuple[str, Expr, str]]:

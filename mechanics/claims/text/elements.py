@@ -283,10 +283,11 @@ def _said(lines: Sequence[Entry], naming: Naming, array: str) -> dict[int, Meani
             continue
         for one, other in (line.sides, line.sides[::-1]):
             place = _place(other, array)
-            target = naming.lookup(one.name) if isinstance(one, Name) else None
+            target = naming.target(one.name) if isinstance(one, Name) else None
             if place is None or place > beyond or not isinstance(one, Name) or target is None:
                 continue
-            if naming.is_function(one.name) and not ELEMENT.match(one.name):
+            moves = naming.is_function(one.name) or target[0] in naming.vocabulary.momenta
+            if moves and not ELEMENT.match(one.name):
                 found.setdefault(place, (target[0], target[1] + one.order))
     return found
 
