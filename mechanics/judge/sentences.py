@@ -14,6 +14,8 @@ from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
 from mechanics.claims.prose import ENDS
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.line_continuation import LABELLED
+from mechanics.claims.text.prepare import LEADS
 from mechanics.judge.markup import without_markup
 from mechanics.judge.phrases import CONDITION
 from mechanics.judge.sentence_forms import one_form
@@ -62,7 +64,7 @@ CODE = re.compile(
 BEHIND = re.compile(r"(?<=\S)[ \t]+((?://|%|#).*)$", re.MULTILINE)
 """A comment behind code."""
 HEADING = re.compile(r"^[ \t]*#+[ \t]*", re.MULTILINE)
-COMMENT = re.compile(r"#|//|/\*|%|\"|\u27e8= \u27e9$")
+COMMENT = re.compile(r"#|//|/\*|%|\"")
 
 
 @dataclass(frozen=True)
@@ -96,18 +98,20 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
         Of the person, and the scene's.
     """
     text = text.translate(NO_MARKS)
+    code = notation == "code" or (notation != "latex" and CODE.search(text) is not None)
     if notation == "latex":
         text = without_markup(marked(text))
     else:
-        code = CODE.search(text) is not None
         text = BEHIND.sub(r"\n\1", text)
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
+        for words in (LEADS, LABELLED):
+            text = words.sub(r"\n\g<0>\n", text)
         text = TEXT_FORMULA.sub("\u27e8= \u27e9", CODE.sub("\u27e8= \u27e9", text))
         text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
     for part in ENDS.split(QUESTION.sub(r" \g<0>.", text)):
         if one := " ".join(part.split()):
-            comment = notation == "code" or COMMENT.match(one) is not None
+            comment = code and COMMENT.match(one) is not None
             yield Sentence(one_form(one), words_of(one), comment)
 
 

@@ -133,12 +133,13 @@ def test_prose_with_commands_and_without_an_equation_is_passed_over() -> None:
 
 @pytest.mark.parametrize("beside", [r"\be m_c x^2 = 0 \ee", r"\beq M \alpha = 0 \eeq"])
 def test_what_only_a_formula_can_hold_is_no_prose(beside: str) -> None:
+    # Who defines such a command may hide with it what stands beside.
     assert verdicts(SHOWN + "\n" + beside) == ["UNDECIDED", "UNDECIDED"]
 
 
 @pytest.mark.parametrize("words", [r"\mbox{and $\ddot x = 0$}", r"\text{ and \(\ddot x = 0\)}"])
 def test_an_equation_in_the_words_of_a_display_is_told(words: str) -> None:
-    assert verdicts(rf"\[ {RAIL} {words} \]")[1:] == ["UNDECIDED"]
+    assert verdicts(rf"\[ {RAIL} {words} \]") == ["PROVED", "UNDECIDED"]
     assert verdicts(rf"\[ {RAIL} \text{{ for all $\theta$}} \]") == ["PROVED"]
 
 
@@ -148,10 +149,20 @@ def test_an_equation_in_the_words_of_a_display_is_told(words: str) -> None:
 def test_what_is_no_equation_of_one_formula_is_told(text: str) -> None:
     right = r"\[ (m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F \]"
     found = mechanics.check(cartpole.scene(), f"{right} {text}", notation="latex", blame=False)
-    assert [entry.finding.verdict.name for entry in found.judged][1:] == ["UNDECIDED"]
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED", "UNDECIDED"]
 
 
 def test_unless_is_refused() -> None:
     text = r"\[ \ddot x = \dot x \] \unless\iffalse \[ x = 1 \] \fi"
     with pytest.raises(mechanics.MechanicsError, match="unless"):
         mechanics.check(cartpole.scene(), text, notation="latex", blame=False)
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [("1{,}0", "PROVED"), ("1{,}5", "REFUTED")])
+def test_a_comma_in_braces_is_that_of_a_decimal(factor: str, verdict: str) -> None:
+    assert verdicts(SHOWN.replace("= F", f"= {factor} F")) == [verdict]
+
+
+def test_a_comma_before_three_digits_may_be_that_of_thousands() -> None:
+    with pytest.raises(mechanics.MechanicsError, match="column"):
+        verdicts(SHOWN.replace("= F", "= 1{,}000 F"))

@@ -47,3 +47,36 @@ def test_what_stands_in_notes_is_read(system, text: str, right: str, wrong: str)
 
 def test_a_rate_is_spelled_before_its_number() -> None:
     assert ("q1", 2) in [*bases("qdotdot1")]
+
+
+RIGHT = "3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
+
+
+@pytest.mark.parametrize("rate", ["d^2 theta/dt^2", "d²θ/dt²", "d^2(theta)/dt^2", "theta''"])
+@pytest.mark.parametrize(
+    "before", ["", "The equation of motion is ", "Equation of motion: ", "We thus obtain: "]
+)
+def test_words_before_an_equation_and_its_derivative_are_read(rate: str, before: str) -> None:
+    def verdict(right: str) -> str:
+        return check(rod_pendulum.scene(), f"{before}{rate} = {right}", blame=False).verdict.name
+
+    assert verdict(RIGHT) == "PROVED"
+    assert verdict(RIGHT.replace("2*l", "4*l")) == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict", "unjudged"),
+    [
+        (f"The rod floats, and we get theta'' = {RIGHT}", "PROVED", 1),
+        (f"wrong: theta'' = {RIGHT}", "UNDECIDED", 0),
+        (f"It is wrong that theta'' = {RIGHT}", "UNDECIDED", 0),
+        (f"theta'' = {RIGHT} (only for small theta)", "UNDECIDED", 0),
+        (f"Equation of motion: theta'' = {RIGHT}", "PROVED", 0),
+    ],
+)
+def test_words_in_the_line_of_an_equation_are_sentences(
+    text: str, verdict: str, unjudged: int
+) -> None:
+    answer = check(rod_pendulum.scene(), text, blame=False)
+    assert answer.verdict.name == verdict
+    assert len(answer.unjudged) == unjudged

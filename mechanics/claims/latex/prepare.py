@@ -23,6 +23,8 @@ SMALL = re.compile(
     r"[-+]\s*(?:\\order|\\mathcal\s*\{?\s*O\s*\}?)\s*(?:\\left\s*)?\([^()]{0,40}[A-Za-z][^()]{0,40}\)"
 )
 """What is left out of a series: + O(theta^2), no term of an equation."""
+DECIMAL = re.compile(r"(?<![\d.,}])(?:0\{,\}\d+|\d+\{,\}(?!\d{3}(?!\d))\d+)(?![\d{])")
+"""A number with a comma; three digits behind it may be thousands, which are not read."""
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
 """Energies by their initials, which are no products."""
@@ -57,6 +59,7 @@ def prepared(text: str) -> str:
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     text = LEADER.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))
+    text = DECIMAL.sub(lambda m: m[0].replace("{,}", ".").ljust(len(m[0])), text)
     text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
     for initials, name in SHORT:

@@ -22,8 +22,9 @@ LABELLED = re.compile(
     r"^[ \t]*(?:(?:\(?\d{1,2}[a-z]?\)|[*\u2022])[ \t]+(?=[^-+*/^=\s][^\n]*=)"
     r"|[^\W\d]\w{0,20}(?:[ \t]+[^\W\d]\w{0,20}){0,3}[ \t]*:(?=[ \t]+\S[^\n]*=)"
     r"|(?=[^\n=]*\b(?:the|has|have|is|are|we|of|for|then|so|get|find)\b)"
-    r"(?:[^\W\d_]{2,20}[ \t]+){3,12}"
-    r"(?=[^\W\d]\w*[ \t]*=))",
+    r"(?:[^\W\d_]{2,20}[ \t]+){3,12}(?=[^\W\d]\w*[ \t]*=)"
+    r"|(?:[^\W\d_]+(?:['\u2019]s)?,?[ \t]+){1,12}(?:is|are|reads?|gives?|gets?|obtains?|becomes?"
+    r"|yields?|have|find|write|that)[ \t]*[:,]?[ \t]+(?=[^\s=][^\n]*=))",
     re.MULTILINE,
 )
 """A number, a name, words or a mark before an equation."""

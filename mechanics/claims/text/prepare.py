@@ -74,6 +74,10 @@ GROUP = re.compile(
 DOTTED = re.compile(r"(?<![\w.])(d{1,2})ot[ \t]+([^\W\d]\w*)(?![\w(])")
 """AsciiMath: ddot theta."""
 
+LEIBNIZ = re.compile(
+    r"(?<![\w.])d(?:\^?2|\u00b2)[ \t]*\(?[ \t]*([^\W\d]\w*)[ \t]*\)?/[ \t]*d[ \t]?t(?:\^?2|\u00b2)"
+)
+"""A second derivative with blanks or brackets in it: d^2 theta/dt^2."""
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
@@ -94,6 +98,7 @@ def prepared(text: str) -> str:
         text = words.sub(lambda m: " " * len(m[0]), text)
     text = GROUP.sub(lambda m: f"{m['gap']}({m['sum']})", text)
     text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
+    text = LEIBNIZ.sub(lambda m: f"{m[1]}''".ljust(len(m[0])), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     text = BLOCK.sub(lambda m: blanked(m[0]), text)
     code = CODE.search(text) is not None
