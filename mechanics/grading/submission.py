@@ -18,6 +18,7 @@ from typing import Any
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
+from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -97,7 +98,10 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
     before = sys.modules.get("submission")
     sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
-        exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
+        with libraries_unchanged():
+            exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
+    except InputError as error:
+        raise InputError(f"file {path}: {error}") from None
     except Exception as error:
         raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
     finally:
@@ -107,12 +111,17 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
     own = [
         n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
     ]
+    space = names
     if not own:
         names, own = _methods(path, names)
     chosen = function or (_last(names, own) if own else "")
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
+    if strange := sorted(different_elsewhere(code) & used_by(space, chosen or "")):
+        raise InputError(
+            f"file {path}: {strange[0]} depends on where the file is run: write what it is"
+        )
     return names[chosen]
 
 

@@ -75,6 +75,29 @@ def is_model(thing: Any) -> bool:
     return isinstance(thing, KINDS)
 
 
+def parts_replaced(model: Any) -> str:
+    """What a model has in place of SymPy's own; empty where it has nothing.
+
+    A class derived from SymPy's with methods of its own, an attribute that hides a method; of a
+    System its method, too.
+    """
+    kind = next(kind for kind in KINDS if isinstance(model, kind))
+    for derived in type(model).__mro__:
+        if derived is kind:
+            break
+        own = [n for n in vars(derived) if hasattr(kind, n) and n.strip("_") not in OF_CLASSES]
+        if own:
+            return f"{derived.__name__}.{own[0]}"
+    if hidden := [name for name in vars(model) if hasattr(kind, name)]:
+        return f"{hidden[0]} of the {kind.__name__}"
+    inner = model.eom_method if kind is me.System else None
+    return parts_replaced(inner) if inner is not None else ""
+
+
+OF_CLASSES = ("module", "doc", "init", "dict", "weakref", "qualname", "abstractmethods", "abc_impl")
+"""What every class has of its own, and how an object is made."""
+
+
 def is_rigid(body: Any) -> bool:
     """Whether it turns: a RigidBody, and of the old class Body what has an inertia."""
     return bool(getattr(body, "is_rigidbody", isinstance(body, me.RigidBody)))

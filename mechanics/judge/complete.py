@@ -11,8 +11,11 @@ from sympy import Expr, S
 
 from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
+from mechanics.claims.demands import Demands
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
+from mechanics.judge.common_factor import demands_of_factors
+from mechanics.judge.definedness import where_defined
 from mechanics.kernel import undecided
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
@@ -72,10 +75,12 @@ def complete_residuals(truth: Equations, judged: Sequence[Judged]) -> tuple[Judg
 def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int]:
     """How many equations of motion are shown, how many of them say something new, and freedoms.
 
-    What says only what a reaction is, that nothing else gives, says nothing of the motion.
+    What says only what a reaction is, that nothing else gives, says nothing of the motion; nor does
+    ``theta (theta'' - ...) = 0`` of a motion that stays at theta = 0.
     """
     scene = truth.scene
-    shown = [e.statement.row for e in judged if e.finding.shown and e.statement.row is not None]
+    entries = [e for e in judged if e.finding.shown and not _loses_motions(truth, e)]
+    shown = [e.statement.row for e in entries if e.statement.row is not None]
     rows = [row for row in shown if isinstance(row.quantity, EquationOfMotion)]
     given = {row.quantity.name for row in shown if isinstance(row.quantity, ReactionValue)}
     forces = [r.symbol for r in scene.reactions if r.name not in given]
@@ -97,6 +102,13 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     except Inadmissible:
         return len(rows), len(rows), len(scene.ud) - len(constraints)  # no state to look at
     return len(rows), rank, len(scene.ud) - held
+
+
+def _loses_motions(truth: Equations, entry: Judged) -> bool:
+    """Whether an equation has a factor that is zero at some state."""
+    alone = replace(entry.statement, demands=Demands(demands_of_factors(truth, entry.statement)))
+    finding = where_defined(truth, alone, replace(entry.finding, domain=""))
+    return bool(alone.demands.of) and (bool(finding.domain) or not finding.shown)
 
 
 def _rank(truth: Equations, rows: list[list[Expr]]) -> int:

@@ -218,7 +218,7 @@ def f(y, u, m, l, g):
 def test_text_of_numbers_and_the_caller_are_refused_whatever_the_code_catches(condition) -> None:
     names = {"law": law, "__name__": "mine"}
     exec(HELD.format(condition), names)
-    with pytest.raises(InputError, match=r"^function f.*(hid|depends on)"):
+    with pytest.raises(InputError, match=r"^function f.*(hid|depends on|which class)"):
         check(SCENE, names["f"])
 
 

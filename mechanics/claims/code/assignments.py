@@ -27,7 +27,7 @@ from mechanics.claims.code.formulas import (
     given_a_name,
     renamed,
 )
-from mechanics.claims.code.tracer import Traced
+from mechanics.claims.code.tracer import Traced, of_libraries
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.tree import (
     Call,
@@ -73,7 +73,12 @@ def recorded(
     words = f"{Path(file).name}, line" if file.endswith(".py") else "line"
 
     def called(frame: FrameType, event: str, _: Any) -> Any:
-        return line if event == "call" and frame.f_code.co_filename == file else None
+        if event != "call" or frame.f_code.co_filename != file:
+            return None
+        module = str(frame.f_globals.get("__name__", ""))
+        if frame.f_builtins.get("isinstance") is isinstance and not of_libraries(module):
+            failed.append(f"line {frame.f_lineno}: {frame.f_code.co_name} is not followed")
+        return line
 
     def line(frame: FrameType, event: str, what: Any) -> Any:
         if event == "exception" and _of_tracing(what[1]):

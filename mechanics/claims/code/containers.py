@@ -22,6 +22,11 @@ NO_DATA = (types.FunctionType, types.MethodType, types.BuiltinFunctionType)
 LIBRARIES = frozenset({"numpy", "scipy", "sympy", "casadi"})
 
 
+def library(module: str) -> bool:
+    """Whether a module is none of a person's."""
+    return module.partition(".")[0] in sys.stdlib_module_names | LIBRARIES
+
+
 def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
     """A copy whose numbers of these names can be put; the thing itself where it has none."""
     if type(value) is dict:
@@ -47,7 +52,7 @@ def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:
 def _module(value: types.ModuleType, asked: frozenset[str], learn: Learn) -> Any:
     """A file of a person's numbers: ``import parameters as p``."""
     known = {n: v for n, v in vars(value).items() if n in asked and is_number(v)}
-    if not known or value.__name__.partition(".")[0] in sys.stdlib_module_names | LIBRARIES:
+    if not known or library(value.__name__):
         return value
     other = types.ModuleType(value.__name__)
     other.__dict__.update(vars(value))

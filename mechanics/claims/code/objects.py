@@ -34,6 +34,23 @@ def methods_used(bound: Any, functions: Iterable[Function]) -> dict[str, Functio
     return found
 
 
+def methods_of(kind: type) -> dict[str, Function]:
+    """All methods of a class and of those that it is derived from, getters of properties too."""
+    names = [name for base in reversed(kind.__mro__) for name in vars(base)]
+    found = {name: _inner(inspect.getattr_static(kind, name)) for name in dict.fromkeys(names)}
+    return {name: function for name, function in found.items() if function is not None}
+
+
+def class_with_methods(kind: type, copies: Mapping[str, Callable[..., Any]]) -> type:
+    """A class derived from another, with copies in place of methods; itself where none can be."""
+    parts = {n: _like(inspect.getattr_static(kind, n), copy) for n, copy in copies.items()}
+    make: Callable[..., type] = type(kind)
+    try:
+        return make(kind.__name__, (kind,), {"__module__": kind.__module__, **parts})
+    except (TypeError, AttributeError, ValueError):
+        return kind
+
+
 def with_methods(bound: Any, copies: Mapping[str, Callable[..., Any]]) -> Any:
     """Another object with the same attributes, and copies in place of methods of these names.
 

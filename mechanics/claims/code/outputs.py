@@ -69,11 +69,42 @@ def claims(
     Raises
     ------
     InputError
-        When the number of outputs fits nothing.
+        When the number of outputs fits nothing, or one has the name of another thing.
     """
-    scene, values = naming.vocabulary.scene, outputs.values
     if about is not None:
-        return _asked(naming, values, about)
+        return _asked(naming, outputs.values, about)
+    found = _unasked(naming, outputs, state, title, passed)
+    _agree(naming, outputs.names, found, title)
+    return found
+
+
+def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: str) -> None:
+    """Refuse what the code calls an acceleration, a rate or an energy, and is taken for another.
+
+    ``{"theta_ddot": a, "other": b}`` of a scene with x and theta, where a would be taken for x''.
+    """
+    scene = naming.vocabulary.scene
+    of_rates = {rate: s for s, rate in rate_table(scene).items()}
+    meant = {n: naming.symbol(*known) if (known := naming.lookup(n)) else None for n in names}
+    pairs = [(n, sides[0]) for n, (_, _, sides) in zip(names, found, strict=False)]
+    if len(names) > len(found) or any(rate not in [*of_rates] for _, rate in pairs):
+        return
+    if all(meant[name] == of_rates[rate] for name, rate in pairs) and len(names) > 1:
+        return  # by what they are the rates of
+    moving = {*scene.q, *of_rates, *scene.input_symbols}
+    for name, rate in pairs:
+        if named_by_title(name, 1, 0) or (meant[name] in moving and meant[name] != rate):
+            raise InputError(
+                f"{title} calls an output {name} and would be taken to return {rate}: say what it"
+                f" is: {_choices(naming)}"
+            )
+
+
+def _unasked(
+    naming: Naming, outputs: Outputs, state: Sequence[Expr], title: str, passed: Collection[Expr]
+) -> list[Claim]:
+    """What outputs claim of which nobody says what they are."""
+    scene, values = naming.vocabulary.scene, outputs.values
     size = len(scene.u)
     if len(values) == 2 and values[0].shape == (size, size) and len(values[1]) == size > 1:
         ud = Matrix(scene.ud)

@@ -78,8 +78,10 @@ def signature_of(
     wanted: list[str] = []
     freed: list[str] = []
     kept: list[str] = []
+    starred: list[str] = []
     for name, parameter in parameters.items():
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
+            starred.append(f"*{name}")
             continue
         if parameter.kind is parameter.POSITIONAL_ONLY:
             raise InputError(f"function {title}: argument {name} has no name")
@@ -108,6 +110,7 @@ def signature_of(
           if numbers else []),
         *([f"{title}: {', '.join(others)} of the code: numbers; --name 'mine=scene' (names=) reads"
            " them as the scene's"] if others else []),
+        *([f"{title}: {', '.join(starred)}: read as nothing"] if starred else []),
     ]  # fmt: skip
     held_ones = (other.split(" = ")[0] for other in others)
     steps: dict[str, Expr] = {name: STEP for name in held_ones if name in STEPS}

@@ -181,8 +181,11 @@ def read_casadi(
         formulas = of_graph(nodes, held, constants)
         known = {made[node]: formulas[node] for _, _, node in stores}
         demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
-        notes = tuple(constants.notes)
-        return Outputs(tuple(values), notes, formulas=_known(known), demands=demands)
+        scalar = all(len(value) == 1 for value in values)
+        return Outputs(
+            tuple(values), tuple(constants.notes), formulas=_known(known), demands=demands,
+            names=tuple(map(function.name_out, range(function.n_out()))) if scalar else (),
+        )  # fmt: skip
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
 

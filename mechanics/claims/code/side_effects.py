@@ -18,7 +18,8 @@ import numpy as np
 from sympy import Basic
 
 from mechanics.claims.code.closure_numbers import content
-from mechanics.claims.code.objects import attributes, methods_used, names_in
+from mechanics.claims.code.containers import library
+from mechanics.claims.code.objects import attributes, methods_of, names_in
 from mechanics.claims.code.tracer import Traced
 
 MOST, DEEPEST = 20_000, 6
@@ -52,9 +53,7 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
     known.add(id(inner))
     if bound is not None:
         yield from ((f"self.{name}", value) for name, value in attributes(bound).items())
-        yield from _of_class(type(bound), "its class")
-        for method in methods_used(bound, [inner]).values():
-            yield from _reached(method, known)
+        yield from _of_kind(type(bound), "its class", known)
     names = dict.fromkeys(names_in(inner.__code__))
     table = inner.__globals__
     cells = zip(inner.__code__.co_freevars, inner.__closure__ or (), strict=True)
@@ -67,15 +66,21 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
         if isinstance(value, types.FunctionType | types.MethodType):
             yield from _reached(value, known)
         elif isinstance(value, type):
-            yield from _of_class(value, name)
+            yield from _of_kind(value, name, known)
         elif isinstance(value, types.ModuleType):
             parts = [(n, vars(value)[n]) for n in names if n in vars(value)]
             yield from ((f"{name}.{n}", part) for n, part in parts if not callable(part))
         else:
             yield name, value
+            yield from _of_kind(type(value), f"the class of {name}", known)
 
 
-def _of_class(kind: type, name: str) -> Iterator[tuple[str, Any]]:
+def _of_kind(kind: type, name: str, known: set[int]) -> Iterator[tuple[str, Any]]:
+    """What is kept in a class of a person's, and what its methods reach."""
+    if library(kind.__module__):
+        return
+    for method in methods_of(kind).values():
+        yield from _reached(method, known)
     for base in kind.__mro__:
         for attribute, value in vars(base).items():
             if not attribute.startswith("__") and not callable(value):

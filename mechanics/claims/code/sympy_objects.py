@@ -8,7 +8,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from sympy import Derivative, Eq, Expr, Matrix, S, Symbol, linsolve, sympify
+from sympy import (
+    Basic,
+    Derivative,
+    Eq,
+    Expr,
+    Matrix,
+    MatrixSymbol,
+    S,
+    Symbol,
+    linsolve,
+    simplify,
+    sympify,
+)
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 from sympy.physics.mechanics import KanesMethod
@@ -23,7 +35,7 @@ from mechanics.claims.statement import Reading, Statement
 from mechanics.claims.tree import Name
 from mechanics.errors import WrongKindError
 from mechanics.importers.sympy_model import KINDS as MODELS
-from mechanics.importers.sympy_model import form_equations, is_model
+from mechanics.importers.sympy_model import form_equations, is_model, parts_replaced
 from mechanics.scene import Scene
 from mechanics.scene.declared import decimals
 from mechanics.scene.published import published
@@ -64,15 +76,25 @@ def sides_of(thing: Any) -> list[Sides]:
     Raises
     ------
     WrongKindError
-        For another kind of object.
+        For another kind of object, and one whose parts are not SymPy's.
     """
     if is_model(thing):
+        if replaced := parts_replaced(thing):
+            raise WrongKindError(
+                f"check: {replaced} is not SymPy's: pass a model with SymPy's own methods"
+            )
         method = form_equations(thing)
         if isinstance(method, KanesMethod):
             return _kane(method)
         return [(row, S.Zero) for row in method.eom]
+    if isinstance(thing, Basic | MatrixBase) and (symbols := thing.atoms(MatrixSymbol)):
+        names = ", ".join(sorted(str(symbol) for symbol in symbols))
+        raise WrongKindError(f"check: {names} is a matrix without entries: pass one with entries")
     if isinstance(thing, Eq):
-        return [(thing.lhs, thing.rhs)]
+        left, right = thing.args
+        if isinstance(left, MatrixBase) and isinstance(right, MatrixBase) and left.cols == 1:
+            return list(zip(left, right, strict=True))
+        return [(left, right)]
     if isinstance(thing, MatrixBase):
         held = {n.order for n in _names(thing)}
         if thing.rows == thing.cols > 1 and 2 not in held:
@@ -101,8 +123,13 @@ def _kane(method: KanesMethod) -> list[Sides]:
     def written(entry: Expr) -> Expr:
         return entry.xreplace(fast).xreplace(table)
 
-    pairs = zip(left, method.forcing, strict=True)
-    return [(written(a), written(b)) for a, b in pairs if a != 0 or b != 0]
+    pairs = [(a, b) for a, b in zip(left, method.forcing, strict=True) if a != 0 or b != 0]
+    # What it would integrate q' with has to be the definition of the speeds.
+    count = len(rates)
+    whole = method.mass_matrix_full[:count, :count] * Matrix(rates)
+    kinematic = (written(e) for e in whole - Matrix(method.forcing_full[:count]))
+    other = [(row, S.Zero) for row in kinematic if row.expand() != 0 and simplify(row) != 0]
+    return [*((written(a), written(b)) for a, b in pairs), *other]
 
 
 def _names(side: Any) -> list[Name]:

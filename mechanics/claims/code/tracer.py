@@ -8,6 +8,7 @@ the function again.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import partial
@@ -56,6 +57,7 @@ Operation = tuple[
 class Traced:
     """A number with its formula."""
 
+    __slots__ = ("asked", "explorer", "expr", "formula")
     __array_priority__ = 1000.0
 
     def __init__(
@@ -156,13 +158,22 @@ class Traced:
 
     __hash__ = None  # type: ignore[assignment]
 
+    def is_of(self, kinds: Any) -> bool:
+        """Whether a float is of one of some classes; what NumPy's float or an integer is hides."""
+        every = kinds if isinstance(kinds, tuple) else getattr(kinds, "__args__", (kinds,))
+        if any(issubclass(float, kind) for kind in every):
+            return True
+        if any(issubclass(base, kind) for base in NUMBERS for kind in every):
+            self.explorer.hidden.append("it asks of which class a number is: leave that out")
+        return False
+
     def __bool__(self) -> bool:
         return self.explorer.decide(sympy.Unequality(self.expr, 0), self.asked)
 
     def __float__(self) -> float:
         raise TypeError("a traced number has no value: float(), int() and the like hide a formula")
 
-    __int__ = __index__ = __float__
+    __int__ = __index__ = __round__ = __trunc__ = __floor__ = __ceil__ = __complex__ = __float__
 
     def __mod__(self, other: Any) -> Any:
         return self._both(other, MODULO)
@@ -170,7 +181,7 @@ class Traced:
     def __rmod__(self, other: Any) -> Any:
         return self._both(other, MODULO, turned=True)
 
-    def fmod(self, other: Any) -> Any:
+    def _fmod(self, other: Any) -> Any:
         """The remainder with the sign of the number, as that of C."""
         return self._both(other, REMAINDER)
 
@@ -183,11 +194,11 @@ class Traced:
         """Itself, as of an array with one entry."""
         return self
 
-    def hypot(self, other: Any) -> Any:
+    def _hypot(self, other: Any) -> Any:
         """The length of (self, other)."""
         return np.sqrt(self * self + other * other)
 
-    def arctan2(self, other: Any) -> Traced:
+    def _arctan2(self, other: Any) -> Traced:
         """The angle of (other, self)."""
         value = expression_of(other, self.explorer)
         formula = called("atan2", self.formula, formula_of(other, value))
@@ -215,11 +226,14 @@ class Traced:
 
     __str__ = __format__ = __repr__
 
-    def __getattr__(self, name: str) -> Callable[[], Traced]:
+    def __getattr__(self, name: str) -> Callable[..., Any]:
         # NumPy's functions call the method of that name on every entry of an array of objects.
-        if name in ELEMENTARY:
-            return partial(self._elementary, name)
-        if hasattr(float, name):
+        if of_libraries(str(sys._getframe(1).f_globals.get("__name__", ""))):
+            if name in ELEMENTARY:
+                return partial(self._elementary, name)
+            if name in OF_TWO:
+                return partial(getattr(Traced, f"_{name}"), self)
+        elif name[:2] != "__" and (hasattr(float, name) or hasattr(np.float64, name)):
             self.explorer.hidden.append(f".{name} of a number hides a formula: write it otherwise")
         raise AttributeError(name)
 
@@ -231,7 +245,16 @@ class Traced:
         return self.new(ELEMENTARY[name](self.expr), called(known, self.formula), own)
 
 
+def of_libraries(module: str) -> bool:
+    """Whether a module may ask a traced number for what no float has."""
+    return module.partition(".")[0] in LIBRARIES
+
+
 Real.register(Traced)
+NUMBERS = (int, bool, np.float64, np.float32, np.int64, complex)
+"""Classes of other numbers that may be passed."""
+OF_TWO = ("fmod", "hypot", "arctan2")
+LIBRARIES = ("mechanics", "numpy", "scipy")
 
 
 def _power(a: Expr, b: Expr) -> Expr:
@@ -285,6 +308,8 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
         return expression_of(value.item(), explorer)
     if isinstance(value, bool | np.bool_):
         return sympy.Integer(int(value))
+    if _overloaded(value):
+        return None
     if isinstance(value, int | np.integer):
         return sympy.Integer(int(value))
     if isinstance(value, Fraction):
@@ -304,6 +329,20 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
     return None
 
 
+def _overloaded(value: Any) -> bool:
+    """Whether a number is of a class whose own operators come first."""
+    kind = type(value)
+    if kind in (float, int) or not isinstance(value, float | int) or isinstance(value, np.generic):
+        return False
+    plain: type = float if isinstance(value, float) else int
+    return kind is not Exact and any(getattr(kind, n) is not getattr(plain, n) for n in OPERATORS)
+
+
+OPERATORS = (
+    "__radd__", "__rsub__", "__rmul__", "__rtruediv__", "__rpow__", "__rmod__", "__rfloordiv__",
+    "__lt__", "__le__", "__gt__", "__ge__", "__eq__", "__ne__",
+)  # fmt: skip
+"""Of a class that is derived from `float`: they are called first, on either side."""
 NAN = asked([Demand(CONSTANT_NAN)])
 
 NAMES = {

@@ -12,8 +12,11 @@ import random
 import sys
 import types
 from collections.abc import Callable
+from contextlib import suppress
+from dis import get_instructions
+from itertools import zip_longest
 from operator import methodcaller
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import sympy
@@ -21,8 +24,9 @@ from sympy import Expr
 
 from mechanics.claims.code import linear_systems
 from mechanics.claims.code.closure_numbers import content, foreign, named
+from mechanics.claims.code.containers import library
 from mechanics.claims.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
-from mechanics.claims.code.objects import methods_used, with_methods
+from mechanics.claims.code.objects import class_with_methods, methods_of, with_methods
 from mechanics.claims.code.tracer import Traced
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.errors import InputError
@@ -32,8 +36,6 @@ ALIASES = {
     "atanh": "arctanh",
 }  # fmt: skip
 SIGN = methodcaller("sign")
-DEEPEST = 6
-"""Functions that call functions."""
 
 
 def _elementary(name: str, original: Callable[..., Any]) -> Callable[..., Any]:
@@ -100,17 +102,79 @@ def _objects(make: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
 
 
 class _Kind(type):
-    """A traced number is one of the kind, and stays what it is where it is made one."""
+    """A traced number stays what it is where it is made one of the kind."""
+
+    of: type
 
     def __instancecheck__(cls, thing: object) -> bool:
-        return isinstance(thing, Traced | float)
+        return isinstance(thing, cls.of)
 
     def __call__(cls, x: Any = 0.0, *_: Any, **__: Any) -> Any:
+        if isinstance(x, Traced) and cls is Single:
+            x.explorer.notes += [note for note in (SINGLE_NOTE,) if note not in x.explorer.notes]
         return x if isinstance(x, Traced | Exact) else float(x)
 
 
 class Float(metaclass=_Kind):
     """In place of `float`: ``isinstance(x, float)``, ``float(x)``, ``np.zeros(2, float)``."""
+
+    of: type = float
+
+
+class Float64(Float):
+    """In place of `np.float64`."""
+
+    of: type = np.float64
+
+
+class Single(Float):
+    """In place of `np.float32`, whose rounding is said and not judged."""
+
+    of: type = np.float32
+
+
+SINGLE_NOTE = "single precision (np.float32) is read as exact numbers"
+
+
+class _Type(_Kind):
+    """What depends on the class of a traced number is hidden."""
+
+    def __call__(cls, x: Any = 0.0, *rest: Any, **options: Any) -> Any:
+        if isinstance(x, Traced):
+            x.is_of(int)
+        return type(x, *rest, **options)
+
+
+class Type(metaclass=_Type):
+    """In place of `type`."""
+
+    of = type
+
+
+def _is_instance(thing: Any, kinds: Any) -> bool:
+    if not isinstance(thing, Traced):
+        return isinstance(thing, kinds)
+    every = kinds if isinstance(kinds, tuple) else getattr(kinds, "__args__", (kinds,))
+    return thing.is_of(tuple(kind.of if isinstance(kind, _Kind) else kind for kind in every))
+
+
+def _has_attribute(thing: Any, name: str) -> bool:
+    """`hasattr`, of a traced number as of a float."""
+    if isinstance(thing, Traced) and hasattr(np.float64, name) and not hasattr(float, name):
+        return thing.is_of(np.float64)
+    return hasattr(0.0 if isinstance(thing, Traced) else thing, name)
+
+
+def _attribute(thing: Any, name: str, *default: Any) -> Any:
+    """`getattr`, of a traced number as of a float."""
+    if name in FRAMES:
+        raise InputError(_refused(name))
+    if isinstance(thing, Traced) and name not in vars(Traced):
+        if hasattr(0.0, name):
+            thing.is_of(np.float64)  # its methods hide formulas
+        _has_attribute(thing, name)
+        return getattr(0.0, name, *default)
+    return getattr(thing, name, *default)
 
 
 def _signs(x: Any) -> Any:
@@ -140,7 +204,7 @@ METHODS = (types.BuiltinFunctionType, types.MethodType)
 RANDOM = (random.Random, np.random.RandomState, np.random.Generator)
 CHANGING = ("random", "numpy.random", "secrets", "time", "datetime", "uuid", "os")
 """Modules whose functions return something else at each call, or elsewhere."""
-OUTSIDE = ("input", "open", "eval", "exec", "globals", "hash", "id")
+OUTSIDE = ("input", "open", "eval", "exec", "globals", "hash", "id", "vars", "dir", "memoryview")
 OF_NUMBERS = frozenset((
     "__future__", "abc", "bisect", "builtins", "cmath", "collections", "contextlib", "copy",
     "dataclasses", "decimal", "enum", "fractions", "functools", "heapq", "itertools", "logging",
@@ -150,9 +214,13 @@ OF_NUMBERS = frozenset((
 """Standard modules that show nothing of who calls, or when; all others may."""
 FRAMES = frozenset((
     "__traceback__", "tb_frame", "f_back", "f_globals", "f_locals", "f_code", "gi_frame",
-    "__globals__", "__code__", "__closure__", "__subclasses__",
+    "__globals__", "__code__", "__closure__", "__subclasses__", *Traced.__slots__, "is_of",
+    "tobytes", "ctypes",
 ))  # fmt: skip
-"""Attributes that lead to the caller, or out of what a function is given."""
+"""Attributes that lead to the caller, out of what a function is given, or tell who traces it."""
+OF_OBJECTS = ("__init__", "__post_init__", "__name__", "__call__", "__len__", "__version__")
+OF_ITSELF = ("__class__", "__dict__")
+"""Attributes with two underscores that code may ask for: of anything, of its own object."""
 
 
 def _refused(name: str) -> str:
@@ -189,19 +257,19 @@ NUMPY: dict[str, Any] = {
         "array", "asarray", "zeros", "ones", "empty", "eye", "zeros_like", "empty_like",
         "ones_like", "full", "identity", "ascontiguousarray",
     )},
-    **{name: Float for name in ("float64", "float32", "double")},
+    "float64": Float64, "double": Float64, "float32": Single, "single": Single,
     **{name: _elementary(name, getattr(np, name)) for name in ELEMENTARY},
     "pi": PI, "e": E,
     "random": Changing("np.random"),
     "linalg": Module(np.linalg, linear_systems.NUMPY),
     "hypot": _hypot,
     "arctan2": _of_two(
-        lambda y, x: y.arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x), sympy.atan2,
+        lambda y, x: y._arctan2(x) if isinstance(y, Traced) else np.arctan2(y, x), sympy.atan2,
         np.arctan2,
     ),
     "power": _of_two(np.power, operator.pow, np.power),
     "sign": _signs, "select": _selected,
-    "finfo": lambda kind: np.finfo(float if kind is Float else kind),
+    "finfo": lambda kind: np.finfo(kind.of if isinstance(kind, _Kind) else kind),
 }  # fmt: skip
 MATH: dict[str, Any] = {
     **{name: _elementary(name, getattr(math, name)) for name in ELEMENTARY if hasattr(math, name)},
@@ -211,7 +279,7 @@ MATH: dict[str, Any] = {
     "tau": TAU,
     "atan2": NUMPY["arctan2"],
     "pow": lambda x, y: x**y,
-    "fmod": lambda x, y: x.fmod(y) if isinstance(x, Traced) else math.fmod(x, y),
+    "fmod": lambda x, y: x._fmod(y) if isinstance(x, Traced) else math.fmod(x, y),
     "hypot": _hypot,
 }
 LINEAR = {"numpy.linalg": linear_systems.NUMPY, "scipy.linalg": linear_systems.SCIPY}
@@ -226,6 +294,7 @@ CASADI: dict[str, Any] = {
 """Of CasADi on numbers; its own symbols are those of a `Function`."""
 MODULES: dict[str, dict[str, Any]] = {
     "math": MATH, "numpy": NUMPY, "scipy": {}, "casadi": CASADI, **LINEAR,
+    "operator": {name: Changing(f"operator.{name}") for name in ("attrgetter", "methodcaller")},
 }  # fmt: skip
 
 
@@ -233,7 +302,7 @@ def _changing(value: Any) -> str:
     """A name of what returns something else at each call; empty for other things."""
     # Nothing else is asked for its attributes: a person's object may answer anything.
     if isinstance(value, types.ModuleType):
-        return value.__name__ if value.__name__ in CHANGING or _outside(value.__name__) else ""
+        return value.__name__ if value.__name__ in CHANGING or outside(value.__name__) else ""
     owner = value.__self__ if isinstance(value, METHODS) else None
     if isinstance(value, RANDOM) or isinstance(owner, RANDOM):
         return f"random numbers ({getattr(value, '__name__', type(value).__name__)})"
@@ -244,18 +313,24 @@ def _changing(value: Any) -> str:
     place = value.__module__ or ""
     # A person's file may have the name of a standard module.
     its = getattr(sys.modules.get(place), value.__name__, None) is value
-    return f"{place}.{value.__name__}" if place in CHANGING or (its and _outside(place)) else ""
+    return f"{place}.{value.__name__}" if place in CHANGING or (its and outside(place)) else ""
 
 
-def _outside(module: str) -> bool:
-    """Whether it is a standard module that may show who calls."""
+def outside(module: str) -> bool:
+    """Whether it is a standard module that may show who calls, or when."""
     root = module.partition(".")[0]
     return root in sys.stdlib_module_names and root.lstrip("_") not in OF_NUMBERS
 
 
-def stand_in(value: Any, depth: int = 0) -> Any:
+Made = dict[int, Any]
+"""Copies by the identities of what they are copies of."""
+
+
+def stand_in(value: Any, made: Made) -> Any:
     """What a name of a traced function means."""
     value = unwrapped(value)
+    if id(value) in made:
+        return made[id(value)]
     if name := _changing(value):
         return Changing(name)
     if isinstance(value, types.ModuleType) and value.__name__ in MODULES:
@@ -274,10 +349,38 @@ def stand_in(value: Any, depth: int = 0) -> Any:
     if found := _of_linear_systems(value):
         return found
     if isinstance(value, types.FunctionType) and not foreign(value):
-        return copy_of(value, depth + 1)
+        return copy_of(value, made)
     if isinstance(value, types.MethodType) and isinstance(value.__func__, types.FunctionType):
-        return value if foreign(value.__func__) else copy_of(value, depth + 1)
-    return value
+        return value if foreign(value.__func__) else copy_of(value, made)
+    kind = value if isinstance(value, type) else type(value)
+    if isinstance(value, types.ModuleType) or library(kind.__module__):
+        return value
+    return _class_copy(value, made) if kind is value else _object_copy(value, made)
+
+
+def _object_copy(value: Any, made: Made) -> Any:
+    """An object of a person's class whose methods are copies."""
+    if id(value) not in made:
+        made[id(value)] = with_methods(value, _copies(type(value), made))
+    return made[id(value)]
+
+
+def _class_copy(kind: type, made: Made) -> type:
+    if id(kind) not in made:
+        made[id(kind)] = kind  # its methods may name it
+        table = _copies(kind, made)
+        made[id(kind)] = class_with_methods(kind, table) if table else kind
+    return made[id(kind)]
+
+
+def _copies(kind: type, made: Made) -> dict[str, Callable[..., Any]]:
+    """Copies of the methods of a person's class; what cannot be copied is refused when it runs."""
+    found: dict[str, Callable[..., Any]] = {}
+    for name, function in methods_of(kind).items():
+        if not library(function.__module__ or ""):
+            with suppress(InputError):
+                found[name] = copy_of(function, made)
+    return found
 
 
 def _of_linear_systems(value: Any) -> Any:
@@ -290,47 +393,45 @@ def _of_linear_systems(value: Any) -> Any:
     return None
 
 
-def copy_of(function: Callable[..., Any], depth: int = 0) -> Callable[..., Any]:
+def copy_of(function: Callable[..., Any], made: Made | None = None) -> Callable[..., Any]:
     """A copy of a Python function whose names mean the stand-ins.
 
     Raises
     ------
     InputError
-        When it is no Python function, or calls go too deep.
+        When it is no Python function.
     """
+    made = {} if made is None else made
     if isinstance(function, types.MethodType):
-        return _method(function.__func__, function.__self__, depth)
+        return _method(function.__func__, function.__self__, made)
     if not isinstance(function, types.FunctionType):
         called = type(function).__call__
         if isinstance(called, types.FunctionType):
-            return _method(called, function, depth)
+            return _method(called, function, made)
         raise InputError(f"{function!r} is no Python function: its code cannot be traced")
-    if depth > DEEPEST:
-        return function
-    names = _used(function.__code__)
+    if id(function) in made:
+        return cast(Callable[..., Any], made[id(function)])
     around = [n for n in named(function.__code__) if n[:2] == "__" and n in function.__globals__]
-    if outside := sorted({*around, *FRAMES.intersection(names)}):
+    if outside := sorted({*around, *_telling(function.__code__)}):
         raise InputError(f"function {function.__name__}: {_refused(outside[0])}")
-    table = dict(function.__globals__)
-    table["float"] = Float
+    table = {**function.__globals__, "float": Float}
+    table["__builtins__"] = {**vars(builtins), **BUILTINS}  # a function takes them when it is made
     table.setdefault("print", _printed)
-    table["__builtins__"] = {**vars(builtins), "__import__": _imported}
-    for name in names:
-        if name in table and table[name] is not function and name != "float":
-            table[name] = stand_in(table[name], depth)
-        elif name == "abs":
-            table[name] = builtins.abs
-        elif name in OUTSIDE and name not in table:
-            table[name] = Changing(name)
-    cells = tuple(
-        types.CellType(stand_in(content(cell), depth)) for cell in function.__closure__ or ()
-    )
+    cells = tuple(types.CellType() for _ in function.__closure__ or ())
     copied = types.FunctionType(
         function.__code__, table, function.__name__, function.__defaults__, cells or None
     )
     copied.__kwdefaults__ = function.__kwdefaults__
-    # It calls its copy, not itself.
-    table[function.__name__] = copied
+    made[id(function)] = copied  # it calls its copy, not itself
+    for name in _used(function.__code__):
+        if name in table and name != "float":
+            table[name] = stand_in(table[name], made)
+        elif name == "abs":
+            table[name] = builtins.abs
+        elif name in OUTSIDE and name not in table:
+            table[name] = Changing(name)
+    for cell, own in zip(cells, function.__closure__ or (), strict=True):
+        cell.cell_contents = stand_in(content(own), made)
     return copied
 
 
@@ -342,15 +443,39 @@ def _printed(*words: Any, file: Any = None, **options: Any) -> None:
 
 def _imported(*arguments: Any, **options: Any) -> Any:
     """What ``import`` inside of a function finds."""
-    return stand_in(builtins.__import__(*arguments, **options))
+    return stand_in(builtins.__import__(*arguments, **options), {})
 
 
-def _method(function: Callable[..., Any], bound: Any, depth: int) -> Callable[..., Any]:
+def _method(function: Callable[..., Any], bound: Any, made: Made) -> Callable[..., Any]:
     """A copy of a method, of an object whose other methods are copies, too."""
-    if isinstance(function, types.FunctionType):
-        others = methods_used(bound, [function])
-        bound = with_methods(bound, {n: copy_of(f, depth + 1) for n, f in others.items()})
-    return types.MethodType(copy_of(function, depth), bound)
+    if isinstance(function, types.FunctionType) and not isinstance(bound, types.ModuleType):
+        bound = stand_in(bound, made)
+    return types.MethodType(copy_of(function, made), bound)
+
+
+BUILTINS: dict[str, Any] = {
+    "__import__": _imported, "type": Type, "isinstance": _is_instance,
+    "hasattr": _has_attribute, "getattr": _attribute,
+}  # fmt: skip
+
+
+def _telling(code: types.CodeType) -> set[str]:
+    """Attributes and cases by class that may tell who calls."""
+    found, before = set(), ""
+    every = list(get_instructions(code))
+    for one, after in zip_longest(every, every[1:]):
+        name = str(one.argval)
+        if one.opname == "MATCH_CLASS":
+            found.add("a case by class")
+        if one.opname in ("LOAD_ATTR", "LOAD_METHOD", "STORE_ATTR"):
+            dunder = name.startswith("__") and name.endswith("__") and name not in OF_OBJECTS
+            if name in FRAMES or (dunder and not (name in OF_ITSELF and before in ("self", "cls"))):
+                found.add(name)
+            if name == "dtype" and not (after and after.opname in ("KW_NAMES", "LOAD_CONST")):
+                found.add(name)  # it is object; ``dtype=y.dtype`` of a new array is none of it
+        before = name
+    inner = (c for c in code.co_consts if isinstance(c, types.CodeType))
+    return found.union(*map(_telling, inner))
 
 
 def _used(code: types.CodeType) -> set[str]:
