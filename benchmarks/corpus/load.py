@@ -16,7 +16,7 @@ HERE = Path(__file__).parent
 ARCHIVE = HERE / "sealed.tar.xz"
 SUFFIXES = {
     "latex": ".tex", "text": ".txt", "python": ".py", "c": ".c", "cpp": ".cpp", "arduino": ".ino",
-    "matlab": ".m", "julia": ".txt", "modelica": ".txt", "markdown": ".md",
+    "matlab": ".m", "julia": ".jl", "modelica": ".txt", "markdown": ".md",
 }  # fmt: skip
 
 

@@ -48,7 +48,7 @@ def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
 def _one_by_one(text: str, array: str, naming: Naming) -> tuple[str, ...]:
     """What comments call each entry: y(1) from 1, y[0] from 0."""
     one = re.compile(
-        rf"(?<![\w.]){re.escape(array)}([(\[])(\d)[)\]][ \t]*(?:=|->|:|is\b)[ \t]*(\S+)"
+        rf"(?<![\w.]){re.escape(array)}([(\[])(\d)[)\]][ \t]*(?:=|->|:|is\b)[ \t]*([^\s,;]+)"
     )
     told = {
         int(place) - (bracket == "("): word
@@ -66,7 +66,7 @@ def _one_by_one(text: str, array: str, naming: Naming) -> tuple[str, ...]:
 
 
 def _entries(words: str, naming: Naming) -> tuple[str, ...]:
-    """The names that a list is made of, if these are those of a state, each once."""
+    """The names that a list is made of, if these are those of a state or parameters, each once."""
     opening = words[:1] in tuple("[({")
     end = CLOSES.search(words, 1 if opening else 0)
     found: list[str] = []
@@ -74,9 +74,12 @@ def _entries(words: str, naming: Naming) -> tuple[str, ...]:
         name, dots = plain(entry.rstrip("'."))
         target = naming.lookup(name)
         order = 0 if target is None else target[1] + dots + entry.count("'")
-        if target is None or not naming.is_function(name) or order >= len(DOTS):
+        constant = target is not None and target[0] in naming.vocabulary.constants
+        if target is None or not (constant or naming.is_function(name)) or order >= len(DOTS):
             break
         found.append(target[0] + DOTS[order])
     scene = naming.vocabulary.scene
     whole = {str(symbol) for symbol in (*scene.q, *scene.u)}
-    return tuple(found) if len(set(found)) == len(found) and set(found) >= whole else ()
+    all_constants = len(found) > 1 and {*found} <= naming.vocabulary.constants.keys()
+    named = set(found) >= whole or all_constants
+    return tuple(found) if len(set(found)) == len(found) and named else ()

@@ -13,14 +13,14 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.cpp_functions import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
-from mechanics.claims.code.read_arrays import has_function, read_cpp, read_matlab
+from mechanics.claims.code.read_arrays import LANGUAGES, has_function, read_arrays, read_cpp
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
 from mechanics.scene import Scene
 
 FILE = re.compile(
-    r"[\w~./\\ :-]{1,400}\.(tex|txt|m|c|cc|cpp|cxx|h|hh|hpp|ino|py|ipynb|md)", re.IGNORECASE
+    r"[\w~./\\ :-]{1,400}\.(tex|txt|m|jl|mo|c|cc|cpp|cxx|h|hh|hpp|ino|py|ipynb|md)", re.IGNORECASE
 )
 """What no equation looks like, and a file's name does."""
 
@@ -90,8 +90,12 @@ def read(
                 except InputError:
                     raise error from None
         options = {"names": names, "notation": notation, "about": about}
-        if thing.suffix == ".m" and notation is None and has_function(text := file_text(thing)):
-            return read_matlab(scene, text, names, about, str(thing))
+        if (
+            thing.suffix in LANGUAGES
+            and notation is None
+            and has_function(text := file_text(thing))
+        ):
+            return read_arrays(scene, text, thing.suffix, names, about, str(thing))
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")

@@ -221,6 +221,29 @@ def vector(a: Any) -> Any:
     return a.ravel() if isinstance(a, np.ndarray) and 1 in a.shape else a
 
 
+def array(entries: list[Any]) -> Any:
+    """Julia's [a, b], of numbers."""
+    if any(isinstance(entry, np.ndarray) for entry in entries):
+        raise ValueError("an array of arrays is not read")
+    found = np.empty(len(entries), dtype=object)
+    found[:] = entries
+    return found
+
+
+def single(value: Any) -> Any:
+    """A number, whose sine is no matrix's."""
+    if isinstance(value, np.ndarray):
+        raise ValueError("a function of a whole array is not read: write a dot behind its name")
+    return value
+
+
+def whole(value: Any) -> Any:
+    """All entries of an array that is there, as another one has them."""
+    if not isinstance(value, np.ndarray):
+        raise ValueError("one number for all entries of an array is not read")
+    return value.copy()
+
+
 def over(a: Any, b: Any) -> Any:
     """a/b"""
     if isinstance(b, np.ndarray):

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
-from mechanics.claims.code import cpp_functions, matlab
+from mechanics.claims.code import cpp_functions, julia, matlab
 from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
 from mechanics.claims.lines import NOT_USED
@@ -20,20 +20,31 @@ FOR_ALL = "read as the scene's, for all values"
 """What is said of numbers that stand for parameters."""
 
 
+LANGUAGES = {".m": matlab.in_python, ".jl": julia.in_python}
+"""Of arrays, by the ends of their files."""
+
+
+PLACE = re.compile(r"\[(\d+)\]")
+"""Of an entry, which Julia counts from 1 as MATLAB does: p[2] is told as p(2)."""
+
+
 def has_function(text: str) -> bool:
-    """Whether a file of MATLAB is code: its equations alone are text."""
-    return re.search(r"^[ \t]*function\b", text, re.MULTILINE) is not None
+    """Whether a file is code: its equations alone are text."""
+    return re.search(r"^[ \t]*(?:@\w+[ \t]+)?function\b", text, re.MULTILINE) is not None
 
 
-def read_matlab(
-    scene: Scene, text: str, names: Mapping[str, str] | None, about: str | None, origin: str
-) -> Reading:
-    """Statements of the functions of a file, as code.
+def read_arrays(
+    scene: Scene, text: str, suffix: str, names: Mapping[str, str] | None, about: str | None,
+    origin: str,
+) -> Reading:  # fmt: skip
+    """Statements of the functions of a file of MATLAB or Julia, as code.
 
     Parameters
     ----------
     scene : Scene
     text, origin : str
+    suffix : str
+        Of the file, one of `LANGUAGES`.
     names, about
         As for `mechanics.check`.
 
@@ -43,8 +54,9 @@ def read_matlab(
         Where one is not read.
     """
     with located(origin):
-        translated = matlab.in_python(text, origin, Naming(Vocabulary(scene)).knows)
-    readings = [read_function(scene, one, names, about, text) for one in translated.functions]
+        translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows)
+    told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
+    readings = [read_function(scene, one, names, about, told) for one in translated.functions]
     return _together(readings, translated.remarks)
 
 
@@ -52,7 +64,7 @@ def read_cpp(
     scene: Scene, text: str, function: str | None, names: Mapping[str, str] | None,
     about: str | None, origin: str,
 ) -> Reading:  # fmt: skip
-    """Statements of the functions of a file of C++, as code; as `read_matlab`."""
+    """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     with located(origin):
         functions = cpp_functions.in_python(text, origin, function)
     return _together([read_function(scene, one, names, about, text) for one in functions])

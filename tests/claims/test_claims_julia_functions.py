@@ -1,0 +1,106 @@
+"""Functions of Julia as code: what is solved, arrays that are filled, records, and traps."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import dynamicsymbols
+
+import mechanics
+from benchmarks.corpus.builders import P, pendulum
+from mechanics.claims.code.julia import in_python
+from mechanics.claims.code.python_page import Unread
+
+PENDULUM = """using DifferentialEquations, Plots
+const g, l = 9.81, 0.5   # of the file
+
+@time println("solving")
+function show_it(sol)
+    plot(sol, label = "θ")
+end
+
+function f!(du, u, p, t)
+    θ, ω = u
+    du[1] = ω
+    du[2] = dω = %s
+    return nothing
+end
+
+prob = ODEProblem(f!, [0.1, 0.0], (0.0, 10.0))
+"""
+
+
+def functions(text: str, *names: str):
+    return in_python(text, "page.jl", set(names).__contains__).functions
+
+
+def value(body: str, **given: object) -> float:
+    (function,) = functions(f"function f({', '.join(given)})\n{body}\nend")
+    return function(**given)
+
+
+@pytest.mark.parametrize(
+    "formula, verdict",
+    [("-g / l * sin(θ)", "PROVED"), ("-2g / 2l * sin(θ)", "PROVED"),
+     ("-g * l * sin(θ)", "REFUTED"), ("-2g / l * sin(θ)", "REFUTED")],
+)  # fmt: skip
+def test_a_file_is_judged_by_what_is_solved(tmp_path: Path, formula: str, verdict: str) -> None:
+    path = tmp_path / "pendulum.jl"
+    path.write_text(PENDULUM.replace("%s", formula))
+    m, l, g = P("m:kg l:m g:m/s^2")
+    found = mechanics.check(pendulum(dynamicsymbols("theta"), m, 0, l, g), path)
+    assert found.verdict.name == verdict
+    assert any("show_it not" in remark for remark in found.remarks)
+
+
+@pytest.mark.parametrize(
+    "formula, right",
+    [("2x^2", 18), ("1/2x", 1 / 6), ("-x^2", -9), ("-(x)^2", -9), ("2(x)^2", 18), ("4/2*(x)", 6),
+     ("2*(x)^2", 18), ("8-2-(x)", 3), ("sum([x -x])", 0), ("sum([1 -x*2 3])", -2)],
+)  # fmt: skip
+def test_signs_and_products_are_those_of_julia(formula: str, right: float) -> None:
+    assert value(formula, x=3.0) == right
+
+
+def test_arrays_records_and_broadcasting() -> None:
+    text = """function f!(ẋ, x, p, t)
+        (; m) = p
+        M = @SMatrix [m 0; 0 2]
+        s, c = sincos(x[1] - x[2])
+        ẋ .= s^2 * (1 + c / c) / 2s^2 * M \\ ([x[2]; x[1]] .* 2)
+    end"""
+    (function,) = functions(text)
+    assert list(function(x=np.array([3.0, 5.0]), m=4.0)) == pytest.approx([2.5, 3.0])
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "y = x\ny[1] = 2.0\nx",  # one array, two names
+        "y = [x, x]\nz = (y)\nz[1] = 0\ny[1]",
+        "y = x > 0 ? 1 : 2\n@eval y = 3\ny",
+        "m₁ = x\nm1 = 2x\nm₁ + m1",  # one name here
+        "while x > 0\nx -= 1\nend\nx",
+        "@show x = 2\nx",
+        "g(y)\nx",
+    ],
+)
+def test_what_may_mean_something_else_is_not_read(body: str) -> None:
+    with pytest.raises(Unread):
+        value(body, x=3.0)
+
+
+def test_functions_of_the_file_and_its_macros_keep_their_meaning() -> None:
+    for more in ("Base.sin(x) = cos(x)", "+(a, b) = a - b", "π = 3", "macro time(x) end"):
+        with pytest.raises(Unread):
+            functions(f"{more}\nfunction f(x)\n sin(π + x)\nend")
+    with pytest.raises(Unread, match="several methods"):
+        functions("f(x) = 2x\nf(x, y) = x\n")
+    with pytest.raises(Unread, match="assigned twice"):
+        functions("k = 1\nk = 2\nfunction f(x)\n k*x\nend")
+
+
+def test_entries_that_are_not_set_have_no_value() -> None:
+    (function,) = functions("function f!(du, u)\n du[2] = u[1]\nend")
+    found = function(u=np.array([3.0, 5.0]))
+    assert np.isnan(found[0]) and found[1] == 3.0
