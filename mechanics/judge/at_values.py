@@ -8,7 +8,6 @@ what definitions or speeds are made of, stand in more places: these have no valu
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import permutations
 from typing import Any
 
 from sympy import Expr, Integer, Rational, Symbol
@@ -46,6 +45,9 @@ DERIVED = (GeneralizedForce, GeneralizedMomentum)
 
 FITTED = (EquationOfMotion, Identity)
 """What values are fitted to."""
+
+OF_MECHANICS = (1, 2, 3, 4, 6, 8, 12, 24)
+"""Denominators of numbers that no measurement gives: 1/3, 1/12."""
 
 TIMES = (Integer(1), Rational(1, 2), Integer(2))
 """A coefficient is a value, or twice it, or half of it."""
@@ -120,8 +122,9 @@ def as_identity(truth: Equations, row: Published) -> Published:
 def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ...]:
     """Values of parameters that the statements do not hold for which all of them are right.
 
-    They are the scene's typical ones, or fitted; then each has to be made of numbers that stand in
-    the statements, or is 1, in code that gives others of the scene's parameters values.
+    They are the scene's typical ones, or fitted; then they stand in the statements as numbers, or
+    are 1, in code that gives others of the scene's parameters values; or there are several of them,
+    and as many numbers.
     """
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
@@ -177,10 +180,11 @@ def _candidates(
     if not (numbers or units) or not all(isinstance(row.quantity, FITTED) for row in rows):
         return
     fitted = values_for(truth, rows, free)
-    pairs = list(permutations([abs(n) for n in atoms if n], 2)) if len(numbers) > 1 else []
-    if len(numbers) >= len(fitted) - 1:
-        values |= {v for a, b in pairs for v in (a + b, a - b, a * b, a / b)}
-    if fitted and all(v in values or (units and v == 1) for v in fitted.values()):
+    plain = all(v in values or (units and v == 1) for v in fitted.values())
+    # As many equations as numbers: several values that fit them all are no chance.
+    measured = {abs(n) for n in atoms if n.q not in OF_MECHANICS or abs(n) > 4}
+    several = len(measured) >= sum(v != 1 for v in fitted.values()) > 1
+    if fitted and (plain or several):
         yield fitted
 
 

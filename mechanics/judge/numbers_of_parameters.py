@@ -60,7 +60,9 @@ def values_for(
             found[loose] = 0.0
             found = fit.solved(found, open_places)
         if found is not None:
-            return {s: _rational(float(np.exp(v))) for s, v in zip(free, found, strict=True)}
+            matters = np.max(np.abs(fit.slope(found, range(len(free)))), axis=0) > STEP
+            some = zip(free, found, matters, strict=True)
+            return {s: _rational(float(np.exp(v))) for s, v, one in some if one}
         open_places = list(range(len(free)))
     return {}
 
@@ -72,9 +74,20 @@ class _Fit:
         self, program: Program, inputs: Mapping[str, Numbers], free: Sequence[str]
     ) -> None:
         self.program, self.inputs, self.free = program, inputs, free
+        self.size = self._sizes(np.zeros(len(free)))
 
     def left(self, logs: Numbers) -> Numbers:
-        """By how much sides differ, relative to their size."""
+        """By how much sides differ, relative to their size where all values are 1."""
+        one, other = self._sides(logs)
+        return np.nan_to_num((one - other) / self.size, nan=1e3, posinf=1e3, neginf=-1e3)
+
+    def _sizes(self, logs: Numbers) -> Numbers:
+        one, other = self._sides(logs)
+        states = len(next(iter(self.inputs.values())))
+        sizes = np.abs(np.nan_to_num(one)) + np.abs(np.nan_to_num(other)) + 1e-3
+        return np.repeat(sizes.reshape(-1, states).mean(axis=1), states)
+
+    def _sides(self, logs: Numbers) -> tuple[Numbers, Numbers]:
         given = dict(self.inputs) | {
             name: np.exp(value) for name, value in zip(self.free, logs, strict=True)
         }
@@ -85,8 +98,7 @@ class _Fit:
                 np.concatenate([np.broadcast_to(v, size) for v in found[name]])
                 for name in ("left", "right")
             )
-            whole = (one - other) / (np.abs(one) + np.abs(other) + 1e-6)
-        return np.nan_to_num(whole, nan=1.0, posinf=1.0, neginf=-1.0)
+        return one, other
 
     def slope(self, logs: Numbers, places: Sequence[int]) -> Numbers:
         """Derivatives by the logarithms at some places."""
