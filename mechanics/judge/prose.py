@@ -13,6 +13,7 @@ from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
+from mechanics.errors import SceneError
 from mechanics.judge.comparison import compared, senses
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.phrases import BACK, DENIAL, GIVEN
@@ -22,9 +23,10 @@ from mechanics.judge.sentences import marked, sentences
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+from mechanics.scene.unit_names import dimension_of_unit
 
-UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
-"""Degrees in a declaration of Modelica's."""
+UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
+"""A unit in a declaration of Modelica's."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 
 
@@ -86,7 +88,7 @@ def prose_of(
     for text, notation in written.items():
         hidden = unread_markup(marked(text)) if notation == "latex" else ()
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
-        against |= dict.fromkeys((*markup, *_outside(facts, text)))
+        against |= dict.fromkeys((*markup, *_outside(facts, text), *_units(facts, text)))
     return Prose(tuple(conventions), tuple(against), tuple(unjudged))
 
 
@@ -100,6 +102,22 @@ def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
         if symbol.is_positive or symbol.is_nonnegative:
             value = f"{said['name']} = {said['number']}"
             yield f"the text has {value}, the scene's {symbol.name} is positive"
+
+
+def _units(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Declared units that are not coherent ones of the SI, or not those of the scene."""
+    for said in UNITS.finditer(text):
+        name, unit = said["name"], said["unit"]
+        powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
+        below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
+        own = facts.unit(facts.own_name(name))
+        try:
+            dimension = dimension_of_unit(below, "")
+        except SceneError:
+            yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
+            continue
+        if own and dimension != dimension_of_unit(own, ""):
+            yield f"the text declares {name} in {unit}, the scene's is in {own}"
 
 
 def seen_from_one_side(
@@ -125,7 +143,7 @@ def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) 
     contradictions : sequence of str
         What the text says of quantities that the scene has otherwise.
     """
-    entry = undenied(in_radians(entry, statement), statement)
+    entry = undenied(entry, statement)
     if entry.finding.shown and contradictions:
         words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
         return replace(entry, finding=undecided(entry.finding.subject, words))
@@ -147,14 +165,3 @@ def undenied(entry: Judged, statement: Statement) -> Judged:
         return entry
     words = f"it is right, but the text says of it {denial[0]!r}: leave that out"
     return replace(entry, finding=undecided(entry.finding.subject, words))
-
-
-def in_radians(entry: Judged, statement: Statement) -> Judged:
-    """The entry; what holds for radians is not shown where the text says degrees."""
-    written = statement.written
-    if not entry.finding.shown or written is None:
-        return entry
-    for degrees in UNITS.finditer(written.text):
-        words = f"it is right in radians, but the text says {degrees['name']} in degrees"
-        return replace(entry, finding=undecided(entry.finding.subject, words))
-    return entry
