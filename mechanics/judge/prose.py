@@ -11,12 +11,11 @@ from dataclasses import dataclass, replace
 
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
-from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
 from mechanics.errors import SceneError
 from mechanics.judge.comparison import compared, senses
 from mechanics.judge.markup import unread_markup
-from mechanics.judge.phrases import BACK, DENIAL, GIVEN
+from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
@@ -39,13 +38,16 @@ class Prose:
     conventions : tuple of Declared
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
-        What it says that the scene has otherwise, and what denies or limits, in words.
+        What it says that the scene has otherwise, in words.
+    limits : tuple of str
+        What denies or limits statements, or may hide them, in words.
     unjudged : tuple of str
         Its other sentences.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
+    limits: tuple[str, ...]
     unjudged: tuple[str, ...]
 
 
@@ -69,6 +71,7 @@ def prose_of(
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}
     against: dict[str, None] = {}
+    limits: dict[str, None] = {}
     unjudged: dict[str, None] = {}
     for sentence in every:
         found = compared(facts, sentence.marked)
@@ -80,16 +83,16 @@ def prose_of(
             conventions |= dict.fromkeys(found.conventions)
         kind, why = class_of(facts, sentence, found)
         if kind is SentenceClass.LIMITS:
-            against[
-                f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
-            ] = None
+            words = f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
+            limits[words] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     for text, notation in written.items():
         hidden = unread_markup(marked(text)) if notation == "latex" else ()
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
-        against |= dict.fromkeys((*markup, *_outside(facts, text), *_units(facts, text)))
-    return Prose(tuple(conventions), tuple(against), tuple(unjudged))
+        limits |= dict.fromkeys(markup)
+        against |= dict.fromkeys((*_outside(facts, text), *_units(facts, text)))
+    return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
 
 
 def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
@@ -133,35 +136,15 @@ def seen_from_one_side(
     return replace(entry, open=True) if told else entry
 
 
-def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
-    """The entry; what is shown is not where the text says otherwise of it, or of its units.
+def as_told(entry: Judged, contradictions: Sequence[str]) -> Judged:
+    """The entry; what is shown is not where the text says otherwise, or denies or limits it.
 
     Parameters
     ----------
-    statement : Statement
-        As it was read.
     contradictions : sequence of str
-        What the text says of quantities that the scene has otherwise.
+        What the text says against it, in words.
     """
-    entry = undenied(entry, statement)
-    if entry.finding.shown and contradictions:
-        words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
-        return replace(entry, finding=undecided(entry.finding.subject, words))
-    return entry
-
-
-def undenied(entry: Judged, statement: Statement) -> Judged:
-    """The entry; what its own sentence calls wrong is not shown."""
-    written = statement.written
-    if not entry.finding.shown or written is None or not written.text:
+    if not entry.finding.shown or not contradictions:
         return entry
-    ends = [0, *(m.end() for m in ENDS.finditer(written.text)), len(written.text)]
-    start = max(end for end in ends if end <= written.start)
-    end, *later = [end for end in ends if end > written.start]
-    if BACK.match(written.text, end):
-        end = later[0]
-    denial = DENIAL.search(written.text, start, end)
-    if denial is None:
-        return entry
-    words = f"it is right, but the text says of it {denial[0]!r}: leave that out"
+    words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
     return replace(entry, finding=undecided(entry.finding.subject, words))

@@ -125,7 +125,7 @@ def read(
 def source_of(thing: Any) -> tuple[str, ...]:
     """The source of code, where there is one."""
     if isinstance(thing, Path):
-        return () if thing.suffix == ".tex" else (file_text(thing),)
+        return () if thing.suffix in (".tex", ".md") else (file_text(thing),)
     if isinstance(thing, Beside):
         return ("\n".join(f"# {line}" for line in thing.words.splitlines()),)
     try:
