@@ -76,6 +76,8 @@ class Grade:
     remarks : tuple of str
     page : str
         The answer as HTML, where it was asked for.
+    unjudged : tuple of str
+        Sentences that were compared with nothing.
     """
 
     name: str
@@ -85,6 +87,7 @@ class Grade:
     missing: str = ""
     remarks: tuple[str, ...] = ()
     page: str = ""
+    unjudged: tuple[str, ...] = ()
 
     @property
     def change(self) -> str:
@@ -144,6 +147,7 @@ def grade(
         f"{missing} of {freedoms} independent equations of motion" if missing else "",
         found.remarks,
         check_html(found) if page else "",
+        found.unjudged,
     )
 
 

@@ -19,6 +19,7 @@ from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
+from mechanics.judge.readers import Beside
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -30,7 +31,7 @@ RUN = "Python is only run where that is allowed: --run-python (run_python=True)"
 
 
 def things_in(path: Path, *, function: str | None = None, run_python: bool = False) -> list[Any]:
-    """Texts, paths and functions, in order.
+    """Texts, paths, functions and words beside these, in order.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
 
 
 def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
-    """The text of all cells of prose together, and the function of those of code."""
+    """The text of all cells of prose together, the function of those of code and its comments."""
     try:
         cells = json.loads(file_text(path))["cells"]
         pairs = [(cell["cell_type"], "".join(cell["source"])) for cell in cells]
@@ -68,10 +69,9 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
     said = (text for text in beside if "=" not in text)
     found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
     if any("def " in text for text in code) and (run_python or not found):
-        own = _function(path, _runnable(code), function, run_python)
-        told = "\n".join(line for text in (prose, *beside) for line in text.splitlines())
-        getattr(own, "__func__", own).__dict__["__prose__"] = told
-        found.append(own)
+        found.append(_function(path, _runnable(code), function, run_python))
+        words = "\n".join((prose, *beside)).strip()
+        found += [Beside(words)] if words else []
     if not found:
         raise InputError(f"file {path}: no cell has an equation or a function")
     return found

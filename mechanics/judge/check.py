@@ -162,11 +162,8 @@ def check(
         judged, told = _judged(truth, [s.statement for s in settled], held, region)
         judged = tuple(map(_by_letter, judged, settled))
     judged = complete_residuals(truth, one_root_each(truth, judged, statements))
-    untold = () if convention else prose.against
-    judged = tuple(
-        of_a_part(truth.scene, as_told(entry, statement, untold))
-        for entry, statement in zip(judged, statements, strict=True)
-    )
+    untold = (*(() if convention else prose.against), *prose.limits)
+    judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
     judged = left_open(truth, judged, readings, held, not (counted or region))
     judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
     if not (counted or held or region):
@@ -233,8 +230,8 @@ def _check_program(
     matches = {match.name: match for reading in readings for match in reading.names}
     source = [text for part in things for text in source_of(part)]
     prose = prose_of(truth.scene, statements, [*matches.values()], source)
-    pairs = zip(judged, statements, strict=True)
-    judged = tuple(as_told(entry, statement, prose.against) for entry, statement in pairs)
+    untold = (*prose.against, *prose.limits)
+    judged = tuple(as_told(entry, untold) for entry in judged)
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     if blame and _operations(truth) <= LARGEST_SEARCHED:
         judged = blamed(reference, judged)

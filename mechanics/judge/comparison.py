@@ -28,6 +28,7 @@ HEADS = (
     (r"(?:moment of )?inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness", "N/m"),
     (r"length|radius|diameter|distance|height|width", "m"), (r"torque|moment|couple", "N*m"),
     (r"force|weight", "N"), (r"acceleration|gravity", "m/s^2"),
+    (r"(?<!angular )(?:speed|velocity)", "m/s"),
 )  # fmt: skip
 """First nouns of what a name is, and their units."""
 SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)

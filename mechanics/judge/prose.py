@@ -11,20 +11,21 @@ from dataclasses import dataclass, replace
 
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
-from mechanics.claims.prose import ENDS
 from mechanics.claims.statement import Statement
+from mechanics.errors import SceneError
 from mechanics.judge.comparison import compared, senses
 from mechanics.judge.markup import unread_markup
-from mechanics.judge.phrases import BACK, DENIAL, GIVEN
+from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+from mechanics.scene.unit_names import dimension_of_unit
 
-UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"deg", re.IGNORECASE)
-"""Degrees in a declaration of Modelica's."""
+UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
+"""A unit in a declaration of Modelica's."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 
 
@@ -37,13 +38,16 @@ class Prose:
     conventions : tuple of Declared
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
-        What it says that the scene has otherwise, and what denies or limits, in words.
+        What it says that the scene has otherwise, in words.
+    limits : tuple of str
+        What denies or limits statements, or may hide them, in words.
     unjudged : tuple of str
         Its other sentences.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
+    limits: tuple[str, ...]
     unjudged: tuple[str, ...]
 
 
@@ -67,6 +71,7 @@ def prose_of(
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}
     against: dict[str, None] = {}
+    limits: dict[str, None] = {}
     unjudged: dict[str, None] = {}
     for sentence in every:
         found = compared(facts, sentence.marked)
@@ -78,16 +83,16 @@ def prose_of(
             conventions |= dict.fromkeys(found.conventions)
         kind, why = class_of(facts, sentence, found)
         if kind is SentenceClass.LIMITS:
-            against[
-                f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
-            ] = None
+            words = f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
+            limits[words] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     for text, notation in written.items():
         hidden = unread_markup(marked(text)) if notation == "latex" else ()
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
-        against |= dict.fromkeys((*markup, *_outside(facts, text)))
-    return Prose(tuple(conventions), tuple(against), tuple(unjudged))
+        limits |= dict.fromkeys(markup)
+        against |= dict.fromkeys((*_outside(facts, text), *_units(facts, text)))
+    return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
 
 
 def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
@@ -100,6 +105,22 @@ def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
         if symbol.is_positive or symbol.is_nonnegative:
             value = f"{said['name']} = {said['number']}"
             yield f"the text has {value}, the scene's {symbol.name} is positive"
+
+
+def _units(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Declared units that are not coherent ones of the SI, or not those of the scene."""
+    for said in UNITS.finditer(text):
+        name, unit = said["name"], said["unit"]
+        powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
+        below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
+        own = facts.unit(facts.own_name(name))
+        try:
+            dimension = dimension_of_unit(below, "")
+        except SceneError:
+            yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
+            continue
+        if own and dimension != dimension_of_unit(own, ""):
+            yield f"the text declares {name} in {unit}, the scene's is in {own}"
 
 
 def seen_from_one_side(
@@ -115,46 +136,15 @@ def seen_from_one_side(
     return replace(entry, open=True) if told else entry
 
 
-def as_told(entry: Judged, statement: Statement, contradictions: Sequence[str]) -> Judged:
-    """The entry; what is shown is not where the text says otherwise of it, or of its units.
+def as_told(entry: Judged, contradictions: Sequence[str]) -> Judged:
+    """The entry; what is shown is not where the text says otherwise, or denies or limits it.
 
     Parameters
     ----------
-    statement : Statement
-        As it was read.
     contradictions : sequence of str
-        What the text says of quantities that the scene has otherwise.
+        What the text says against it, in words.
     """
-    entry = undenied(in_radians(entry, statement), statement)
-    if entry.finding.shown and contradictions:
-        words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
-        return replace(entry, finding=undecided(entry.finding.subject, words))
-    return entry
-
-
-def undenied(entry: Judged, statement: Statement) -> Judged:
-    """The entry; what its own sentence calls wrong is not shown."""
-    written = statement.written
-    if not entry.finding.shown or written is None or not written.text:
+    if not entry.finding.shown or not contradictions:
         return entry
-    ends = [0, *(m.end() for m in ENDS.finditer(written.text)), len(written.text)]
-    start = max(end for end in ends if end <= written.start)
-    end, *later = [end for end in ends if end > written.start]
-    if BACK.match(written.text, end):
-        end = later[0]
-    denial = DENIAL.search(written.text, start, end)
-    if denial is None:
-        return entry
-    words = f"it is right, but the text says of it {denial[0]!r}: leave that out"
+    words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
     return replace(entry, finding=undecided(entry.finding.subject, words))
-
-
-def in_radians(entry: Judged, statement: Statement) -> Judged:
-    """The entry; what holds for radians is not shown where the text says degrees."""
-    written = statement.written
-    if not entry.finding.shown or written is None:
-        return entry
-    for degrees in UNITS.finditer(written.text):
-        words = f"it is right in radians, but the text says {degrees['name']} in degrees"
-        return replace(entry, finding=undecided(entry.finding.subject, words))
-    return entry

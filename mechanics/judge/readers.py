@@ -3,6 +3,7 @@
 import inspect
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -23,6 +24,13 @@ FILE = re.compile(
     r"[\w~./\\ :-]{1,400}\.(tex|txt|m|jl|mo|c|cc|cpp|cxx|h|hh|hpp|ino|py|ipynb|md)", re.IGNORECASE
 )
 """What no equation looks like, and a file's name does."""
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Words beside a function, as in the other cells of a notebook: they are its comments."""
+
+    words: str
 
 
 def spread(equations: Any) -> list[Any]:
@@ -62,7 +70,7 @@ def read(
 
     Parameters
     ----------
-    thing : str, bytes, Path, SymPy object, CasADi Function or callable
+    thing : str, bytes, Path, SymPy object, CasADi Function, callable or Beside
     names, notation, about
         As for `mechanics.check`.
     function : str, optional
@@ -75,6 +83,8 @@ def read(
     WrongKindError
         For another kind of thing.
     """
+    if isinstance(thing, Beside):
+        return Reading((), (), ())
     if isinstance(thing, Path):
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
@@ -119,14 +129,13 @@ def read(
 def source_of(thing: Any) -> tuple[str, ...]:
     """The source of code, where there is one."""
     if isinstance(thing, Path):
-        return () if thing.suffix == ".tex" else (file_text(thing),)
-    if prose := getattr(thing, "__prose__", ""):
-        # Of a notebook: what stands beside the function is said of it, as its own comments are.
-        return ("\n".join(f"# {line}" for line in prose.splitlines()),)
+        return () if thing.suffix in (".tex", ".md") else (file_text(thing),)
+    if isinstance(thing, Beside):
+        return ("\n".join(f"# {line}" for line in thing.words.splitlines()),)
     try:
         return (inspect.getsource(thing),) if inspect.isfunction(thing) else ()
     except OSError:
-        return ((thing.__doc__ or ""),)
+        return (f'"""{thing.__doc__ or ""}"""',)
 
 
 def _no_path(text: str) -> None:

@@ -34,16 +34,14 @@ def class_of(
 ) -> tuple[SentenceClass, str]:
     """The class of a sentence, and why it is limiting.
 
-    A comment of code is a sentence where it has a verb and a name of the scene; else it counts only
-    where it denies.
+    A comment of code is quoted where it has a verb and a name of the scene.
     """
-    if sentence.comment and not (p.VERBS.search(sentence.marked) and _names(facts, sentence)):
-        denial = p.DENIAL.search(sentence.words)
-        return (SentenceClass.LIMITS, denial[0]) if denial else (SentenceClass.READ, "")
+    spoken = p.VERBS.search(sentence.marked) and _names(facts, sentence)
     if words := _limiting(sentence, comparison.rest):
         return SentenceClass.LIMITS, ", ".join(words[:3])
-    connects = _connects(comparison.rest)
-    return (SentenceClass.READ if connects else SentenceClass.QUOTED), ""
+    if _connects(comparison.rest) or (sentence.comment and not spoken):
+        return SentenceClass.READ, ""
+    return SentenceClass.QUOTED, ""
 
 
 def _names(facts: SceneFacts, sentence: Sentence) -> bool:
@@ -52,14 +50,15 @@ def _names(facts: SceneFacts, sentence: Sentence) -> bool:
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:
     """What may deny or limit, of what nothing compares; of a comment what denies an equation."""
+    denials = [m[0] for m in p.DENIAL.finditer(sentence.words)]
+    if sentence.comment:
+        return denials
     marked = sentence.marked
     asked = ["?"] if "?" in marked and (MARK.search(marked) or not WORDS.search(marked)) else []
-    if sentence.comment:
-        return [*asked, *(m[0] for m in p.DENIAL.finditer(sentence.words))]
     plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))
     words = [word for word in WORDS.findall(plain) if p.DENIES.fullmatch(word)]
     others = (m[0] for row in (p.PREDICATES, p.UNUSUAL) for m in row.finditer(plain))
-    return [*words, *others, *asked]
+    return [*denials, *words, *others, *asked]
 
 
 def _connects(rest: str) -> bool:

@@ -13,6 +13,7 @@ from mechanics.errors import InputError
 from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
 from mechanics.grading.submission import things_in
+from mechanics.judge.readers import Beside
 from mechanics.worker import Limits
 from systems import elastic_pendulum
 
@@ -183,3 +184,15 @@ def test_commented_code_is_no_equation_of_a_notebook_and_other_comments_are_its_
     path = tmp_path / "commented.ipynb"
     path.write_text(json.dumps({"cells": cells}))
     assert things_in(path) == ["x'' = -x\n\nthe equation above is wrong"]
+
+
+@pytest.mark.parametrize("kind", ["markdown", "raw"])
+def test_cells_beside_a_function_are_its_comments(tmp_path: Path, kind: str) -> None:
+    cells = [
+        {"cell_type": kind, "source": ["The function below is wrong."]},
+        {"cell_type": "code", "source": ["def f(x):\n    return -x"]},
+    ]
+    path = tmp_path / "beside.ipynb"
+    path.write_text(json.dumps({"cells": cells}))
+    function, beside = things_in(path, run_python=True)
+    assert (function(1), beside) == (-1, Beside("The function below is wrong."))

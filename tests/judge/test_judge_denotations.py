@@ -74,14 +74,27 @@ def test_more_ways_to_call_an_equation_wrong(before: str, behind: str) -> None:
     assert answer.verdict is Verdict.UNDECIDED
 
 
-@pytest.mark.parametrize(("unit", "verdict"), [("deg", "UNDECIDED"), ("rad", "PROVED")])
-def test_a_declaration_of_modelica_says_the_unit_of_an_angle(unit: str, verdict: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "unit", "verdict"),
+    [
+        ("Real theta", "deg", "UNDECIDED"),
+        ("Real theta", "rad", "PROVED"),
+        ("parameter Real l", "cm", "UNDECIDED"),
+        ("parameter Real l", "m", "PROVED"),
+        ("parameter Real g", "m/s2", "PROVED"),
+        ("parameter Real g", "N/mm", "UNDECIDED"),
+        ("parameter Real m", "N", "UNDECIDED"),
+        ("input Real u", "N.m", "PROVED"),
+    ],
+)
+def test_a_declaration_of_modelica_says_units(name: str, unit: str, verdict: str) -> None:
     text = (
-        f'model P\n Real theta(unit="{unit}"); Real w; input Real u;\nequation\n'
+        f'model P\n {name}(unit="{unit}"); Real w;\nequation\n'
         " der(theta) = w;\n der(w) = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);\nend P;"
     )
     answer = check(rod_pendulum.scene(), text, blame=False)
     assert answer.judged[-1].verdict.name == verdict
+    assert verdict == "PROVED" or f" in {unit}, " in answer.judged[-1].finding.evidence
 
 
 @pytest.mark.parametrize(

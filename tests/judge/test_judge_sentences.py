@@ -173,6 +173,14 @@ def test_what_denies_or_limits_shows_nothing(truths: dict[str, Equations], said:
     assert any("denies or limits" in e.finding.evidence for e in answer.judged)
 
 
+def test_a_convention_explains_no_denial(truths: dict[str, Equations]) -> None:
+    turned = r"$$\ddot\theta = -\frac{3g}{2l}\sin\theta + \frac{3u}{ml^2}$$"
+    options = {"convention": "other vertical", "blame": False}
+    assert check(truths["rod_pendulum"], turned, **options).ok
+    denied = check(truths["rod_pendulum"], f"This is wrong: {turned}", **options)
+    assert denied.verdict is Verdict.UNDECIDED
+
+
 @pytest.mark.parametrize(
     ("formula", "why"),
     [

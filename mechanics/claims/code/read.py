@@ -72,7 +72,7 @@ from mechanics.claims.guess import guess
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
-from mechanics.claims.told_order import told_order
+from mechanics.claims.state_order import state_order
 from mechanics.claims.tree import Name
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.function import Parameter
@@ -318,7 +318,7 @@ def _read(
     naming = Naming(Vocabulary(scene))
     for name, known in apart.items():
         if known.vector and not named_entries(naming, name, known):
-            for place, entry in enumerate(told_order(text, name, naming)):
+            for place, entry in enumerate(state_order(text, name, naming)):
                 known.places[place] = {entry}
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
     parted = {n for n, known in apart.items() if known.vector}

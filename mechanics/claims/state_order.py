@@ -1,4 +1,4 @@
-"""Which entry of an array is which, where a comment or a sentence tells it.
+"""The order of a state in an array, where a comment or a sentence says it.
 
 % z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
 % y(1) -> x   % y(2) -> x_dot
@@ -20,8 +20,8 @@ ENTRY = re.compile(r"[^\s,;:\[\](){}]+")
 COMMENT = re.compile(r"(?://|/\*|[%#*])[^\n]*|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 
 
-def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
-    """Names of the scene, with ``_dot``, for the entries of an array; empty where nothing tells.
+def state_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
+    """Names of the scene, with ``_dot``, for the entries of an array; empty where nothing says.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def told_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
     Raises
     ------
     InputError
-        Where it is told that entries are momenta.
+        Where it says that entries are momenta.
     """
     of = [rf"(?<![\w.]){re.escape(array)}", *([STATE] if array in STATES else [])]
     for comment in COMMENT.finditer(text):
@@ -50,19 +50,19 @@ def _one_by_one(text: str, array: str, naming: Naming) -> tuple[str, ...]:
     one = re.compile(
         rf"(?<![\w.]){re.escape(array)}([(\[])(\d)[)\]][ \t]*(?:=|->|:|is\b)[ \t]*([^\s,;]+)"
     )
-    told = {
+    said = {
         int(place) - (bracket == "("): word
         for comment in COMMENT.finditer(text)
         for bracket, place, word in one.findall(comment[0])
     }
-    for place, word in told.items():
+    for place, word in said.items():
         if naming.lookup(plain(word)[0]) is None and naming.momentum(plain(word)[0]):
             raise InputError(
                 f"entry {place + 1} of {array} is the momentum {word}: momenta in a state are not"
                 " read, write it with speeds"
             )
-    whole = set(told) == {*range(len(told))}
-    return _entries(" ".join(told[place] for place in sorted(told)), naming) if whole else ()
+    whole = set(said) == {*range(len(said))}
+    return _entries(" ".join(said[place] for place in sorted(said)), naming) if whole else ()
 
 
 def _entries(words: str, naming: Naming) -> tuple[str, ...]:
