@@ -19,7 +19,6 @@ Derive and prove: a Finding has a Verdict; when refuted, a Witness.
     crosscheck          a CrossCheck: all routes, each other and the source
     check               your own equations; a BlackBox is only called
     compare             other engines, with the cause where they differ
-    drop_redundant      a scene without constraints that follow from others
     to_html to_json check_html check_json to_sympy    results, written
 Use: a MechanicsError says what was refused, and why.
     compile             a Model: mass_matrix, forward_dynamics, energy, ...

@@ -64,6 +64,18 @@ class Linear:
         Of the coordinates at rest, those that have no effect: the system may rest at any value.
     no_outputs : str
         Why the outputs of the scene are no C y + D w; empty where they are.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z = ReferenceFrame("N"), Point("O"), dynamicsymbols("z")
+    >>> m, k = parameters("m k", units="kg N/m", typical="2 8")
+    >>> P = O.locatenew("P", z * N.z)
+    >>> pull = spring("pull", O, P, k, along=N.z)
+    >>> bob = Scene("bob", N, O, (z,), (Particle("bob", P, m),), loads=(pull,))
+    >>> linear = linearize(derive(bob, "kane"), at={z: 0})
+    >>> print(linear.mass, linear.stiffness)
+    Matrix([[m]]) Matrix([[k]])
     """
 
     scene: Scene

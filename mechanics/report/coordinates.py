@@ -278,8 +278,12 @@ def coordinate_words(view: View, coordinate: Symbol) -> str:
     other = view.at({q.name: 0.3 + 0.2 * k for k, q in enumerate(view.scene.q)})
     if turn is None:
         along, elsewhere = (_way(at, body, coordinate) for at in (view, other))
-        fixed = np.allclose(along, elsewhere, atol=1e-9)
-        return f"displacement of {_the(body)}" + (_along(view, along) if fixed else "")
+        what = f"displacement of {_the(body)}"
+        from_zero = f"{what} from where it is at {coordinate.name.replace('_', ' ')} = 0"
+        if not np.allclose(along, elsewhere, atol=1e-9):
+            return f"{from_zero}, along a line that turns with other coordinates"
+        name = _axis_name(along)
+        return f"{what} along {name}" if name else f"{from_zero}, {_along(view, along)}"
     again = turn_of(other, body, coordinate)
     same = again is not None and np.allclose(turn.start, again.start, atol=1e-9)
     zero = _from(view, turn.start) if same else "relative to what carries it"
@@ -307,8 +311,14 @@ def _axis_name(direction: np.ndarray) -> str:
 
 
 def _along(view: View, direction: np.ndarray) -> str:
-    name = _axis_name(direction)
-    return f" along {name}" if name else ""
+    """Which way a fixed line leads that is none of the axes."""
+    if view.field is None:
+        return "along a fixed line"
+    rise = -float(view.field @ direction / np.linalg.norm(view.field))
+    if abs(rise) < 1e-9:
+        return "along a level line"
+    way = "up" if rise > 0 else "down"
+    return f"{way}wards" if abs(rise) > 1 - 1e-9 else f"{way} a slope"
 
 
 def _from(view: View, direction: np.ndarray) -> str:

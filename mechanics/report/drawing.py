@@ -27,7 +27,7 @@ from mechanics.report.supports import (
     load_symbol,
     rail,
 )
-from mechanics.scene import Body, Position, RigidBody, Scene
+from mechanics.scene import Body, Damper, Position, RigidBody, Scene, Spring
 from mechanics.scene.loads import Force, Gravity, Torque
 
 WIDTH, HEIGHT, MARGIN = 460.0, 340.0, 74.0
@@ -100,10 +100,11 @@ def paper_for(
     `few` are the coordinates that are marked, `few_of` the scene by default.
     """
     scene = views[0].scene
-    pushed = any(isinstance(o, Force) or is_slack_at_anchor(views[0], o) for o in scene.loads)
     few = few_of(scene) if few is None else few
-    margin = PUSHED if pushed else MARGIN if few else UNMARKED
-    margin = margin if size[0] == WIDTH else MARGIN * size[0] / WIDTH
+    margin = np.full(2, MARGIN if few else UNMARKED)
+    for view in views[:: max(1, len(views) // 8)]:
+        margin = np.maximum(margin, _pushed(view))
+    margin = margin if size[0] == WIDTH else np.full(2, MARGIN * size[0] / WIDTH)
     points = [view.point(point) for view in views for point in view.loaded]
     for view in views:
         points += [corner for body in scene.bodies for corner in outline(view, body)]
@@ -120,6 +121,19 @@ def paper_for(
     # Where nothing leads to the ground, the origin is far from what is drawn.
     held = any(reaction.by is None for reaction in scene.reactions)
     return paper_of([*points, *([views[0].point(scene.origin)] if held else [])], margin, size)
+
+
+def _pushed(view: View) -> np.ndarray:
+    """Room for arrows of forces and for springs that are drawn with a length, in x and in y."""
+    loads = view.scene.loads
+    pushing = [load.vector for load in loads if isinstance(load, Force)]
+    pushing += [
+        load.along
+        for load in loads
+        if isinstance(load, Spring | Damper) and load.along and is_slack_at_anchor(view, load)
+    ]
+    ways = [np.abs(unit(view.direction(vector))) for vector in pushing]
+    return PUSHED * np.max([np.zeros(2), *ways], axis=0)
 
 
 def plain_picture(view: View, paper: Paper, moving: bool = False) -> tuple[list[str], list[str]]:
@@ -189,13 +203,13 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
     """Corners of a body on paper, in m: one for a block, two or more for a rod, many for a disc."""
     if declared := view.outlines(body):
         return [point for points in declared for point in points]
+    if not isinstance(body, RigidBody):
+        return [view.point(body.centre)]
     found: list[np.ndarray] = []
     for point in attached(view.scene, body):
         place = view.point(point)
         if all(np.hypot(*(place - other)) > 1e-9 for other in found):
             found.append(place)
-    if not isinstance(body, RigidBody):
-        return found
     if ends := _ends(view, body):
         return [view.point(end) for end in ends]
     if len(found) > 2:
@@ -287,8 +301,10 @@ def _semi_axes(view: View, body: RigidBody) -> tuple[np.ndarray, np.ndarray]:
     return view.project(first), view.project(other)
 
 
-def paper_of(points: Sequence[np.ndarray], margin: float, size: tuple[float, float]) -> Paper:
-    """The paper that these points fill but for a margin."""
+def paper_of(
+    points: Sequence[np.ndarray], margin: float | np.ndarray, size: tuple[float, float]
+) -> Paper:
+    """The paper that these points fill but for a margin, or one in x and one in y."""
     corners = np.array(points)
     low, high = corners.min(axis=0), corners.max(axis=0)
     span = np.maximum(high - low, 1e-9)

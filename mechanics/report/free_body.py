@@ -1,7 +1,8 @@
 """Free-body diagrams: bodies cut free, with every load and reaction that acts on them as an arrow.
 
 A reaction points as it is declared, and the other way on the body that it reacts on; a load points
-as it acts at the state that is drawn. What is equal and opposite inside of the free body is left
+as it acts at the state that is drawn, and one that is zero there as it acts where all coordinates,
+speeds and inputs are a little larger. What is equal and opposite inside of the free body is left
 out.
 """
 
@@ -10,7 +11,7 @@ from dataclasses import dataclass
 from html import escape
 
 import numpy as np
-from sympy import Expr, Mul
+from sympy import Expr, Mul, factor_terms
 
 from mechanics.equations import Diagram, Equations
 from mechanics.kinematics import chain
@@ -28,7 +29,11 @@ from mechanics.report.typeset import slug
 from mechanics.routes.loads import Wrench, acting_reactions, applied
 from mechanics.scene import Particle
 
-WIDTH, HEIGHT, MARGIN = 300.0, 290.0, 72.0
+SMALL, LARGE, MARGIN = (310.0, 300.0), (400.0, 380.0), 80.0
+MANY = 9
+"""Arrows beyond which a drawing is large."""
+COLOURS = 7
+"""Of reactions; loads have one of their own."""
 LENGTH = 46.0
 """Of an arrow, in pixels."""
 ASIDE = 13.0
@@ -57,42 +62,55 @@ def arrows(equations: Equations, view: View) -> tuple[tuple[Arrow, ...], ...]:
     for load in applied(mechanism, motions):
         loads.setdefault(load.name, []).append(load)
     printer = Printer(equations.scene, mechanism)
+    near = _beside(view)
     groups = [(name, group, "load") for name, group in loads.items()]
-    groups += [(mechanism.reactions[k].name, group, f"r{k % 8}") for k, group in enumerate(units)]
+    groups += [
+        (mechanism.reactions[k].name, group, f"r{k % COLOURS}") for k, group in enumerate(units)
+    ]
     every = [wrench for _, group, _ in groups for wrench in group]
-    numbers = iter(_numbers(mechanism, view, every))
-    return tuple(
-        tuple(
-            Arrow(name, _name(printer, name, wrench, kind), wrench.body, *next(numbers), kind)
-            for wrench in group
-        )
-        for name, group, kind in groups
-    )
+    table = zip(_numbers(mechanism, view, every), _numbers(mechanism, near, every), strict=True)
+    numbers = iter([(view, here) if here[1:].any() else (near, there) for here, there in table])
+
+    def arrow(name: str, wrench: Wrench, kind: str) -> Arrow:
+        at, row = next(numbers)
+        words = svg_name(name) if kind != "load" else _size_of(printer, at, wrench, name)
+        return Arrow(name, words, wrench.body, row[0], row[1], row[2], kind)
+
+    return tuple(tuple(arrow(name, w, kind) for w in group) for name, group, kind in groups)
 
 
-def _numbers(
-    mechanism: Mechanism, view: View, wrenches: Sequence[Wrench]
-) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Position, force and couple of each."""
+def _beside(view: View) -> View:
+    """A state where what is zero by chance is not: all that moves is a little larger."""
+    moving = (*view.scene.q, *view.scene.qd, *view.scene.u, *view.scene.input_symbols)
+    larger = {s.name: view.values[s] + 0.02 * (k + 1) for k, s in enumerate(moving)}
+    return view.at({**view.state, **larger})
+
+
+def _numbers(mechanism: Mechanism, view: View, wrenches: Sequence[Wrench]) -> np.ndarray:
+    """Position, force and couple of each, shape (N, 3, 3)."""
     nodes = [entry for w in wrenches for part in (w.at, w.force, w.couple) for entry in part]
     program = mechanism.builder.program({"entries": nodes})
     known = {symbol.name: value for symbol, value in view.values.items()}
     values = interpret(program, Arrays(), known, release=False)["entries"] if nodes else []
-    table = np.array([float(value) for value in values]).reshape(-1, 3, 3)
-    return [(row[0], row[1], row[2]) for row in table]
+    return np.array([float(value) for value in values]).reshape(-1, 3, 3)
 
 
-def _name(printer: Printer, name: str, wrench: Wrench, kind: str) -> str:
-    """The symbol of a reaction; of a load its size where that is a product of letters."""
-    if kind != "load":
-        return svg_name(name)
-    sizes = {_size(entry) for entry in printer.expanded((*wrench.force, *wrench.couple)) if entry}
+def _size_of(printer: Printer, view: View, wrench: Wrench, name: str) -> str:
+    """The size of a load where that is a product of letters and of one sum, else its name."""
+    entries = [e for e in printer.expanded((*wrench.force, *wrench.couple)) if e != 0]
+    sizes = {_positive(factor_terms(entry), view) for entry in entries}
     return label(sizes.pop(), name) if len(sizes) == 1 else svg_name(name)
 
 
-def _size(entry: Expr) -> Expr:
+def _positive(entry: Expr, view: View) -> Expr:
+    """An entry or its negative, whichever is positive at a state; a sign goes into the sum."""
     number, rest = entry.as_coeff_Mul()
-    return Mul(abs(number), rest)
+    sums = [factor for factor in Mul.make_args(rest) if factor.is_Add]
+    if len(sums) != 1:
+        return Mul(abs(number), rest)
+    if view.number(rest) < 0:
+        rest = Mul(*(f for f in Mul.make_args(rest) if f is not sums[0]), -sums[0])
+    return Mul(abs(number), rest, evaluate=False) if abs(number) != 1 else rest
 
 
 def free_body_diagram(
@@ -115,8 +133,10 @@ def free_body_diagram(
     centre = _place(mechanism, view, diagram)
     points = [corner for shape in shapes for corner in shape]
     points += [_acts(view, arrow) for arrow in acting if np.any(arrow.force)]
+    points += [view.point(body.centre) for body in bodies]
     points += [] if centre is None else [centre]
-    paper = paper_of(points, MARGIN, (WIDTH, HEIGHT))
+    size = LARGE if len(acting) > MANY else SMALL
+    paper = paper_of(points, MARGIN, size)
     parts = [body_shape(view, paper, b, s) for b, s in zip(bodies, shapes, strict=True)]
     used: list[tuple[np.ndarray, np.ndarray]] = []
     parts += [_arrow(view, paper, arrow, _middle(view, paper, arrow), used) for arrow in acting]
@@ -126,8 +146,8 @@ def free_body_diagram(
     title = f"Free-body diagram: {diagram.title}, with {names or 'nothing acting'}"
     title += f"; moments about {diagram.centre}" if diagram.centre else ""
     return (
-        f'<svg class="drawing free" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img"'
-        f' aria-label="{escape(title)}">{"".join(apart(parts, [], (WIDTH, HEIGHT)))}</svg>'
+        f'<svg class="drawing free" viewBox="0 0 {size[0]:.0f} {size[1]:.0f}" role="img"'
+        f' aria-label="{escape(title)}">{"".join(apart(parts, [], size))}</svg>'
     )
 
 
@@ -176,28 +196,44 @@ def _arrow(
     middle: np.ndarray,
     used: list[tuple[np.ndarray, np.ndarray]],
 ) -> str:
-    """A force with its tip at the point where it pushes, its tail where it pulls; a couple."""
+    """A force with its tip at the point where it pushes, its tail where it pulls; a couple.
+
+    A couple is an arc in the plane; in space it is an arrow with two heads along its axis.
+    """
     force = paper.turn(view.project(arrow.force))
-    drawn = []
+    axis = np.zeros(2) if view.planar else paper.turn(view.project(arrow.couple))
     if np.hypot(*force) > 1e-9:
         at, along = paper.place(_acts(view, arrow)), unit(force)
-        pushes = along @ (middle - at) > 1e-6
-        away = -along if pushes else along
-        taken = sum(np.allclose(at, a) and away @ d > 0.99 for a, d in used)
-        used.append((at, away))
-        at = at + (taken + 1) // 2 * ASIDE * (-1) ** taken * normal(along)
-        length = LENGTH + 1.6 * ASIDE * taken
-        start, end = (at - length * along, at) if pushes else (at, at + length * along)
-        outer = start - 14 * along if pushes else end + 14 * along
-        drawn += [strokes.arrow(start, end, "own"), strokes.text(outer, arrow.label, "own-name")]
+        pushes = bool(along @ (middle - at) > 1e-6)
+        start, end, outer = _shaft(at, along, pushes, used)
+        drawn = strokes.arrow(start, end, "own")
+    elif np.hypot(*axis) > 1e-9:
+        start, end, outer = _shaft(middle, unit(axis), False, used)
+        drawn = strokes.arrow(start, end, "own") + strokes.head(end - 7 * unit(axis), axis, "own")
     elif np.any(arrow.couple):
+        taken = sum(np.allclose(middle, a) and not d.any() for a, d in used)
+        used.append((middle, np.zeros(2)))
         sign = 1.0 if (arrow.couple if view.planar else -arrow.couple)[2] >= 0 else -1.0
-        start = 0.4 if sign > 0 else np.pi - 0.4
-        drawn.append(strokes.arc(middle, 30, start, sign * 2.3, "own"))
-        drawn.append(strokes.text(middle + np.array([0.0, -44.0]), arrow.label, "own-name"))
-    if not drawn:
+        first, radius = (0.4 if sign > 0 else np.pi - 0.4), 30 + ASIDE * taken
+        drawn, outer = strokes.arc(middle, radius, first, sign * 2.3, "own"), middle.copy()
+        outer[1] -= radius + 14
+    else:
         return ""
-    return f'<g class="{slug(arrow.source)} arrow {arrow.colour}">{"".join(drawn)}</g>'
+    drawn += strokes.text(outer, arrow.label, "own-name")
+    return f'<g class="{slug(arrow.source)} arrow {arrow.colour}">{drawn}</g>'
+
+
+def _shaft(
+    at: np.ndarray, along: np.ndarray, pushes: bool, used: list[tuple[np.ndarray, np.ndarray]]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Start and end of a straight arrow beside those that are there, and where its name goes."""
+    away = -along if pushes else along
+    taken = sum(np.allclose(at, a) and away @ d > 0.99 for a, d in used)
+    used.append((at, away))
+    at = at + (taken + 1) // 2 * ASIDE * (-1) ** taken * normal(along)
+    length = LENGTH + 0.6 * ASIDE * taken
+    start, end = (at - length * along, at) if pushes else (at, at + length * along)
+    return start, end, (start if pushes else end) + 14 * away
 
 
 def _mark(at: np.ndarray, name: str) -> str:

@@ -6,6 +6,7 @@ is located from, where that is a number times one parameter along an axis.
 
 import re
 from collections.abc import Sequence
+from html import unescape
 from itertools import pairwise
 
 import numpy as np
@@ -16,7 +17,7 @@ from mechanics.kinematics.printer import Printer
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.report import strokes
-from mechanics.report.notation import svg_name
+from mechanics.report.notation import SMALL, svg_name, svg_row
 from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene.loads import Force
 
@@ -27,8 +28,11 @@ TEXT = re.compile(
     r'<text class="[\w-]+" x="(-?[\d.]+)" y="(-?[\d.]+)"[^>]*text-anchor="(\w+)">(.*?)</text>'
 )
 SUBSCRIPT = re.compile(r'font-size="72%">([^<]*)<')
-LETTER = 7.5
-"""Pixels of a letter, about."""
+SIZE = 15.0
+"""Pixels of an em."""
+NARROW, WIDE = "fijlrtI.,:;'()[]|-\u2212 ", "mwMWOQGDNHUCAK%@\u03a9"
+WIDTHS = 0.36, 0.54, 0.86
+"""Of a narrow letter, of most, and of a wide one, in em: the widest of the fonts of the pages."""
 LEAST = 26.0
 """Pixels of a length that is named."""
 CROWDED = 9.0
@@ -116,7 +120,7 @@ def _size_name(size: Expr) -> str:
     number, symbol = size.as_coeff_Mul()
     before = "" if number.p == 1 else str(number.p)
     after = "" if number.q == 1 else f"/{number.q}"
-    return before + svg_name(symbol.name) + after
+    return svg_row((before, svg_name(symbol.name), after))
 
 
 def places(parts: Sequence[str]) -> np.ndarray:
@@ -141,10 +145,15 @@ def places(parts: Sequence[str]) -> np.ndarray:
 
 
 def width(content: str) -> float:
-    """Pixels of a name, about; letters of a subscript are small."""
-    small = sum(map(len, SUBSCRIPT.findall(content)))
-    letters = len(re.sub(r"&\w+;", "-", re.sub(r"<[^>]*>", "", content)))
-    return LETTER * (letters - 0.28 * small)
+    """Pixels of a name at most, by the widths of its letters; those of a subscript are small."""
+    small = sum(map(_ems, SUBSCRIPT.findall(content)))
+    return SIZE * (_ems(re.sub(r"<[^>]*>", "", content)) - (1 - SMALL) * small)
+
+
+def _ems(letters: str) -> float:
+    narrow, plain, wide = WIDTHS
+    sizes = (narrow if c in NARROW else wide if c in WIDE else plain for c in unescape(letters))
+    return sum(sizes)
 
 
 def _room(place: np.ndarray, obstacles: np.ndarray, at: np.ndarray) -> float:

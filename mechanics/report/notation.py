@@ -7,7 +7,7 @@ rates, functions; terms with accelerations stand first.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from html import escape
 from typing import Any
@@ -48,6 +48,8 @@ GREEK = frozenset(greek_unicode)
 LETTERS = {**greek_unicode, "phi": "\N{GREEK PHI SYMBOL}", "varphi": greek_unicode["phi"]}
 # Bits of the precision of a number that was typed without regard to its digits.
 DOUBLE = 53
+SUB, SMALL = 0.28, 0.72
+"""How much lower a subscript stands, in its em, and its size in that of the letter."""
 COMBINING = ("", "\u0307", "\u0308", "\u20db")
 # Accelerations of gravity stand after masses, lengths after both; everything else before.
 UNIT_ORDER = {"m/s^2": 1, "m": 2, "1": 3, "rad": 3}
@@ -92,8 +94,17 @@ def svg_name(name: str) -> str:
     text = f'<tspan style="{style}">{letter}</tspan>'
     if sub:
         small = escape(LETTERS.get(sub, sub))
-        text += f'<tspan dy=".28em" font-size="72%">{small}</tspan>'
+        text += f'<tspan dy="{SUB}em" font-size="{SMALL:.0%}">{small}</tspan>'
     return text
+
+
+def svg_row(pieces: Iterable[str]) -> str:
+    """Names and signs beside each other: what follows a subscript is back on the line."""
+    drawn = ""
+    for piece in filter(None, pieces):
+        below = drawn.rpartition("<tspan")[2].startswith(f' dy="{SUB}em"')
+        drawn += f'<tspan dy="-{SUB * SMALL:.3f}em">{piece}</tspan>' if below else piece
+    return drawn
 
 
 class Notation(LatexPrinter):

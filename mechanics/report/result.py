@@ -127,6 +127,17 @@ class SystemResult:
     form : tuple of Line
         The equations of motion in the form in which every route ends; empty where they are not
         written out.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z = ReferenceFrame("N"), Point("O"), dynamicsymbols("z")
+    >>> m, g = parameters("m g", units="kg m/s^2", typical="2 9.81")
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),), loads=(gravity(-g * N.z),))
+    >>> result = crosscheck(stone)
+    >>> result.ok, result.name, list(result.routes)
+    (True, 'stone', ['free_body', 'moving_point', 'kane', 'lagrange'])
     """
 
     name: str

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 import numpy as np
-from sympy import Expr, Mul, Symbol
+from sympy import Add, Expr, Mul, Symbol
 from sympy.physics.vector import Point, Vector
 
 from mechanics.report import strokes
 from mechanics.report.coordinates import trace
-from mechanics.report.notation import in_order, svg_name
+from mechanics.report.notation import in_order, svg_name, svg_row
 from mechanics.report.projection import Paper, View, normal, unit
 from mechanics.scene import (
     Body,
@@ -255,10 +255,21 @@ def _lane(view: View, load: Spring | Damper) -> tuple[int, int]:
 
 
 def label(constant: Expr, name: str) -> str:
-    """A short label: the constant where it is a number times letters, else the name."""
-    factors = in_order(Mul.make_args(constant))
-    if all(factor.is_Integer or isinstance(factor, Symbol) for factor in factors):
-        return "".join(
-            str(factor) if factor.is_Integer else svg_name(str(factor)) for factor in factors
-        )
-    return svg_name(name)
+    """A short label: a number times letters and sums of letters; else the name."""
+    factors = [_factor(factor) for factor in in_order(Mul.make_args(constant))]
+    return svg_name(name) if None in factors else svg_row(map(str, factors))
+
+
+def _factor(factor: Expr) -> str | None:
+    """A number, a letter, or a sum of two letters in brackets."""
+    if factor.is_Integer:
+        return str(factor)
+    if isinstance(factor, Symbol):
+        return svg_name(factor.name)
+    terms = [term.as_coeff_Mul() for term in Add.make_args(factor)]
+    if len(terms) != 2 or any(abs(n) != 1 or not isinstance(s, Symbol) for n, s in terms):
+        return None
+    (sign, first), (other, second) = sorted(terms, key=lambda term: (int(-term[0]), term[1].name))
+    before, between = ("" if sign > 0 else "\u2212"), ("+" if other > 0 else "\u2212")
+    names = svg_name(first.name), svg_name(second.name)
+    return svg_row((f"({before}", names[0], f" {between} ", names[1], ")"))

@@ -243,13 +243,43 @@ def _labels(lines: Sequence[Curve], scales: Scales) -> str:
     ends = sorted(((scales.place(c.points[-1]), c) for c in lines), key=lambda e: e[0][1])
     heights = spaced([b for (_, b), _ in ends], LINE, scales.y.start)
     parts, edge = [], scales.x.end + 10
-    for ((a, b), line), height in zip(ends, heights, strict=True):
+    order = uncrossed([place for place, _ in ends], heights, edge)
+    for ((a, b), line), height in zip((ends[k] for k in order), heights, strict=True):
         parts.append(
             f'<path class="leader" d="M{a + 4:.1f} {b:.1f}L{edge:.1f} {height:.1f}h6"/>'
             f'<text class="name {line.family}" x="{edge + 9:.1f}" y="{height:.1f}" dy=".35em">'
             f"{escape(line.name)}</text>"
         )
     return "".join(parts)
+
+
+def uncrossed(
+    starts: Sequence[tuple[float, float]], heights: Sequence[float], edge: float
+) -> list[int]:
+    """Which start leads to each height, so that straight lines to the edge do not cross.
+
+    Neighbours that cross change places until none does, as numbers are sorted.
+
+    Examples
+    --------
+    >>> uncrossed([(0.0, 10.0), (90.0, 12.0)], [10.0, 40.0], 100.0)
+    [0, 1]
+    >>> uncrossed([(0.0, 10.0), (90.0, 12.0)], [40.0, 50.0], 100.0)
+    [1, 0]
+    """
+    order = list(range(len(starts)))
+
+    def height_at(x: float, start: int, place: int) -> float:
+        across, level = starts[start]
+        return level + (x - across) / (edge - across) * (heights[place] - level)
+
+    for _ in order:
+        for k in range(len(order) - 1):
+            upper, lower = order[k : k + 2]
+            x = max(starts[upper][0], starts[lower][0])
+            if height_at(x, lower, k + 1) < height_at(x, upper, k):
+                order[k], order[k + 1] = lower, upper
+    return order
 
 
 def spaced(wanted: Sequence[float], distance: float, most: float) -> list[float]:

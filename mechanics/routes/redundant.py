@@ -53,7 +53,7 @@ def without_redundant(scene: Scene) -> Scene:
     >>> rails = holonomic("rail", y, "A"), holonomic("second rail", 2 * y, "B")
     >>> bead = Particle("bead", P, m)
     >>> scene = Scene("bead", N, O, (x, y), (bead,), reactions=(A, B), constraints=rails)
-    >>> [constraint.name for constraint in drop_redundant(scene).constraints]
+    >>> [constraint.name for constraint in without_redundant(scene).constraints]
     ['rail']
     """
     mechanism = lower(scene, Builder())

@@ -91,6 +91,17 @@ class Trajectory:
         What the scene wants computed, entry by entry: ``tool_x``.
     scene : Scene or None
         What moved; None where only its samples are known.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z = ReferenceFrame("N"), Point("O"), dynamicsymbols("z")
+    >>> m, g = parameters("m g", units="kg m/s^2", typical="2 9.81")
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),), loads=(gravity(-g * N.z),))
+    >>> motion = simulate(compile(derive(stone, "kane")), 1.0, samples=3)
+    >>> print(motion.times, motion.coordinates["z"].round(3), motion.ending.name)
+    [0.  0.5 1. ] [ 0.    -1.226 -4.905] COMPLETE
     """
 
     title: str

@@ -24,6 +24,7 @@ from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
+    gravity,
     parameters,
     quaternion,
 )
@@ -57,6 +58,8 @@ def test_an_angle_is_drawn_from_zero_to_the_body(system) -> None:
         turn = None if body is None else turn_of(view, body, q)
         if body is None or turn is None or turn.reach < 1e-9:
             continue
+        if np.allclose(turn.centre, view.place(body.centre), atol=1e-9):
+            continue  # about its own centre, where its place says nothing
         # What is said of the angle gives the place of the body at every value of it.
         for value in (0.0, state[q.name], 2.0, -7.0):
             place = set_to(view, q, value).place(body.centre)
@@ -107,6 +110,21 @@ def test_a_coordinate_is_explained_from_the_frames(scene, name: str, words: str)
     declared = scene.scene()
     (coordinate,) = (q for q in declared.q if q.name == name)
     assert coordinate_words(View(declared, declared.example), coordinate) == words
+
+
+@pytest.mark.parametrize(("sign", "way"), [(1, "up a slope"), (-1, "down a slope")])
+def test_a_displacement_on_a_slope_says_from_where_and_which_way(sign: int, way: str) -> None:
+    x, (m, alpha, g) = (
+        dynamicsymbols("x"),
+        parameters("m alpha g", units="kg rad m/s^2", typical="1 0.4 9.81"),
+    )
+    ground, origin = ReferenceFrame("N"), Point("O")
+    slope = ground.orientnew("A", "Axis", (alpha, ground.z))
+    centre = origin.locatenew("P", sign * x * slope.x)
+    block, down = Particle("block", centre, m), gravity(-g * ground.y)
+    scene = Scene("slope", ground, origin, coordinates=(x,), bodies=(block,), loads=(down,))
+    words = f"displacement of the block from where it is at x = 0, {way}"
+    assert coordinate_words(View(scene, {"x": 0.5}), scene.q[0]) == words
 
 
 def test_an_angle_of_a_point_mass_is_in_rad() -> None:

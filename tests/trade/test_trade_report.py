@@ -14,6 +14,7 @@ from mechanics.report.trade_plot import (
     curves,
     spaced,
     standalone,
+    uncrossed,
     work_precision,
 )
 from mechanics.trade import Trade
@@ -64,6 +65,20 @@ def test_names_beside_the_plot_keep_their_distance_and_order() -> None:
     assert min(gaps) >= 15.0
     assert max(heights) <= 100.0
     assert spaced([10.0, 50.0], 15.0, 100.0) == [10.0, 50.0]
+
+
+def test_lines_to_names_do_not_cross() -> None:
+    """Ends of curves at one height, from left to right, as integrators that give up early have."""
+    starts = [(10.0 * k, 50.0 + 3.0 * (k % 3)) for k in range(9)]
+    heights, edge = [40.0 + 15.0 * k for k in range(9)], 100.0
+    order = uncrossed(starts, heights, edge)
+    assert sorted(order) == list(range(9))
+    lines = [(*starts[start], height) for start, height in zip(order, heights, strict=True)]
+    for (x, y, end), (other_x, other_y, other_end) in pairwise(lines):
+        at = max(x, other_x)
+        above = y + (at - x) / (edge - x) * (end - y)
+        below = other_y + (at - other_x) / (edge - other_x) * (other_end - other_y)
+        assert above <= below
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,17 @@ class Check:
         What the statements were compared with; None where that stays a program.
     unjudged : tuple of str
         Sentences around the statements that nothing was compared with.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+    >>> N, O, z = ReferenceFrame("N"), Point("O"), dynamicsymbols("z")
+    >>> m, g = parameters("m g", units="kg m/s^2", typical="2 9.81")
+    >>> P = O.locatenew("P", z * N.z)
+    >>> stone = Scene("stone", N, O, (z,), (Particle("stone", P, m),), loads=(gravity(-g * N.z),))
+    >>> answer = check(stone, "m*z_ddot + m*g = 0")
+    >>> answer.ok, answer.verdict.name, len(answer.judged)
+    (True, 'PROVED', 1)
     """
 
     scene: Scene

@@ -32,6 +32,8 @@ from mechanics.routes.steps.writer import (
     worked_out,
 )
 
+DERIVATIVES = "Of ${}$: by a rate; that in time, along the motion; and by the coordinate."
+
 
 def steps(writer: Writer) -> tuple[Step, ...]:
     """Energies, their derivatives, generalized forces, equations of motion."""
@@ -87,7 +89,7 @@ def steps(writer: Writer) -> tuple[Step, ...]:
         energies,
         Step(
             "Derivatives",
-            rf"Of ${lagrangian}$, the rate along the motion." + few,
+            DERIVATIVES.format(lagrangian) + few,
             tuple(derivatives),
         ),
         Step(
@@ -168,9 +170,7 @@ def _in_speeds(writer: Writer, numbers: Numbers) -> tuple[Step, ...]:
     pressed, ends = pressed_step(writer, numbers, ends)
     few = "" if len(speeds) == len(mechanism.u) else " Shown for the first speed; the others alike."
     return (
-        Step(
-            "Derivatives", rf"Of ${lagrangian}$, the rate along the motion." + few, (*derivatives,)
-        ),
+        Step("Derivatives", DERIVATIVES.format(lagrangian) + few, (*derivatives,)),
         Step("Rates", "What the declared speeds say of the coordinates.", tuple(rates)),
         Step(
             "Generalized forces",

@@ -4,7 +4,7 @@ sum tau_B = dH_B/dt + v_B x P        H_B = sum of (H_C + BC x p)
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sympy import Add, Dummy, Expr, Mul, Symbol, sign
 
@@ -69,7 +69,7 @@ def _principle(
         lines, terms, rate = _linear(writer, numbers, found, balance)
     else:
         lines, terms, rate = _angular(writer, numbers, found, balance)
-    shown = worked_out(numbers, (*terms, *rate), "everything put in")
+    shown = worked_out(numbers, (*terms, *rate), _put_in(lines))
     where, place = _centre(writer, found, balance)
     inside = writer.mechanism.subtree(balance.principle.root)
     diagram = Diagram(tuple(inside), _free(writer, inside), where, place)
@@ -80,6 +80,15 @@ def _principle(
         text += " Moments are components along the axis; reactions at the moment centre have none."
     step = Step(title, text, (*lines, *shown), (diagram,))
     return step, (shown[-1].number, Add(*(t.value for t in (*terms, *rate))))
+
+
+def _put_in(lines: Sequence[Line]) -> str:
+    """Which lines go into the last one, the principle: the last that gives each of its sides."""
+    *before, principle = lines
+    sides = f"{principle.left} = {principle.right}"
+    last = {str(line.left): line.number for line in before if str(line.left) in sides}
+    whole = [left for left in last if not any(left != one and left in one for one in last)]
+    return f"{', '.join(f'({last[left]})' for left in whole)} into ({principle.number})"
 
 
 def _linear(
@@ -145,7 +154,9 @@ def _angular(
     lines += _rates(writer, numbers, rf"\dot{{{spin}}}_{{{letter}}}", whole, rate)
     speed = writer.vector(balance.velocity)
     if any(speed):
-        lines.append(numbers(rf"\vec{{v}}_{{{letter}}}", speed, f"rate of the place of ${letter}$"))
+        there = numbers(rf"\vec{{r}}_{{{letter}}}", writer.vector(centre), f"where ${letter}$ is")
+        rate_of_place = f"rate of ({there.number})"
+        lines += [there, numbers(rf"\vec{{v}}_{{{letter}}}", speed, rate_of_place)]
     cross_name = rf"\vec{{v}}_{{{letter}}} \times \vec{{{momentum}}}"
     by_hand = _moment(writer, axis, (balance.velocity, balance.momentum))
     formula = _cross_formula(writer, axis, (f"v_{{{letter}", momentum))
