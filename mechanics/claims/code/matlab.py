@@ -34,6 +34,7 @@ ELEMENTWISE = {
     "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "det": "linalg.det",
 }  # fmt: skip
 """Functions and what NumPy calls them."""
+RECIPROCAL = {"sec": "cos", "csc": "sin", "cot": "tan"}
 INVERSES = ("inv", "pinv")
 ARRAYS = ("zeros", "ones", "eye", "diag", "sum", "dot", "cross", "norm")
 CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
@@ -532,6 +533,8 @@ def _call(node: Any, scope: Scope) -> str:
         return f"{name}({joined(given)})"
     if name in ELEMENTWISE:
         return f"np.{ELEMENTWISE[name]}({joined(given)})"
+    if name in RECIPROCAL:
+        return f"(1/np.{RECIPROCAL[name]}({joined(given)}))"
     if name in INVERSES:
         return f"inverse({joined(given)})"
     if name in ARRAYS:
