@@ -6,11 +6,13 @@
 Code in Python is only run where that is allowed.
 """
 
+import ast
 import inspect
 import json
 import re
 import sys
 from collections.abc import Mapping, Sequence
+from dis import get_instructions
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
@@ -18,6 +20,7 @@ from typing import Any
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
+from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
 from mechanics.judge.readers import Beside
 
@@ -92,37 +95,94 @@ def _runnable(cells: list[str]) -> str:
 def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
+    try:
+        names = standing_in(lambda: _run(path, code))
+    except InputError as error:
+        raise InputError(f"file {path}: {error}") from None
+    except Exception as error:
+        raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
+    whole = names
+    own = [
+        n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
+    ]
+    shown, solved = _returning(code)
+    if not (function in own if function else any(n in shown and _takes(names[n]) for n in own)):
+        held, methods = _methods(path, names)
+        if methods or not own:
+            names, own = held, methods
+    best = [n for n in own if n in solved] or [n for n in own if n in shown] or own
+    chosen = function or (_last(names, best) if best else "")
+    if chosen not in own:
+        told = f"it has {', '.join(own)}" if own else "it has none"
+        raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
+    if names is not whole and len(twice := _classes_with(whole, chosen)) > 1:
+        raise InputError(
+            f"file {path}: {chosen} is a method of {' and of '.join(twice)}: leave one"
+        )
+    if strange := sorted(different_elsewhere(code) & used_by(whole, chosen)):
+        raise InputError(
+            f"file {path}: {strange[0]} depends on where the file is run: write what it is"
+        )
+    return names[chosen]
+
+
+def _classes_with(names: Mapping[str, Any], method: str) -> list[str]:
+    """Classes of a file with a method of their own of that name that does more than refuse."""
+    classes = [v for v in names.values() if isinstance(v, type) and v.__module__ == "submission"]
+    own = {c.__name__: vars(c).get(method) for c in classes}
+    return [n for n, f in own.items() if isinstance(f, FunctionType) and not _is_empty(f)]
+
+
+def _is_empty(function: FunctionType) -> bool:
+    """Whether it only says that others have it: pass, ..., raise NotImplementedError."""
+    code = function.__code__
+    loads = {one.opname for one in get_instructions(code)} & {"LOAD_FAST", "LOAD_ATTR"}
+    return not loads or "NotImplementedError" in code.co_names
+
+
+def _run(path: Path, code: str) -> dict[str, Any]:
+    """The names of a file that is run."""
     module = ModuleType("submission")
     names = vars(module)
-    names["__file__"] = str(path)
+    names["__file__"], names["__package__"] = str(path), FOLDER
     before = sys.modules.get("submission")
     sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
         with libraries_unchanged():
             exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
-    except InputError as error:
-        raise InputError(f"file {path}: {error}") from None
-    except Exception as error:
-        raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
     finally:
         del sys.modules["submission"]
         if before is not None:
             sys.modules["submission"] = before
-    own = [
-        n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
-    ]
-    space = names
-    if not own:
-        names, own = _methods(path, names)
-    chosen = function or (_last(names, own) if own else "")
-    if chosen not in own:
-        told = f"it has {', '.join(own)}" if own else "it has none"
-        raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
-    if strange := sorted(different_elsewhere(code) & used_by(space, chosen or "")):
-        raise InputError(
-            f"file {path}: {strange[0]} depends on where the file is run: write what it is"
-        )
-    return names[chosen]
+    return names
+
+
+SOLVERS = re.compile(r"solve_ivp|odeint|^ode$|^RK45$|^LSODA$|^rk4|runge", re.IGNORECASE)
+"""What solves equations that it is given as a function."""
+
+
+def _returning(code: str) -> tuple[set[str], set[str]]:
+    """Functions and methods of a file that may return numbers, and those that are solved."""
+    shown: set[str] = set()
+    solved: set[str] = set()
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.FunctionDef):
+            inner = [part for part in ast.walk(node) if isinstance(part, ast.Return)]
+            truths = (ast.Compare, ast.BoolOp)
+            if any(r.value is not None and not isinstance(r.value, truths) for r in inner):
+                shown.add(node.name)
+            elif any(isinstance(p, ast.Subscript) and isinstance(p.ctx, ast.Store)
+                     for p in ast.walk(node)):  # fmt: skip
+                shown.add(node.name)  # it fills an array
+        elif isinstance(node, ast.Call) and node.args:
+            called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            first = node.args[0]
+            if SOLVERS.search(called):
+                solved |= {p.id for p in ast.walk(first) if isinstance(p, ast.Name)}
+                solved |= {p.attr for p in ast.walk(first) if isinstance(p, ast.Attribute)}
+                if isinstance(first, ast.Name) and first.id == "self":
+                    solved.add("__call__")
+    return shown, solved
 
 
 def _last(names: Mapping[str, Any], own: Sequence[str]) -> str:
@@ -169,7 +229,10 @@ def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[st
     classes = [v for v in names.values() if isinstance(v, type) and v.__module__ == "submission"]
     if not classes:
         return names, []
-    own = [n for n, v in vars(classes[-1]).items() if isinstance(v, FunctionType) and n[0] != "_"]
+    own = [
+        n for n, v in vars(classes[-1]).items()
+        if isinstance(v, FunctionType) and (n[0] != "_" or n == "__call__")
+    ]  # fmt: skip
     if not own:
         return names, []
     try:

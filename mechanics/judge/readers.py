@@ -3,6 +3,7 @@
 import inspect
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -14,7 +15,13 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.cpp_functions import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
-from mechanics.claims.code.read_arrays import LANGUAGES, has_function, read_arrays, read_cpp
+from mechanics.claims.code.read_arrays import (
+    LANGUAGES,
+    has_function,
+    has_solved_handle,
+    read_arrays,
+    read_cpp,
+)
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
@@ -100,12 +107,13 @@ def read(
                 except InputError:
                     raise error from None
         options = {"names": names, "notation": notation, "about": about}
-        if (
-            thing.suffix in LANGUAGES
-            and notation is None
-            and has_function(text := file_text(thing))
-        ):
+        known = thing.suffix in LANGUAGES and notation is None
+        text = file_text(thing) if known else ""
+        if known and has_function(text):
             return read_arrays(scene, text, thing.suffix, names, about, str(thing))
+        if known and thing.suffix == ".m" and has_solved_handle(text):
+            with suppress(InputError):  # else a page of equations
+                return read_arrays(scene, text, thing.suffix, names, about, str(thing))
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")

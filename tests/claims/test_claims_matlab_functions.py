@@ -138,3 +138,28 @@ def test_what_matrices_mean_otherwise_is_refused(value: str) -> None:
     (function,) = functions(f"function y = f(x)\n b = [1 2 3];\n y = x*{value};\n end")
     with pytest.raises(ValueError, match=r"is not read|no integer"):
         function(x=1.0)
+
+
+HANDLE = """k = 3; w = k + 1;
+y0 = [1 0];
+if k > 2
+  c = 4;
+end
+f = @(t, y) [
+    y(2);
+    -w*y(1)*%s];
+[t, y] = ode45(f, [0 1], y0);
+plot(t, y(:, 1))
+"""
+
+
+def test_the_handle_that_a_script_has_solved() -> None:
+    (function,) = functions(HANDLE % "sec(0)")
+    assert list(function(y=np.array([5.0, 7.0]))) == [7.0, -20.0]
+
+
+@pytest.mark.parametrize("part, more", [("c", ""), ("k", "k = 5;\n"), ("g(y)", "")])
+def test_a_handle_with_what_is_not_plain_is_not_read_so(part: str, more: str) -> None:
+    with pytest.raises((Unread, NameError, TypeError)):
+        (function,) = functions(more + HANDLE % part)
+        function(y=np.array([5.0, 7.0]))

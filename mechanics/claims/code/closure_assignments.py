@@ -1,6 +1,8 @@
 """Where the numbers that a function holds are assigned: its file, its class, the function around.
 
-x = ...  is "x"        self.x = ...  is ".x"        what is assigned twice is not plain
+x = ...  is "x"        self.x = ...  is ".x"        of a file, what is assigned last
+
+What is assigned twice elsewhere is not plain.
 """
 
 import ast
@@ -50,7 +52,7 @@ def scopes(function: Callable[..., Any]) -> Iterator[Scope]:
         n for f in called_by(inner, bound) for n in (*f.__code__.co_names, *f.__code__.co_freevars)
     }
     whole = inner.__globals__
-    file = Scope(_once(_stores(tree.body)), whole) if tree else Scope({}, whole)
+    file = Scope(_last(_stores(tree.body)), whole) if tree else Scope({}, whole)
     used = {name: node for name, node in file.assigned.items() if name in names}
     yield Scope(used, whole, file)
     if tree is not None:
@@ -103,6 +105,14 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
 
 def _attribute(key: str) -> ast.expr:
     return ast.Attribute(ast.Name("self"), key.lstrip("."))
+
+
+def _last(stores: Stores) -> dict[str, ast.expr]:
+    """What is assigned plainly, each time; a file is run from its top."""
+    found: dict[str, list[ast.expr | None]] = {}
+    for name, node in stores:
+        found.setdefault(name, []).append(node)
+    return {n: v[-1] for n, v in found.items() if v[-1] is not None and None not in v}
 
 
 def _once(stores: Stores) -> dict[str, ast.expr]:

@@ -33,6 +33,8 @@ LIBRARY = {
     "fabs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2",
     "fmod": "fmod", "max": "maximum", "min": "minimum", "fmax": "maximum", "fmin": "minimum",
 }  # fmt: skip
+PAIRS = ("make_pair", "make_tuple")
+"""Functions that return what they are given, side by side."""
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
@@ -804,6 +806,8 @@ def _call(node: Any, scope: Scope) -> str:
     if plain == "pow":
         base, power = (_value(part, scope) for part in named(given))
         return f"power({base}, {power})"
+    if name in PAIRS:
+        return f"block({joined([f'({_value(part, scope)},)' for part in named(given)])})"
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
     if head.type == "identifier" and name not in scope.functions:

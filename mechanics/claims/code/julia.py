@@ -15,7 +15,7 @@ from typing import Any
 from unicodedata import normalize
 
 from mechanics.claims.code import array_language
-from mechanics.claims.code.matlab import ELEMENTWISE, Translated
+from mechanics.claims.code.matlab import ELEMENTWISE, RECIPROCAL, Translated
 from mechanics.claims.code.python_page import (
     LONGEST,
     Page,
@@ -41,7 +41,6 @@ NEW = ("vector_expression", "matrix_expression", "binary_expression", "unary_exp
 """What makes an array of its own."""
 MAKES = ("zeros", "ones", "similar", "zero", "copy", "collect", "vcat", "inv")
 """Functions that do."""
-RECIPROCAL = {"sec": "cos", "csc": "sin", "cot": "tan"}
 OWN = {"inv": "inverse", "transpose": "transposed", "dot": "dot", "cross": "cross", "norm": "norm",
        "diagm": "diag", "Diagonal": "diag", "sum": "np.sum"}  # fmt: skip
 """Functions of arrays."""

@@ -34,6 +34,7 @@ ELEMENTWISE = {
     "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "det": "linalg.det",
 }  # fmt: skip
 """Functions and what NumPy calls them."""
+RECIPROCAL = {"sec": "cos", "csc": "sin", "cot": "tan"}
 INVERSES = ("inv", "pinv")
 ARRAYS = ("zeros", "ones", "eye", "diag", "sum", "dot", "cross", "norm")
 CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
@@ -108,7 +109,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     root = tree(_language, text, "tree-sitter-matlab")
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
     if not nodes:
-        raise Unread("there is no function in it")
+        return _solved_handle(root, origin, known)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
     around = {n: _around(node) for n, node in nodes.items()}
@@ -130,11 +131,71 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         _function(page, node, scopes[name], chosen, before)
         flags |= dict.fromkeys(scopes[name].flags)
     page.constants({name: scopes[name].constants for name, _ in bodies})
-    own = {name: getattr(array_language, name) for name in vars(array_language)
-           if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
-    space = page.module(origin, own)
+    space = page.module(origin, _arrays())
     remarks = tuple(f"{name} is read as true" for name in flags)
     return Translated(tuple(space[name] for name in chosen), remarks)
+
+
+def _solved_handle(root: Any, origin: str, known: Callable[[str], bool]) -> Translated:
+    """The handle that a script has solved: ``f = @(t, y) [...]; ode45(f, ...)``.
+
+    What it uses is what the script assigns once.
+    """
+    table: dict[str, list[Any]] = {}
+    for one in within(root, "assignment"):
+        left, right = (one.child_by_field_name(f) for f in ("left", "right"))
+        for part in named(left) if left.type == "multioutput_variable" else [left]:
+            plain = part == left and one.parent == root
+            table.setdefault(_base(part), []).append(right if plain else None)
+    calls = [c for c in within(root, "function_call") if words(_name(c)).startswith(SOLVERS)]
+    first = [named(a)[0] for c in calls for a in c.children if a.type == "arguments" and named(a)]
+    handles = {
+        safe(words(f)): table[safe(words(f))] for f in first
+        if f.type == "identifier" and safe(words(f)) in table
+    }  # fmt: skip
+    if len(handles) != 1:
+        raise Unread("there is no function in it, and no handle that is solved")
+    ((name, values),) = handles.items()
+    if len(values) != 1 or values[0] is None or values[0].type != "lambda":
+        raise Unread(f"nothing says plainly what {name} is")
+    node = values[0]
+    if (wrong := first_error(node)) is not None:
+        raise refuse(wrong)
+    given = next((c for c in node.children if c.type == "arguments"), None)
+    arguments = [safe(words(one)) for one in within(given, "identifier")] if given else []
+    scope = Scope(arguments, set(), set(), {}, [], known)
+    value = expression(node.child_by_field_name("expression"), scope)
+    before: list[str] = []
+    todo, done = list(scope.free), set(arguments)
+    while todo:
+        one = todo.pop()
+        if one in done or one not in table:
+            continue
+        done.add(one)
+        if len(table[one]) > 1 or table[one][0] is None:
+            raise Unread(f"{one} is assigned twice, or beside others: leave one")
+        scope.free.pop(one, None)
+        (right,) = table[one]
+        if right.type == "number":
+            scope.constants[one] = words(right)
+        else:
+            before.insert(0, f"{one} = {expression(right, scope)}")
+        todo += list(scope.free)
+    used = [a for a in arguments if re.search(rf"\b{a}\b", value)]
+    page = Page()
+    extra = [n for n in scope.free if n not in used]
+    page.put(line_of(node), 0, f"def {name}({joined([*used, *extra])}):", opens=True)
+    for text in before:
+        page.lines.append(f"    {text}")
+    page.put(line_of(node) + 1, 1, f"return vector({value})")
+    page.constants({name: scope.constants})
+    return Translated((page.module(origin, _arrays())[name],), ())
+
+
+def _arrays() -> dict[str, Any]:
+    """What MATLAB's arrays can, by name."""
+    return {name: value for name, value in vars(array_language).items()
+            if callable(value) or name == "ALL"}  # fmt: skip
 
 
 def _language() -> object:
@@ -532,6 +593,8 @@ def _call(node: Any, scope: Scope) -> str:
         return f"{name}({joined(given)})"
     if name in ELEMENTWISE:
         return f"np.{ELEMENTWISE[name]}({joined(given)})"
+    if name in RECIPROCAL:
+        return f"(1/np.{RECIPROCAL[name]}({joined(given)}))"
     if name in INVERSES:
         return f"inverse({joined(given)})"
     if name in ARRAYS:

@@ -39,7 +39,9 @@ ACC = re.compile(r"_?[aA]cc$")
 BEFORE = re.compile(r"a_?(\w+)")
 """Begins one: atheta, a_x."""
 
-TITLE = re.compile(r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$")
+TITLE = re.compile(
+    r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$", re.IGNORECASE
+)
 """What people put before and behind the name of what a function returns."""
 ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
 SHORT = {
@@ -130,7 +132,7 @@ def _unasked(
     momenta = [p for p in momentum_symbols(scene) if p in passed]
     if momenta and len(entries) == len(scene.q) + len(momenta):
         return _canonical(scene, [*scene.q, *momenta], entries)
-    if named := _accelerations(naming, outputs.names or (title,), len(entries)):
+    if named := _named_accelerations(naming, outputs, title, len(entries)):
         return [_rate_of(scene, u, value) for u, value in zip(named, entries, strict=True)]
     moving = (*scene.q, *scene.u)
     part = len(state) == size > 1 and {*state} & {*scene.q} and {*state} & {*scene.u}
@@ -151,7 +153,8 @@ def _unasked(
     if len(entries) == len(both) and STEP in passed:
         return _stepped(naming, both, entries, title, passed)
     if len(entries) == len(both):
-        return [_rate_of(scene, symbol, value) for symbol, value in zip(both, entries, strict=True)]
+        rates = _of_a_number(scene, both, entries) or entries
+        return [_rate_of(scene, symbol, value) for symbol, value in zip(both, rates, strict=True)]
     raise InputError(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
@@ -218,7 +221,7 @@ def taken_otherwise(
         return [] if scene.inputs else [(words, rows)]
     if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
         return []
-    if _accelerations(naming, outputs.names or (title,), len(found)):
+    if _named_accelerations(naming, outputs, title, len(found)):
         return []
     every = []
     for order in islice(permutations(scene.u), 1, None):
@@ -251,6 +254,23 @@ def _stepped(
     return [*known, (words, Identity(), (Matrix(entries), Matrix(step.composed)))]
 
 
+def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Expr] | None:
+    """The rates of a step of explicit Euler whose time is a number: x + 0.02 v, v + 0.02 a.
+
+    The coordinates tell it: what is added to each is the same number times its speed.
+    """
+    table = rate_table(scene)
+    ratios = {
+        ((value - symbol) / table[symbol]).cancel()
+        for symbol, value in zip(state, entries, strict=True)
+        if symbol in scene.q and table[symbol] in scene.u
+    }
+    step = ratios.pop() if len(ratios) == 1 else S.Zero
+    if not (step.is_Rational and step.is_positive):
+        return None
+    return [(value - symbol) / step for symbol, value in zip(state, entries, strict=True)]
+
+
 def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
     """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau)."""
     entries = [entry for value in outputs.values for entry in value]
@@ -266,6 +286,12 @@ def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]
         pairs = zip(inputs, entries, strict=True)
         return [(str(symbol), EquationOfMotion(), (symbol, entry)) for symbol, entry in pairs]
     return []
+
+
+def _named_accelerations(naming: Naming, outputs: Outputs, title: str, count: int) -> list[Expr]:
+    """By the names of outputs, else by that of the function: ``compute_q1dd``."""
+    own = _accelerations(naming, outputs.names, count) if outputs.names else []
+    return own or _accelerations(naming, (TITLE.sub("", title),), count)
 
 
 def _accelerations(naming: Naming, names: Sequence[str], count: int) -> list[Expr]:

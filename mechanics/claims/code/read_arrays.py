@@ -28,6 +28,11 @@ PLACE = re.compile(r"\[(\d+)\]")
 """Of an entry, which Julia counts from 1 as MATLAB does: p[2] is told as p(2)."""
 
 
+def has_solved_handle(text: str) -> bool:
+    """Whether a script of MATLAB may have a handle solved: it may be text, too."""
+    return re.search(r"=\s*@\(", text) is not None and re.search(r"\bode\d+", text) is not None
+
+
 def has_function(text: str) -> bool:
     """Whether a file is code: its equations alone are text."""
     return re.search(r"^[ \t]*(?:@\w+[ \t]+)?function\b", text, re.MULTILINE) is not None
