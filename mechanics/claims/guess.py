@@ -41,6 +41,13 @@ SHORT = "short for "
 ONLY_MOMENTUM = "the only momentum"
 FIRST_LETTER = "the same first letter"
 
+REASONS = (
+    *SURE[:3], CAPITALS, FIRST_LETTER, "its first letters, the same number",
+    "the only quantity of its unit that is left", "the only input that is left",
+    "the only coordinate of its unit that is left",
+)  # fmt: skip
+"""Why a name was matched that the scene does not have."""
+
 Rule = tuple[Callable[[str, str], bool], str]
 
 

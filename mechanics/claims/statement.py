@@ -73,8 +73,8 @@ class Statement:
         Whether a side of `row` is the scene's own, what was written is compared with: an entry of
         the mass matrix, what accelerates at an equilibrium. It counts as the scene does.
     unsure : tuple of str
-        Under what else it may be right: what nobody said, and was taken to read it. It is not
-        REFUTED then, only open.
+        Under what else it may be right: what nobody said, and has no list of other ways to try
+        (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
     """
 
     row: Published | None

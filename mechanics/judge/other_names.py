@@ -15,7 +15,7 @@ from math import prod
 from sympy import Symbol
 
 from mechanics.checks.ledger import check_row
-from mechanics.claims.guess import CAPITALS, SHORT, SURE
+from mechanics.claims.guess import CAPITALS, FIRST_LETTER, REASONS, SHORT, SURE
 from mechanics.claims.kinds import quantity
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Reading, Statement
@@ -67,7 +67,7 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
 
 def other_choices(truth: Equations, reading: Reading) -> Iterator[tuple[str, Table]]:
     """All other names that guessed ones may stand for: in words, and as a change of symbols."""
-    guessed = _guessed(reading)
+    guessed = _guessed(reading) or tuple(m for m in reading.names if m.why in REASONS)
     claimed = _claimed(reading)
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in claimed if s.row is not None]
     meanings = tuple(match.meaning for match in guessed)
@@ -120,8 +120,13 @@ def _choices(
         held = {name.removesuffix(dots) for name in held}
     meanings = tuple(match.meaning for match in guessed)
     every = (*scene.q, *scene.input_symbols, *scene.parameters)
+    moving = {symbol.name for symbol in scene.q}
     free = [s.name for s in every if s.name in meanings or s.name not in held]
-    pools = [[n for n in free if quantity(scene, n) == quantity(scene, m)] for m in meanings]
+    pools = [
+        [n for n in free if quantity(scene, n) == quantity(scene, m.meaning)
+         or (m.why == FIRST_LETTER and n not in moving)]
+        for m in guessed
+    ]  # fmt: skip
     yield meanings
     if prod(map(len, pools)) > MOST_TRIED:
         return

@@ -26,7 +26,7 @@ from itertools import islice, permutations, product
 from sympy import Expr, Symbol
 
 from mechanics.checks.ledger import check_row
-from mechanics.claims.code.arguments import GUESSED_ORDER
+from mechanics.claims.code.arguments import GUESSED_ORDER, USUAL
 from mechanics.claims.guess import ONLY_MOMENTUM
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match
@@ -169,7 +169,12 @@ def _guesses(truth: Equations, reading: Reading) -> Iterator[Guess]:
         if GUESSED_ORDER in match.why:
             yield _ordered(scene, match)
     yield from _scaled(scene, reading.names)
-    if any(match.why in (WHY, BY_KIND) for match in reading.names):
+    coordinates = {q.name for q in scene.q}
+    if any(
+        match.why in (WHY, BY_KIND)
+        or (match.why == USUAL and len(coordinates & {*match.meaning.split()}) > 1)
+        for match in reading.names
+    ):
         yield from _exchanged(scene)
     if others := _named(truth, reading):
         yield others

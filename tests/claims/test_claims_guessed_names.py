@@ -5,6 +5,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
 from mechanics import Particle, Scene, parameters
+from mechanics.claims.guess import REASONS, _moving_rules, _still_rules
 from mechanics.claims.kinds import kinds
 from mechanics.judge.check import derived
 from mechanics.scene import force
@@ -100,3 +101,9 @@ def test_the_first_letters_and_the_number_of_an_angle() -> None:
 def test_an_entry_of_the_mass_matrix_by_its_place(text: str, verdict: str) -> None:
     found = mechanics.check(derived(acrobot.scene()), text, blame=False)
     assert found.verdict.name == verdict
+
+
+def test_every_reason_for_a_guess_is_one_that_other_choices_are_tried_for() -> None:
+    scene = cartpole.scene()
+    rules = (*_moving_rules(scene), *_still_rules(scene, {"F"}))
+    assert {why for _, why in rules} == set(REASONS)

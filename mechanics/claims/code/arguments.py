@@ -63,6 +63,7 @@ class Arguments:
     matches: tuple[Match, ...]
 
 
+USUAL = "the usual name of such a vector"
 GUESSED_ORDER = "its order a guess"
 """Of the entries of an argument, where nothing but the scene says it."""
 
@@ -325,7 +326,7 @@ def _group(
         if name in words and symbols and fits and k not in used:
             scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
             value: Value = symbols[0] if scalar else tuple(symbols)
-            why = "the usual name of such a vector"
+            why = USUAL
             if words in (INPUTS, PARAMETERS) and not scalar and not _numbered(symbols):
                 order = " ".join(str(symbol) for symbol in symbols)
                 why = f"{why}, {GUESSED_ORDER}: --name '{name}={order}' gives it"
