@@ -175,7 +175,8 @@ def _run(words: list[str]) -> int:
 def _to_add(error: Any) -> str:
     """What to write where an argument or an option is missing, or an option is not there."""
     missing = getattr(error, "param", None)
-    if getattr(error, "option_name", None) and not getattr(error, "possibilities", None):
+    unknown = getattr(error, "option_name", None) and error.ctx is not None
+    if unknown and not getattr(error, "possibilities", None):
         # Values are often called initial, or are given by their own names.
         taken = [name for param in error.ctx.command.params for name in param.opts]
         return ". Values are set by --set NAME=VALUE." if "--set" in taken else ""

@@ -7,7 +7,7 @@ where $m$ is the mass of the rod,            as the scene has it
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 
 from sympy import Rational
@@ -33,6 +33,7 @@ HEADS = (
 """First nouns of what a name is, and their units."""
 SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
+MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
 
@@ -123,10 +124,19 @@ def _other_vertical(facts: SceneFacts, words: str) -> str:
     return f"other vertical of {name}" if any(a.quarter == quarter for a in angles) else ""
 
 
+def _only(said: Said, words: Collection[str]) -> bool:
+    """Whether a match has no words but these and function words: it may hide others."""
+    return {*re.findall("[a-z]+", MARKED.sub(" ", said[0]).lower())} <= {*words} | p.ARTICLES
+
+
 def _direction(facts: SceneFacts, said: Said) -> Found:
     way, sense = said["way"].lower(), (said.groupdict().get("sense") or "").lower()
-    return _declared(
-        facts, f"{' '.join(filter(None, (p.WAYS.get(way, way), sense)))} of {_name(said)}"
+    direction = f"{p.WAYS.get(way, way)} {sense}".strip()
+    found = _declared(facts, f"{direction} of {_name(said)}")
+    return (
+        found
+        if found or _only(said, {*p.COUNTED, *re.findall("[a-z]+", f"{way} {sense}")})
+        else None
     )
 
 
@@ -156,7 +166,7 @@ def _to_centre(facts: SceneFacts, said: Said) -> Found:
     own = facts.own(said)
     ratio = facts.ratio(own)
     if own not in facts.parameters or ratio == 1:
-        return None if own not in facts.parameters else ""
+        return None
     if ratio in RATIOS:
         return read_declared([f"half-length of {_name(said)}"], facts.known)
     words = f"the text says that {_name(said)} is the distance to a mass centre"
@@ -325,7 +335,9 @@ def _on_body(facts: SceneFacts, said: Said) -> Found:
     if own not in facts.inputs or len(bodies) != 1 or len(on) != 1 or None in on:
         return None
     if on == {bodies[0].name}:
-        return ""
+        return (
+            "" if _only(said, {*p.APPLIED, *p.PUSHING, *p.COUNTED, said["body"].lower()}) else None
+        )
     words = f"the text says that {_name(said)} acts on the {said['body']}"
     return f"{words}, the scene's does on {on.pop()}"
 
@@ -335,14 +347,16 @@ def _equal(facts: SceneFacts, said: Said) -> Found:
     if p.DENIED.search(said.string):
         return None
     scene, what = facts.scene, said["what"].lower()
-    masses = {scene.plain(body.mass) for body in scene.bodies}
-    lengths = {n for n in facts.parameters if facts.unit(n) == "m" and "length" in facts.meaning(n)}
-    springs = {scene.plain(x.stiffness) for x in scene.loads if isinstance(x, Spring)}
+    masses = [scene.plain(body.mass) for body in scene.bodies]
+    lengths = [n for n in facts.parameters if facts.unit(n) == "m" and "length" in facts.meaning(n)]
+    springs = [scene.plain(x.stiffness) for x in scene.loads if isinstance(x, Spring)]
     some = {"mass": masses, "leng": lengths, "spri": springs, "stif": springs}.get(what[:4], masses)
     if not some:
         return None
     differ = said["how"].lower() in ("different", "unequal")
-    return "" if (len(some) > 1) is differ else f"the text says {said[0]!r}, the scene's are not"
+    if (len({*some}) > 1) is not differ:
+        return f"the text says {said[0]!r}, the scene's are not"
+    return "" if len(some) > 1 else None
 
 
 def _massless(facts: SceneFacts, said: Said) -> Found:
@@ -355,9 +369,7 @@ def _massless(facts: SceneFacts, said: Said) -> Found:
         rods = p.ALIKE[0]
         bodies = [b for b in facts.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
     heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
-    if not heavy:
-        return "" if link else None
-    if len(heavy) < len(bodies):
+    if not heavy or len(heavy) < len(bodies):
         return None
     words = f"the text says {bare(said[0])!r}, the scene has a mass and an inertia"
     return f"{words} of {', '.join(heavy)}"
@@ -381,7 +393,7 @@ def _value(facts: SceneFacts, said: Said) -> Found:
 def _sort(facts: SceneFacts, said: Said) -> Found:
     rigid = any(isinstance(b, RigidBody) and b.inertia != 0 for b in facts.scene.bodies)
     plain = said["sort"].lower() in ("simple", "mathematical")
-    return f"the text says {said[0]!r}, which the scene has not" if rigid is plain else ""
+    return f"the text says {said[0]!r}, which the scene has not" if rigid is plain else None
 
 
 def _still(facts: SceneFacts, said: Said) -> Found:
@@ -421,12 +433,12 @@ def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tu
                      for m in re.finditer(rf"\w*(?:{words})\w*", part, re.IGNORECASE)]  # fmt: skip
             if not found or facts.has[name] is None:
                 continue
-            if facts.has[name] is not bool(absent):
-                yield "", [*found, *absent]
-            else:
+            if facts.has[name] is bool(absent):
                 other = f"the text speaks of {name}, the scene has none"
                 words = f"the text says that there is no {name}" if absent else other
                 yield f"{words} ({bare(part)[:60]!r})", found
+            elif absent:
+                yield "", [*found, *absent]
         start = stop
 
 

@@ -213,6 +213,11 @@ GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "c
 TURNING = frozenset(("torque", "moment", "couple"))
 PUSHING = frozenset(("force", "thrust"))
 APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input"))
+COUNTED = words("""
+    is are be being denotes denote means mean measured counted taken reckoned acts acting angle made
+    makes with and from to on between
+""")
+"""Words of how and from where something is counted, or acts."""
 PLACES = frozenset(("angle", "position", "displacement", "coordinate"))
 ARTICLES = frozenset(("the", "a", "an", "its", "of", "in", "on"))
 OTHERS = (

@@ -39,6 +39,8 @@ INSIDE = re.compile(r"[.;!?](?=\s)")
 NAME = re.compile(r"\s*\\?(?:var)?([A-Za-z]+(?:_\{?\w+\}?)?)\s*")
 WORD = re.compile(r"(?<![\w\u27e8'.])([^\W\d]\w*)(?![\w(\u27e9'\[])(?: ?:)?")
 FORMULA = re.compile("\u27e8= ([^\u27e9]*)\u27e9")
+BRACES = re.compile("(\u27e8[^\u27e9]*\u27e9)|[{}]")
+"""Of arguments of commands, outside of formulas."""
 BETWEEN = re.compile(r",|\\q?quad|\\[;:]")
 """Of what stands side by side in a formula."""
 LONG = 40
@@ -122,7 +124,7 @@ def bare(words: str) -> str:
 
 def words_of(sentence: str) -> str:
     """The words of a sentence, with dots for equations and what is long."""
-    return bare(FORMULA.sub(_shown, sentence))
+    return bare(FORMULA.sub(_shown, BRACES.sub(r"\1", sentence)))
 
 
 def _shown(formula: re.Match[str]) -> str:

@@ -253,6 +253,11 @@ QUOTED = [
     ("rod_pendulum", r"$t < 0$:"),
     ("cartpole", r"$F$ is a force of gravity."),
     ("cartpole", r"$m_p$ is the mass of the system."),
+    ("cartpole", r"$F$ is the magnetic force on the cart."),
+    ("double_pendulum", r"It is a simple pendulum."),
+    ("double_pendulum", r"$\varphi_1$ is the angle the second rod makes with the vertical."),
+    ("rod_pendulum", r"\section{The rod is a hoop}"),
+    ("rod_pendulum", r'"The rod is a hoop."'),
 ]
 
 
