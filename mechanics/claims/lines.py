@@ -1,11 +1,14 @@
 """Lines of a text: equations with one side or more, each with the place where it stands."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import Name, Node, names
 
+FIELD = re.compile(r"=\s*[^\W\d]\w*\.[^\W\d]")
+"""What a field of a record gives to a name."""
 NOT_USED = "values in the code are not used"
 """In a note on a parameter that a person's code gives a value."""
 PRODUCT = "is read as the product"
@@ -77,6 +80,8 @@ def gives(line: Line, naming: Naming) -> bool:
 def gives_constants(line: Line, naming: Naming) -> bool:
     """Whether all that it sets are parameters: a reaction that is given a value is a claim."""
     plain = [side.name for side in line.sides if isinstance(side, Name)]
+    if FIELD.search(line.source) and len({naming.lookup(name) for name in plain}) > 1:
+        return False  # m = p.l
     return gives(line, naming) and all(is_constant(name, naming) for name in plain)
 
 

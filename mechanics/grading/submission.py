@@ -221,6 +221,7 @@ def _placeholders(kind: type, names: Mapping[str, Any]) -> dict[str, Any]:
             found[name] = inner(**_placeholders(inner, names))
         else:
             found[name] = Unsaid(1.5 + len(found) * 0.37)
+            found[name].name = name
     return found
 
 

@@ -297,6 +297,13 @@ def unsigned(a: Any) -> Any:
     return a
 
 
+def signed(a: Any, bits: int) -> Any:
+    """An integer of C with a sign."""
+    if isinstance(a, int | np.integer) and not -(2 ** (bits - 1)) <= a < 2 ** (bits - 1):
+        raise ValueError(f"{a} does not fit into an integer of {bits} bits")
+    return a
+
+
 def steps(first: Any, step: Any, last: Any) -> list[Any]:
     """first:step:last"""
     count = int(np.floor((last - first) / step + 1e-10)) + 1

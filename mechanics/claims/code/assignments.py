@@ -40,11 +40,13 @@ from mechanics.claims.tree import (
     Table,
     names,
 )
-from mechanics.errors import MechanicsError
+from mechanics.errors import InputError, MechanicsError
 from mechanics.scene.symbols import DOTS
 
 LARGEST_ARRAY = 36
 """Entries that get names of their own."""
+MOST_LINES = 60_000
+"""That a call may run through, loops in loops included."""
 NO_NUMBER = re.compile(r"has no len\(\)|not (?:iterable|subscriptable|callable)")
 """What fails for every number."""
 
@@ -69,6 +71,7 @@ def recorded(
         yield
         return
     lines: dict[int, int] = {}
+    left = iter(range(MOST_LINES))
     file = code.co_filename
     words = f"{Path(file).name}, line" if file.endswith(".py") else "line"
 
@@ -83,6 +86,9 @@ def recorded(
     def line(frame: FrameType, event: str, what: Any) -> Any:
         if event == "exception" and _of_tracing(what[1]):
             failed.append(f"line {frame.f_lineno}: {what[0].__name__}: {what[1]}")
+        if next(left, None) is None:
+            failed.append(f"it runs through more than {MOST_LINES} lines")
+            raise InputError(failed[-1])
         if id(frame) in lines:
             for name, value in frame.f_locals.items():
                 _name(name, value, f"{words} {lines[id(frame)]}", found)

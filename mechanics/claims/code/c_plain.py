@@ -72,8 +72,7 @@ def plain(text: str, origin: str) -> Plain:
         For a macro that gives words another meaning, a struct of other things than numbers, or one
         that is no argument, by line and column.
     """
-    doubled = re.sub(TOKEN, _doubled, text)
-    notes = (SINGLE_NOTE,) if doubled != text else ()
+    doubled, notes = in_doubles(text)
     if rounded := _rounded(_blank(text)) if notes else None:
         raise ExpressionError(
             f"{_place(text, rounded.start(), origin)}: {rounded[0]} is rounded to single precision"
@@ -92,6 +91,12 @@ def plain(text: str, origin: str) -> Plain:
     for match in reversed(structs):
         doubled = _as_arrays(doubled, match, origin, apart)
     return Plain(doubled, apart, notes)
+
+
+def in_doubles(text: str) -> tuple[str, tuple[str, ...]]:
+    """The text without single precision, and what is said of that."""
+    doubled = re.sub(TOKEN, _doubled, text)
+    return doubled, (SINGLE_NOTE,) if doubled != text else ()
 
 
 def _rounded(text: str) -> re.Match[str] | None:

@@ -43,6 +43,10 @@ INTEGERS = re.compile(
 )
 UNSIGNED = re.compile(r"\b(?:unsigned|byte|word|size_t|uint\w*_t)\b")
 
+WIDE = re.compile(r"\b(?:long|(?:u?int(?:32|64)|size|ptrdiff)_t)\b|\d[uU]?[lL]")
+"""What makes integers longer than an int."""
+SMALL = ".ino"
+"""Of processors whose integers may have 16 bits."""
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
 WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
@@ -84,6 +88,10 @@ class Scope:
     outputs: list[str] = field(default_factory=list)
     changed: set[str] = field(default_factory=set)
     unsigned: set[str] = field(default_factory=set)
+    wide: set[str] = field(default_factory=set)
+    open: set[str] = field(default_factory=set)
+    defaults: dict[str, str] = field(default_factory=dict)
+    bits: int = 32
     returns: bool = True
     whole: bool = False
     numbers: bool = False
@@ -115,6 +123,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     for name in order:  # what stands in others says nothing of these
         if (wrong := twice.get(name) or first_error(nodes[name])) is not None:
             raise wrong if isinstance(wrong, Unread) else refuse(wrong)
+    _refuse_constructors(root, {name: nodes[name] for name in order})
     constants, integers = _numbers(root, {name: nodes[name] for name in order})
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
     structs = {words(s.child_by_field_name("name")): s for s in types}
@@ -124,6 +133,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         _refuse_shadows(nodes[name], set())
         scope = _scope(nodes[name], structs, nodes, scopes)
         scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
+        scope.bits = 16 if origin.endswith(SMALL) else 32
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
@@ -165,6 +175,28 @@ def _functions(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
             twice[name] = refuse(node, f"{name} is the name of two functions: rename it")
         nodes[name] = node
     return nodes, twice
+
+
+def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
+    """Refuse objects that begin with something else in a member than what is passed by its name."""
+    parts = ("identifier", "field_identifier")
+    used = {words(one) for node in nodes.values() for one in within(node, *parts)}
+    for node in within(root, "function_definition"):
+        if node.child_by_field_name("type") is not None or words(node).startswith("operator"):
+            continue
+        for one in within(node, "field_initializer", "assignment_expression"):
+            first, *_, last = named(one)
+            member = words(within(first, *parts)[-1]) if within(first, *parts) else ""
+            values = [words(name) for name in within(last, *parts)]
+            same = bool(values) and _key(values[-1]) == _key(member)
+            plain = not within(last, "binary_expression", "unary_expression", "call_expression")
+            if member in used and values and not (same and plain):
+                raise refuse(one, f"{member} of an object is not what is passed by that name")
+
+
+def _key(name: str) -> str:
+    """A member or an argument as they are spelled alike: m_, _m, m0 and m."""
+    return re.sub(r"^m_(?=\w)|^_+|_+$|_(?:in|init)$|(?<=\w)0$", "", name).lower()
 
 
 def _refuse_conditions(root: Any) -> None:
@@ -351,6 +383,7 @@ def _scope(
     arguments: list[str] = []
     fields: dict[str, list[str]] = {}
     outputs, references, integers, unsigned = [], set(), set(), set()
+    open_ones, defaults = set(), {}
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
@@ -362,12 +395,17 @@ def _scope(
         if _integral(kind):
             integers.add(arguments[-1])
             unsigned |= {arguments[-1]} if UNSIGNED.search(kind) else set()
+        if kind == "auto" or _is_type(one.child_by_field_name("type")):
+            open_ones.add(arguments[-1])
+        if (default := one.child_by_field_name("default_value")) is not None:
+            defaults[arguments[-1]] = words(default)
         if "const" not in words(one).split() and declarator.type != "identifier":
             outputs.append(arguments[-1])
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
     scope = Scope(arguments, fields, functions, printed)
     scope.references, scope.integers, scope.unsigned = references, integers, unsigned
+    scope.open, scope.defaults = open_ones, defaults
     kind = words(node.child_by_field_name("type") or node)
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
@@ -505,6 +543,12 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
                 raise refuse(one, "what is rounded to an integer is not read")
             scope.integers.add(name)
             scope.unsigned |= {name} if UNSIGNED.search(kind) else set()
+            scope.wide |= {name} if WIDE.search(kind) else set()
+            bits = 64 if name in scope.wide else scope.bits
+            if value is not None and WHOLE.fullmatch(words(value)) and (
+                int(_number(value)) >> (bits - 1)
+            ):  # fmt: skip
+                raise refuse(one, f"it does not fit into an integer of {bits} bits")
         inner_names = {safe(words(n)) for n in within(value, "identifier")} if value else set()
         second = declarator.type in ("reference_declarator", "pointer_declarator")
         if second and (value is None or value.type != "new_expression") and (
@@ -587,6 +631,8 @@ def _changed(node: Any, scope: Scope) -> str:
         raise refuse(node, "what is rounded to an integer is not read")
     if _root(left) in scope.unsigned:
         value = f"unsigned({value})"
+    elif _root(left) in scope.integers:
+        value = f"signed({value}, {_bits(left, scope)})"
     if left.type == "identifier":
         name = safe(words(left))
         scope.locals.add(name)
@@ -759,7 +805,10 @@ def _binary(node: Any, scope: Scope) -> str:
         if scope.numbers:
             return f"({left} {sign} {right})"
         value = f"{OPERATIONS[sign]}({left}, {right})"
-        return f"unsigned({value})" if left.startswith("unsigned(") else value
+        if left.startswith("unsigned("):
+            return f"unsigned({value})"
+        whole = all(_whole(side, scope) for side in sides)
+        return f"signed({value}, {_bits(node, scope)})" if whole else value
     if sign == "/":
         if all(_whole(side, scope) for side in sides):
             return f"quotient({left}, {right})"
@@ -767,6 +816,12 @@ def _binary(node: Any, scope: Scope) -> str:
     if sign in (*COMPARED, "&&", "||"):
         return f"({left} {({'&&': 'and', '||': 'or'}).get(sign, sign)} {right})"
     raise refuse(node)
+
+
+def _bits(node: Any, scope: Scope) -> int:
+    """How many bits integers have there."""
+    names = {safe(words(one)) for one in within(node, "identifier")}
+    return 64 if WIDE.search(words(node)) or names & scope.wide else scope.bits
 
 
 def _field(node: Any, scope: Scope) -> str:
@@ -832,8 +887,13 @@ def _call_of(name: str, node: Any, scope: Scope) -> str:
     for argument, value in zip(callee.arguments, given, strict=False):
         if argument in callee.integers and not _whole(value, scope):
             raise refuse(value, "what is rounded to an integer is not read")
+        if argument in callee.open and _whole(value, scope):
+            raise refuse(value, f"{argument} of {name} is an integer here: write its type")
+    left = [callee.defaults.get(argument, "") for argument in callee.arguments[len(given) :]]
+    if strange := [text for text in left if not NUMBER.fullmatch(text)]:
+        raise refuse(node, f"{strange[0] or 'an argument'} of {name} is not read: pass it")
     passed = [n for n in callee.free if n not in callee.arguments]
     if hidden := [n for n in passed if n in scope.locals or n in scope.arguments]:
         raise refuse(node, f"{', '.join(hidden)} means two things: rename one")
-    values = [*(_value(v, scope) for v in given), *(_read(n, scope) for n in passed)]
+    values = [*(_value(v, scope) for v in given), *left, *(_read(n, scope) for n in passed)]
     return f"{name}({joined(values)})"

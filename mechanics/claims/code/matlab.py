@@ -300,6 +300,7 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
         _base(target): words(value)
         for target, value in targets
         if value.type == "number" and target.type == "identifier"
+        and target.parent.parent.parent == node  # under no condition
         and names.count(_base(target)) == 1 and _base(target) not in (*arguments, *outputs)
     }  # fmt: skip
     inside = {*names, *counted} - {*constants}
@@ -401,6 +402,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
         case "global_operator" | "persistent_operator" | "return_statement":
             if kind == "return_statement":
                 raise refuse(node)
+        case "function_call" if words(_name(node)) == "error" and depth == 1:
+            page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN:
             page.put(line, depth, "pass")
         case "command" if words(named(node)[0]) in SHOWN:
@@ -568,7 +571,10 @@ def _field(node: Any, scope: Scope) -> str:
         left = parent.child_by_field_name("left")
         if left.type == "identifier" and left != node:
             local = safe(words(left))
-            if scope.scalar(local) or not scope.scalar(name):
+            one = len(parts) == 2 or f".{local}" in words(_around(node))
+            if local != name and one and scope.scalar(local) and scope.scalar(name):
+                raise refuse(node, f"{local} has the value of {name}: write {name} itself")
+            if not scope.scalar(name):
                 name = local
                 scope.locals.discard(name)
     owner = ".".join(parts[:-1])
@@ -602,6 +608,8 @@ def _call(node: Any, scope: Scope) -> str:
     if name == "transpose":
         return f"transposed({joined(given)})"
     if name in ("deg2rad", "double", "single", "simplify"):
+        if name == "single":
+            return f"np.float32({given[0]})"
         return f"({given[0]}*np.pi/180)" if name == "deg2rad" else given[0]
     scope.free[name] = None
     return _entry(node, name, scope)

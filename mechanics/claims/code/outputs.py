@@ -89,9 +89,10 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
     of_rates = {rate: s for s, rate in rate_table(scene).items()}
     meant = {n: naming.symbol(*known) if (known := naming.lookup(n)) else None for n in names}
     pairs = [(n, sides[0]) for n, (_, _, sides) in zip(names, found, strict=False)]
-    if len(names) > len(found) or any(rate not in [*of_rates] for _, rate in pairs):
+    if len(names) != len(found) or any(rate not in [*of_rates] for _, rate in pairs):
         return
-    if all(meant[name] == of_rates[rate] for name, rate in pairs) and len(names) > 1:
+    own = [(meant[name], rate) for name, rate in pairs if meant[name] is not None]
+    if len(names) > 1 and own and all(symbol == of_rates[rate] for symbol, rate in own):
         return  # by what they are the rates of
     moving = {*scene.q, *of_rates, *scene.input_symbols}
     for name, rate in pairs:

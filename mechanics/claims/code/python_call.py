@@ -28,7 +28,25 @@ MOST = 8
 
 
 class Unsaid(float):
-    """A number that an object is made with because it wants one: a parameter stands for it."""
+    """A number that an object is made with because it wants one: a parameter stands for it.
+
+    `name` is that of the argument; what is computed from such numbers has none.
+    """
+
+    name = ""
+
+
+def _computed(operator: str) -> Callable[..., Any]:
+    def apply(self: Unsaid, *others: Any) -> Any:
+        found = getattr(float, operator)(self, *others)
+        return Unsaid(found) if isinstance(found, float) else found
+
+    return apply
+
+
+for _operator in ("add", "sub", "mul", "truediv", "pow"):
+    for _name in (f"__{_operator}__", f"__r{_operator}__"):
+        setattr(Unsaid, _name, _computed(_name))
 
 
 @dataclass(frozen=True)
@@ -148,6 +166,10 @@ def _standing(
     }
     known |= derived(function, known)
     numbers = held(function, known).numbers
+    for n, v in numbers.items():
+        if isinstance(v, Unsaid) and n in constants and v.name in ("", *constants) and v.name != n:
+            made = v.name or "something computed"
+            raise InputError(f"{n} of the object is {made}, not what is passed by that name")
     told = [f"{n} = {v}" + ("" if n == str(known[n]) else f" ({known[n]})")
             for n, v in numbers.items()]  # fmt: skip
     others = [f"{n} = {v}" for n, v in held(function, _used(function)).numbers.items()

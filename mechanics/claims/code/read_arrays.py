@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
+from mechanics.claims.code.c_plain import in_doubles
 from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
 from mechanics.claims.lines import NOT_USED
@@ -72,7 +73,12 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     with located(origin):
         functions = cpp_functions.in_python(text, origin, function)
-    return _together([read_function(scene, one, names, about, text) for one in functions])
+    found = _together([read_function(scene, one, names, about, text) for one in functions])
+    notes = in_doubles(text)[1]
+    if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
+        notes = (*notes, "double may be single precision on a small processor: read as exact")
+    statements = (replace(s, notes=(*s.notes, *notes)) for s in found.statements)
+    return replace(found, statements=tuple(statements))
 
 
 @contextmanager

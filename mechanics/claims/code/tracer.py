@@ -235,7 +235,7 @@ class Traced:
                 return partial(getattr(Traced, f"_{name}"), self)
         elif name[:2] != "__" and (hasattr(float, name) or hasattr(np.float64, name)):
             self.explorer.hidden.append(f".{name} of a number hides a formula: write it otherwise")
-        raise AttributeError(name)
+        raise AttributeError(f"'float' object has no attribute '{name}'")
 
     def _elementary(self, name: str) -> Traced:
         if name in OF_DEGREES:
@@ -251,6 +251,7 @@ def of_libraries(module: str) -> bool:
 
 
 Real.register(Traced)
+Traced.__name__ = "float"  # in the words of errors, which code may look at
 NUMBERS = (int, bool, np.float64, np.float32, np.int64, complex)
 """Classes of other numbers that may be passed."""
 OF_TWO = ("fmod", "hypot", "arctan2")

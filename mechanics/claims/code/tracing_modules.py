@@ -260,7 +260,10 @@ NUMPY: dict[str, Any] = {
     "float64": Float64, "double": Float64, "float32": Single, "single": Single,
     **{name: _elementary(name, getattr(np, name)) for name in ELEMENTARY},
     "pi": PI, "e": E,
-    "random": Changing("np.random"),
+    **{name: Changing(f"np.{name}") for name in (
+        "random", "result_type", "min_scalar_type", "can_cast", "issubdtype", "promote_types",
+        "common_type", "typename", "iscomplexobj", "isrealobj",
+    )},
     "linalg": Module(np.linalg, linear_systems.NUMPY),
     "hypot": _hypot,
     "arctan2": _of_two(
@@ -461,7 +464,7 @@ BUILTINS: dict[str, Any] = {
 
 def _telling(code: types.CodeType) -> set[str]:
     """Attributes and cases by class that may tell who calls."""
-    found, before = set(), ""
+    found, before, kind = set(), "", ""
     every = list(get_instructions(code))
     for one, after in zip_longest(every, every[1:]):
         name = str(one.argval)
@@ -473,7 +476,11 @@ def _telling(code: types.CodeType) -> set[str]:
                 found.add(name)
             if name == "dtype" and not (after and after.opname in ("KW_NAMES", "LOAD_CONST")):
                 found.add(name)  # it is object; ``dtype=y.dtype`` of a new array is none of it
-        before = name
+            if name == "data" and after and after.argval in ("format", "itemsize"):
+                found.add(f"data.{after.argval}")
+        if one.opname == "IS_OP" and kind not in ("LOAD_CONST", "LOAD_GLOBAL"):
+            found.add("is, which compares no numbers")
+        before, kind = name, one.opname
     inner = (c for c in code.co_consts if isinstance(c, types.CodeType))
     return found.union(*map(_telling, inner))
 

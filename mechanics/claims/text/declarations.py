@@ -5,6 +5,7 @@ function dz = f(t, z, p)        parameter Real J = m*l^2 "inertia";    ->    J =
 """
 
 import re
+from collections.abc import Iterator
 
 from mechanics.program.c.tokens import blanked
 
@@ -83,6 +84,37 @@ OPERATOR = re.compile(
 )
 """Of ModelingToolkit: D = Differential(t); D2 = D^2."""
 LISTED = re.compile(r"(\b\w+[ \t]*=[ \t]*\[)([^\[\]~]*~[^\[\]]*)\]")
+
+
+BODY = re.compile(
+    r"^[ \t]*function\b[ \t]*(?:\w+[ \t]*=[ \t]*)?[\w.!]+[ \t]*\(([^)\n]*)\)"
+    r"(.*?)(?=^[ \t]*function\b|\Z)",
+    re.MULTILINE | re.DOTALL,
+)
+"""A function of MATLAB or Julia: its arguments, and what follows."""
+LEFT = re.compile(
+    r"^[ \t]*return\b[^\n]*$(?!(?:\s|[%#][^\n]*$)*(?:end\b|endfunction\b|else|\Z))", re.MULTILINE
+)
+"""Where a function ends though more stands behind it."""
+
+
+def without_effect(text: str) -> Iterator[tuple[int, str]]:
+    """Places of a text of functions where what is computed is lost, and why.
+
+    ``du = [a, b]`` in a function of du gives the name to another array, ``du .= [a, b]`` does not.
+    """
+    for function in BODY.finditer(text):
+        for one in LEFT.finditer(function[2]):
+            yield function.start(2) + one.start(), "the function ends here: remove what follows"
+        name = re.split(r"[,:;=\s]", function[1].strip())[0]
+        new = name and re.search(
+            rf"^[ \t]*{name}[ \t]*=[ \t]*(?:@\w+|SA)?[ \t]*\[", function[2], re.M
+        )
+        if new and not re.search(rf"^[ \t]*(?:return[ \t]+)?{name}[ \t]*$", function[2], re.M):
+            words = (
+                f"{name} is another array from here on, which the caller does not see: {name} .="
+            )
+            yield function.start(2) + new.start(), words
 
 
 def operators(text: str) -> dict[str, int]:

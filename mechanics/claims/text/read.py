@@ -20,7 +20,7 @@ from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.assignments import in_sequence
 from mechanics.claims.text.components import in_components, with_values
-from mechanics.claims.text.declarations import has_columns, operators
+from mechanics.claims.text.declarations import has_columns, operators, without_effect
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import FIRST, OTHERS, Nodes
@@ -63,6 +63,14 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     except Refused as reason:
         raise refusal(text, reason, origin) from None
     clean = prepared(text)
+    lost = [
+        Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
+        for at, words in without_effect(text)
+    ]
+    return [*_entries(clean, text, naming, origin), *lost]
+
+
+def _entries(clean: str, text: str, naming: Naming, origin: str) -> list[Entry]:
     try:
         lines = in_components(_lines(clean, text, 0, naming, origin), text)
         return with_values(in_sequence(lines, text, naming), text, naming)
