@@ -8,7 +8,16 @@ from fractions import Fraction
 from sympy import Abs, Expr, Integer, Rational, Symbol, pi, symbols
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, condition, force, gravity, parameters, reaction
+from mechanics.scene import (
+    Outline,
+    RigidBody,
+    Scene,
+    condition,
+    force,
+    gravity,
+    parameters,
+    reaction,
+)
 from mechanics.scene.composite import composite, inertia_about, part
 from mechanics.scene.shapes import Rectangle, Semidisc
 from mechanics.scene.system import Path
@@ -106,12 +115,14 @@ def _scene(name: str, control: Expr, inputs: tuple[Expr, ...]) -> Scene:
     contact = origin.locatenew("B", R * theta * ground.x)
     circle = contact.locatenew("G", R * ground.y)
     centre = circle.locatenew("C", R / 2 * body.y)
+    # Its two half discs; the rectangle is between them.
+    discs = (Outline(R * body.x, R * body.y, sign * R / 2 * body.y, True) for sign in (1, -1))
     return Scene(
         name,
         ground,
         origin,
         coordinates=(theta,),
-        bodies=(RigidBody("rocker", centre, body, M, I_C),),
+        bodies=(RigidBody("rocker", centre, body, M, I_C, tuple(discs)),),
         loads=(gravity(-g * ground.y), force("f", centre, control * ground.x, on="rocker")),
         reactions=(
             reaction("T", at=contact, on="rocker", by=None, along=ground.x),

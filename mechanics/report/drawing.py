@@ -353,8 +353,15 @@ def _rods(start: np.ndarray, pixels: Sequence[np.ndarray]) -> str:
 
 
 def _declared_shape(view: View, paper: Paper, body: RigidBody) -> str:
-    """The outlines that a body is declared to have: discs with a spoke, rings and rods."""
+    """The outlines that a body is declared to have: discs with a spoke, rings and rods.
+
+    Several discs in the plane are the ends of one body, which is drawn around them.
+    """
     centre, drawn = paper.place(view.point(body.centre)), ""
+    if view.planar and len(body.outlines) > 1 and all(one.filled for one in body.outlines):
+        corners = [paper.place(point) for points in view.outlines(body) for point in points]
+        shape = strokes.path(strokes.around(corners), "body", closed=True)
+        return shape + strokes.dot(centre, 3, "ink")
     for outline, points in zip(body.outlines, view.outlines(body), strict=True):
         pixels = [paper.place(point) for point in points]
         if outline.filled:

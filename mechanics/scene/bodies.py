@@ -52,7 +52,7 @@ class Outline:
     at : Vector, optional
         From the mass centre.
     filled : bool
-        A disc, and not a ring.
+        A disc, and not a ring. Several in a plane are the ends of one body, drawn around them.
     """
 
     first: Vector

@@ -101,6 +101,18 @@ def test_a_rod_and_a_rolling_body_have_their_size() -> None:
     assert abs(lowest) < 1e-9
 
 
+def test_the_rocker_is_one_shape_that_stays_the_same_as_it_rolls() -> None:
+    """Two half discs with a rectangle between them, 3 R long and 2 R wide."""
+    rocker = scenes()["rocker"]
+    for theta in (0.0, 0.7, 1.5):
+        view = View(rocker, {"theta": theta})
+        corners = np.array(outline(view, rocker.body("rocker")))
+        along = np.array([np.sin(theta), np.cos(theta)])
+        assert np.ptp(corners @ along) == pytest.approx(0.3, abs=1e-3)
+        assert np.ptp(corners @ [along[1], -along[0]]) == pytest.approx(0.2, abs=1e-3)
+        assert drawing(rocker, {"theta": theta}).count('class="body"') == 1
+
+
 def test_a_disc_in_space_is_seen_with_its_radius() -> None:
     scene = scenes()["rolling_disc"]
     edge = outline(View(scene, {}), scene.body("disc"))
