@@ -53,7 +53,16 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
         return [_function(path, file_text(path), function, run_python)]
     if suffix == ".ipynb":
         return _cells(path, function, run_python)
+    if suffix == ".md" and run_python:
+        page = file_text(path)
+        code = BLOCK.findall(page)
+        if any("def " in text for text in code):
+            return _parts(path, [BLOCK.sub("", page)], code, [], function, run_python)
     return [path]
+
+
+BLOCK = re.compile(r"^```[ \t]*(?:python|py)[ \t]*\n(.*?)^```[ \t]*$", re.DOTALL | re.MULTILINE)
+"""Code in Python on a page in Markdown."""
 
 
 def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
@@ -63,10 +72,18 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
         pairs = [(cell["cell_type"], "".join(cell["source"])) for cell in cells]
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
-    shown = (GONE.sub("", text) for kind, text in pairs if kind == "markdown")
+    kinds = ("markdown", "code", "raw")
+    pages, code, beside = ([text for own, text in pairs if own == kind] for kind in kinds)
+    return _parts(path, pages, code, beside, function, run_python)
+
+
+def _parts(
+    path: Path, pages: list[str], code: list[str], beside: list[str], function: str | None,
+    run_python: bool,
+) -> list[Any]:  # fmt: skip
+    """The prose of pages together, and the function of their code; `beside` is neither."""
+    shown = (GONE.sub("", text) for text in pages)
     prose = "\n\n".join(text for text in shown if text.strip())
-    code = [text for kind, text in pairs if kind == "code"]
-    beside = [text for kind, text in pairs if kind == "raw"]
     beside += [words.lstrip("# ") for text in code for words in COMMENT.findall(text)]
     # Commented code is no equation that is handed in.
     said = (text for text in beside if "=" not in text)

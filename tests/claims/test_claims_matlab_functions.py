@@ -4,8 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
+from benchmarks.corpus.builders import P, two_link_arm
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
 from mechanics.errors import InputError
@@ -163,3 +165,27 @@ def test_a_handle_with_what_is_not_plain_is_not_read_so(part: str, more: str) ->
     with pytest.raises((Unread, NameError, TypeError)):
         (function,) = functions(more + HANDLE % part)
         function(y=np.array([5.0, 7.0]))
+
+
+ARM = """function [M, C, G] = arm(p, s)
+if nargin == 1
+  s = p.state;
+end
+q1 = s(1); q2 = s(2); q1d = s(3); q2d = s(4);
+a = p.m2*p.l1*p.c2; b = p.m2*p.c2^2 + p.I2;
+M = [p.m1*p.c1^2 + p.I1 + p.m2*p.l1^2 + b + 2*a*cos(q2), b + a*cos(q2); b + a*cos(q2), b];
+C = [%sa*sin(q2)*(q2d^2 + 2*q1d*q2d); a*sin(q2)*q1d^2];
+G = p.g*[(p.m1*p.c1 + p.m2*p.l1)*cos(q1) + p.m2*p.c2*cos(q1 + q2); p.m2*p.c2*cos(q1 + q2)];
+"""
+
+
+@pytest.mark.parametrize("sign, verdict", [("-", "PROVED"), ("", "UNDECIDED")])
+def test_mass_matrix_turning_and_gravity_together(tmp_path: Path, sign: str, verdict: str) -> None:
+    q1, q2, t1, t2 = dynamicsymbols("q1 q2 t1 t2")
+    m1, m2, l1, c1, c2, i1, i2, g = P("m1:kg m2:kg l1:m c1:m c2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2")
+    scene = two_link_arm((q1, q2), l1, (m1, c1, i1), (m2, c2, i2), g, (t1, t2), (t1, t2))
+    path = tmp_path / "arm.m"
+    path.write_text(ARM % sign)
+    found = mechanics.check(scene, path, blame=False)
+    assert found.verdict.name == verdict
+    assert sign or any("otherwise than M" in words for e in found.judged for words in e.right_if)

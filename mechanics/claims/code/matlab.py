@@ -60,6 +60,8 @@ class Scope:
     ----------
     arguments, locals, functions, constants : set of str
     outputs : list of str
+    main : bool
+        Whether it is the function that is judged: it is called with all of its arguments.
     free : dict of str to str
         Names that nothing gives a value, and what they are fields of.
     flags : set of str
@@ -72,6 +74,7 @@ class Scope:
     constants: dict[str, str]
     outputs: list[str]
     scalar: Callable[[str], bool]
+    main: bool = True
     free: dict[str, str | None] = field(default_factory=dict)
     flags: set[str] = field(default_factory=set)
 
@@ -352,7 +355,7 @@ def words_used(argument: str, node: Any) -> bool:
 
 def replace_scope(scope: Scope, main: bool) -> Scope:
     """The scope, whose entries of parameters are arguments in the main function alone."""
-    return scope if main else replace(scope, scalar=lambda name: False)
+    return scope if main else replace(scope, scalar=lambda name: False, main=False)
 
 
 def _statements(page: Page, node: Any, depth: int, scope: Scope) -> None:
@@ -552,6 +555,8 @@ def _variable(node: Any, scope: Scope) -> str:
         return f"{name}()"
     if name in CONSTANTS:
         return CONSTANTS[name]
+    if name == "nargin" and scope.main:
+        return str(len(scope.arguments))
     scope.free[name] = None
     return name
 

@@ -52,6 +52,9 @@ SHORT = {
 MASSES = ("mass", "mass matrix", "inertia", "inertia matrix", "m")
 """Names of functions that fill a square matrix."""
 
+MANIPULATOR = ("mhd", "cvh", "gn")
+"""How the names of M, C and G begin, in small letters."""
+
 MOST_ORDERED = 3
 """Outputs whose orders are tried."""
 
@@ -115,6 +118,11 @@ def _unasked(
         return [
             (f"row {i}", EquationOfMotion(), (left, right))
             for i, (left, right) in enumerate(rows, 1)
+        ]
+    if parts := manipulator(scene, outputs):
+        return [
+            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+            for u, entry in zip(scene.u, parts, strict=True)
         ]
     if len(values) == 1 and values[0].shape == (size, size) and size > 1:
         return [("mass matrix", MassMatrix(), (values[0],))]
@@ -253,6 +261,23 @@ def _stepped(
         )
     words = f"a step of {step.integrator}"
     return [*known, (words, Identity(), (Matrix(entries), Matrix(step.composed)))]
+
+
+def manipulator(scene: Scene, outputs: Outputs) -> list[Expr]:
+    """M u' + C u + G, or M u' + c + G, of code that returns M, C and G; empty for other outputs.
+
+    Nothing says that they are put together so: what fails is no mistake of theirs.
+    """
+    size, shapes = len(scene.u), [value.shape for value in outputs.values]
+    square, column = (size, size), (size, 1)
+    if size < 2 or shapes not in ([square, column, column], [square, square, column]):
+        return []
+    names = zip(MANIPULATOR, outputs.names, strict=False)
+    if len(outputs.names) != 3 or not all(name.lower()[:1] in letters for letters, name in names):
+        return []
+    mass, turning, field = outputs.values
+    turning = turning if turning.shape == column else turning * Matrix(scene.u)
+    return list(mass * Matrix(scene.ud) + turning + field)
 
 
 def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Expr] | None:

@@ -57,6 +57,7 @@ from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     claims,
     in_order,
+    manipulator,
     named_by_title,
     state_of_scalars,
     statement,
@@ -392,6 +393,8 @@ def _unsure(
     scene: Scene, outputs: Outputs, passed: Sequence[Expr], about: str | None, title: str
 ) -> tuple[str, ...]:
     """Under what else outputs may be right that are taken for accelerations."""
+    if about is None and manipulator(scene, outputs):
+        return (f"the parts that {title} returns are put together otherwise than M u' + C + G",)
     moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
     if about or len(_all(outputs)) != len(scene.u) or len(scene.u) < 2:
         return ()
