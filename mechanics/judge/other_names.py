@@ -71,7 +71,7 @@ def other_choices(truth: Equations, reading: Reading) -> Iterator[tuple[str, Tab
     claimed = _claimed(reading)
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in claimed if s.row is not None]
     meanings = tuple(match.meaning for match in guessed)
-    for choice in _choices(truth, guessed, rows) if guessed else ():
+    for choice in _choices(truth, guessed, rows, wide=True) if guessed else ():
         if choice == meanings:
             continue
         pairs = zip(guessed, choice, strict=True)
@@ -111,9 +111,12 @@ def _claimed(reading: Reading) -> list[Statement]:
 
 
 def _choices(
-    truth: Equations, guessed: Sequence[Match], rows: Sequence[Published]
+    truth: Equations, guessed: Sequence[Match], rows: Sequence[Published], wide: bool = False
 ) -> Iterator[tuple[str, ...]]:
-    """Names of the scene for the guessed ones: as guessed, then others that are free."""
+    """Names of the scene for the guessed ones: as guessed, then others that are free.
+
+    They are of one kind; where they only open a refutation, a first letter tells of none.
+    """
     scene = truth.scene
     held = {symbol.name for row in rows for side in row.sides for symbol in side.free_symbols}
     for dots in reversed(DOTS[1:]):
@@ -124,7 +127,7 @@ def _choices(
     free = [s.name for s in every if s.name in meanings or s.name not in held]
     pools = [
         [n for n in free if quantity(scene, n) == quantity(scene, m.meaning)
-         or (m.why == FIRST_LETTER and n not in moving)]
+         or (wide and m.why == FIRST_LETTER and n not in moving)]
         for m in guessed
     ]  # fmt: skip
     yield meanings
