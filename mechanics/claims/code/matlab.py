@@ -579,7 +579,7 @@ def _field(node: Any, scope: Scope) -> str:
             one = len(parts) == 2 or f".{local}" in words(_around(node))
             if local != name and one and scope.scalar(local) and scope.scalar(name):
                 raise refuse(node, f"{local} has the value of {name}: write {name} itself")
-            if not scope.scalar(name):
+            if scope.scalar(local) or not scope.scalar(name):
                 name = local
                 scope.locals.discard(name)
     owner = ".".join(parts[:-1])

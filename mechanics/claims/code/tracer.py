@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable
+from dis import opname
 from fractions import Fraction
 from functools import partial
 from math import isnan
@@ -228,7 +229,9 @@ class Traced:
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
         # NumPy's functions call the method of that name on every entry of an array of objects.
-        if of_libraries(str(sys._getframe(1).f_globals.get("__name__", ""))):
+        frame = sys._getframe(1)
+        direct = opname[frame.f_code.co_code[frame.f_lasti]] in ("LOAD_ATTR", "LOAD_METHOD")
+        if not direct or of_libraries(str(frame.f_globals.get("__name__", ""))):
             if name in ELEMENTARY:
                 return partial(self._elementary, name)
             if name in OF_TWO:
