@@ -303,11 +303,16 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
         _base(target): words(value)
         for target, value in targets
         if value.type == "number" and target.type == "identifier"
-        and target.parent.parent.parent == node  # under no condition
+        and _uses(node, target) == _uses(target.parent.parent, target)  # under its condition
         and names.count(_base(target)) == 1 and _base(target) not in (*arguments, *outputs)
     }  # fmt: skip
     inside = {*names, *counted} - {*constants}
     return Scope(arguments, inside, functions, constants, outputs, known)
+
+
+def _uses(block: Any, target: Any) -> int:
+    """How often a block has the name that is assigned."""
+    return sum(words(one) == words(target) for one in within(block, "identifier"))
 
 
 def _function(page: Page, node: Any, scope: Scope, chosen: list[str], before: list[Any]) -> None:
