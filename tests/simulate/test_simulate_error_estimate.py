@@ -66,13 +66,18 @@ def test_where_a_motion_is_chaotic_it_says_from_when_nothing_is_right(model_of: 
 
 
 @pytest.mark.campaign
-def test_a_hundredth_of_the_tolerance_gains_two_times_the_seconds_of_a_digit(
+def test_four_digits_of_the_tolerance_gain_four_times_the_seconds_of_a_digit(
     model_of: ModelOf,
 ) -> None:
-    model = model_of("double_pendulum")
-    coarse, fine = (simulate(model, 40, rtol=r, atol=r / 100) for r in (1e-9, 1e-11))
-    assert coarse.horizon < fine.horizon
-    assert fine.horizon - coarse.horizon == pytest.approx(2 * fine.tenfold, rel=0.5)
+    """In the mean over starts: exponents differ along a chaotic motion, and between processors."""
+    model, gains = model_of("double_pendulum"), []
+    for angle in (2.0, 2.5, 2.9):
+        coarse, fine = (
+            simulate(model, 40, initial={"phi1": angle}, rtol=r, atol=r / 100) for r in (1e-7, 1e-11)
+        )
+        assert coarse.horizon < fine.horizon
+        gains.append((fine.horizon - coarse.horizon) / (4 * fine.tenfold))
+    assert np.mean(gains) == pytest.approx(1, abs=0.35)
 
 
 @pytest.mark.campaign
