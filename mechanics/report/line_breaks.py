@@ -56,7 +56,7 @@ def fits(latex: str) -> bool:
 
 
 def line_box(shown: Markup, latex: str, reach: Markup | str = "") -> Markup:
-    """The box of an equation; one that is set in pieces is called what it is, and says its LaTeX."""
+    """The box of an equation; one that is set in pieces is mathematics, called by its LaTeX."""
     whole = Markup(' role="math" aria-label="{}"').format(latex) if "<wbr>" in shown else ""
     return Markup('<div class="terms"{}{}>{}</div>').format(whole, reach, shown)
 
