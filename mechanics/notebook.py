@@ -36,7 +36,7 @@ def register() -> None:
 
 def scene_html(scene: "Scene") -> str:
     """The drawing at the example, and the table of symbols."""
-    from mechanics.report.drawing import drawing
+    from mechanics.report.drawing import drawing, shape_words
     from mechanics.report.notation import latex_name
     from mechanics.report.sections import symbol_rows
     from mechanics.report.typeset import maths
@@ -45,7 +45,9 @@ def scene_html(scene: "Scene") -> str:
         (maths(latex_name(row.name)), row.meaning, row.value)
         for row in symbol_rows(scene, scene.example)
     ]
-    return _element(Markup(drawing(scene, scene.example)), _table(rows))
+    words = shape_words(scene)
+    note = [Markup("<p>{}</p>").format(words)] if words else []
+    return _element(Markup(drawing(scene, scene.example)), *note, _table(rows))
 
 
 def equations_html(equations: "Equations") -> str:

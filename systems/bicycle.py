@@ -15,7 +15,7 @@ from sympy import Symbol, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 from sympy.physics.vector import Dyadic
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, pin, roll
+from mechanics.scene import Outline, RigidBody, Scene, gravity, parameters, pin, roll
 
 TYPICAL = {
     "m": "w 1.02, c 0.08, rR 0.3, xB 0.3, zB 0.9, xH 0.9, zH 0.7, rF 0.35",
@@ -65,16 +65,21 @@ def scene() -> Scene:
                  onto=(axle, wheel))  # fmt: skip
     rider = base.locatenew("Bc", p["xB"] * frame.x - p["zB"] * frame.z)
     bars = axis.locatenew("Hc", (p["xH"] - p["w"] - p["c"]) * fork.x - p["zH"] * fork.z)
+    wheels = {
+        name: (Outline(p[name] * turns.x, p[name] * turns.z, filled=True),)
+        for name, turns in (("rR", rear.frame), ("rF", wheel))
+    }
     return Scene(
         "bicycle",
         ground,
         origin,
         bodies=(
             RigidBody("rear", rear.point, rear.frame, p["mR"],
-                      inertia(rear.frame, p["IRx"], p["IRy"], p["IRx"])),
+                      inertia(rear.frame, p["IRx"], p["IRy"], p["IRx"]), wheels["rR"]),
             RigidBody("frame", rider, frame, p["mB"], bicycle_inertia(frame, p, "IB", 1)),
             RigidBody("fork", bars, fork, p["mH"], bicycle_inertia(fork, p, "IH", -1)),
-            RigidBody("front", axle, wheel, p["mF"], inertia(wheel, p["IFx"], p["IFy"], p["IFx"])),
+            RigidBody("front", axle, wheel, p["mF"],
+                      inertia(wheel, p["IFx"], p["IFy"], p["IFx"]), wheels["rF"]),
         ),
         joints=(rear, seat, steering, hub, front),
         loads=(gravity(p["g"] * ground.z),),

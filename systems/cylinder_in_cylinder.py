@@ -9,7 +9,7 @@ which prints the kinetic energy.
 from sympy import sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, roll
+from mechanics.scene import Outline, RigidBody, Scene, gravity, parameters, roll
 from mechanics.scene.linear_quantities import Eigenvalue, operating_point
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion, KineticEnergy
@@ -33,11 +33,12 @@ def scene() -> Scene:
     ground, centre = ReferenceFrame("N"), Point("O")
     contact = roll("contact", None, "cylinder", at=centre, normal=-ground.y, axis=ground.z,
                    inside=R, radius=a, angles=(theta, spin))  # fmt: skip
+    shape = Outline(a * contact.frame.x, a * contact.frame.y, filled=True)
     return Scene(
         "cylinder in a cylinder",
         ground,
         centre,
-        bodies=(RigidBody("cylinder", contact.point, contact.frame, m, m * a**2 / 2),),
+        bodies=(RigidBody("cylinder", contact.point, contact.frame, m, m * a**2 / 2, (shape,)),),
         joints=(contact,),
         plane=ground.z,
         loads=(gravity(-g * ground.y),),

@@ -12,7 +12,15 @@ friction that maintains them are seen.
 from sympy import cos, sin, tan
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from mechanics.scene import RigidBody, Scene, gravity, nonholonomic, parameters, reaction
+from mechanics.scene import (
+    Outline,
+    RigidBody,
+    Scene,
+    gravity,
+    nonholonomic,
+    parameters,
+    reaction,
+)
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion, Position, ReactionValue
 
@@ -36,6 +44,7 @@ def scene() -> Scene:
     contact = origin.locatenew("P", x * ground.x + y * ground.y)
     centre = contact.locatenew("C", R * leaning.z)
     across, along = m * R**2 / 4, m * R**2 / 2
+    shape = (Outline(R * disc.x, R * disc.z, filled=True),)
     return Scene(
         "rolling disc",
         ground,
@@ -48,7 +57,7 @@ def scene() -> Scene:
             (u4, x.diff()),
             (u5, y.diff()),
         ),
-        bodies=(RigidBody("disc", centre, disc, m, inertia(disc, across, along, across)),),
+        bodies=(RigidBody("disc", centre, disc, m, inertia(disc, across, along, across), shape),),
         loads=(gravity(-g * ground.z),),
         reactions=(
             reaction("Fx", at=contact, on="disc", by=None, along=ground.x),

@@ -33,7 +33,7 @@ def compare(
     value: Annotated[
         list[str] | None, typer.Option(metavar="NAME=VALUE", help="Value of a parameter.")
     ] = None,
-    states: Annotated[int, typer.Option(min=2, help="How many states are drawn.")] = STATES,
+    states: Annotated[int, typer.Option(min=2, help="Number of random states.")] = STATES,
     json_file: JsonOption = None,
 ) -> None:
     """Compare a model with other engines, and name the cause where they differ.
@@ -42,8 +42,9 @@ def compare(
 
     `mechanics compare arm.urdf --against mujoco --json -`
 
-    Mass matrix, bias, inverse and forward dynamics, energies, Jacobians, at drawn states. A file
-    is read by both sides; of a scene the engine's model is made. Exit code: 0 when all agree but
+    Compared are mass matrix, bias, inverse and forward dynamics, energies and Jacobians, at random
+    states. Both sides read a file by themselves; for a scene the engine's model is made from it.
+    Exit code: 0 when all agree but
     for rounding, 1 when something differs, 2 for bad input.
     """
     refuse_unwritable(json_file)

@@ -92,8 +92,8 @@ def crosscheck(
     `mechanics crosscheck elastic_pendulum --coq theorems`
 
     Exit code: 0 when all is PROVED or CERTIFIED, 1 when something is REFUTED, 3 when something is
-    UNDECIDED or only SUPPORTED, 2 for bad input. Numbers beside it, which cannot be more than
-    SUPPORTED, count when they are less.
+    UNDECIDED or only SUPPORTED, 2 for bad input. Checks that are done with numbers alone can be no
+    more than SUPPORTED; for them SUPPORTED is enough.
     """
     chosen = tuple(name.strip() for name in routes.split(",") if name.strip())
     named_routes(chosen)

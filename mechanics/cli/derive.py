@@ -51,8 +51,8 @@ def derive(
 
     `mechanics derive elastic_pendulum --fix m=0 --fix g=9.81`
 
-    Those that are too long for one formula are printed line by line: what is used again has a name.
-    In Python they are a function of NumPy arrays then.
+    Equations that are too long for one formula are printed line by line, with a name for each part
+    that is used again. In Python that is a function of NumPy arrays.
     """
     fixed_values = assignments(fixed or [], "--fix")
     scene = load(system).scene()

@@ -79,10 +79,10 @@ def ensemble(
 
     All combinations of what is varied are integrated.
 
-    `FOLDER/motions` has a row a motion: what is varied, its last state, how it ended;
-    `FOLDER/samples` a row a motion and time, with `--samples`. Memory does not grow with their
-    number. After a stop the same command goes on. Workers, threads and parts change no bit of the
-    result. Exit code 3 when a motion had to end early.
+    `FOLDER/motions` has one row for each motion: what is varied, the last state, how it ended. With
+    `--samples`, `FOLDER/samples` has one row for each motion and time. Memory does not grow with
+    their number. After an interruption the same command continues. The results do not depend, to
+    the last bit, on workers, threads and parts. Exit code 3 when a motion had to end early.
     """
     if (cluster is not None) + (processes is not None) + (threads > 1) > 1:
         raise InputError("--cluster, --processes and --threads: give one of them")

@@ -61,10 +61,10 @@ def grade(
 
     `mechanics grade rod_pendulum submissions --require motion --json -`
 
-    For each a score by statements, the smallest change, a hint that does not give the answer away,
-    what is missing, and how it was read. One that takes too long or too much memory is not judged:
-    it gets no verdict. Exit code: 0 when all are right, 1 when one is wrong or incomplete, 3 when
-    one is in doubt or not judged, 2 for bad input.
+    Each submission gets a score by statements, the smallest change that makes it right, a hint that
+    does not give the answer away, what is missing, and how it was read. One that takes too much
+    time or memory gets no verdict. Exit code: 0 when all are right, 1 when one is wrong or
+    incomplete, 3 when one is in doubt or has no verdict, 2 for bad input.
     """
     refuse_unwritable(csv, json_file)
     if report is not None and report.exists() and not report.is_dir():

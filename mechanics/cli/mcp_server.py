@@ -23,7 +23,7 @@ INSTRUCTIONS = (
 
 def serve_mcp(
     seconds: Annotated[
-        int, typer.Option(min=1, help="Processor time of a call; beyond it is not judged.")
+        int, typer.Option(min=1, help="Processor time of a call; beyond it there is no verdict.")
     ] = SECONDS,
     memory: Annotated[
         float, typer.Option(min=0.5, metavar="GB", help="Memory of a call.")
@@ -35,9 +35,9 @@ def serve_mcp(
 
     `mechanics serve-mcp --seconds 20 --memory 2`
 
-    No code of the caller's is run: scenes are JSON (docs/scene.schema.json), statements LaTeX, text
-    or C, which are only read. Calls are answered by a process of their own; one that passes a limit
-    is stopped, and its call not judged. It needs the extra `mcp`.
+    No code of the caller is run: scenes are JSON (docs/scene.schema.json); statements are LaTeX,
+    text or C, which are only read. A separate process answers the calls; a call that passes a limit
+    is stopped and gets no verdict. Install it with the extra `mcp`.
     """
     worker = Worker(seconds, memory)
     made = server(worker)

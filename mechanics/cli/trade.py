@@ -68,9 +68,9 @@ def trade(
 
     `mechanics trade elastic_pendulum --plot work_precision.svg`
 
-    Errors are measured against a reference with thirty digits, times side by side in one process.
-    For each target the cheapest choice is picked that also meets it on states that are like the
-    example; workers take these states. The last table says how little of a model is enough.
+    Errors are measured against a solution with thirty digits, times side by side in one process.
+    For each target it names the cheapest choice that meets it, from the example and from many other
+    initial states near it, which workers share. The last table says which simpler model is enough.
     """
     _checked(report, json_file, plot)
     scene = load(system).scene()

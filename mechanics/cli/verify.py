@@ -56,10 +56,11 @@ def verify(
 
     `mechanics verify my_system_c --scene my_system.py`
 
-    It derives the equations again and shows that they, the stored graphs and the C text are the
-    same functions, in exact arithmetic; it bounds the error of the inline sine and cosine, and
-    compares binaries of every compiler that is found with correct roundings. A built-in system is
-    found by its name in the manifest, another one by `--scene FILE`. Nothing in the folder is run.
+    The equations are derived again. In exact arithmetic they, the stored programs and the text of
+    the C have to be the same functions. The error of the inline sine and cosine is bounded, and
+    what every compiler on this machine makes of the C is compared with correctly rounded values.
+    The name of a built-in system is in the manifest; for another one give `--scene FILE`. Nothing
+    in the folder is run.
 
     A changed file is named; C that was only formatted passes. Files beyond the manifest are named.
 

@@ -23,13 +23,16 @@ from mechanics.scene.symbols import plain_symbol
 
 THIRD = 2 * np.pi / 3
 SAMPLES = 33
-"""Points of an arc."""
+"""Points of an arc; of a spiral, for each turn."""
 LEAST = 0.15
 """In rad: what turns less is drawn with an arrow of this sense, which is longer."""
 RADIUS = (26.0, 54.0)
 """Of arcs, in pixels."""
 SPIRAL = 7.0
 """Pixels by which an arc grows with every turn."""
+TURNS = 3
+"""Whole turns of a spiral that are drawn; of more, the last ones."""
+FULL = 2 * np.pi
 ARROW = 20.0
 """Length of the arrow of a coordinate that is about zero, in pixels: it shows the sense alone."""
 ASIDE, EDGE = 44.0, 16.0
@@ -201,13 +204,14 @@ def _arc(view: View, paper: Paper, coordinate: Symbol, turn: Turn, rod: bool, st
     def pixel(angle: float, length: float) -> np.ndarray:
         return paper.place(view.project(turn.at(angle, length / paper.scale)))
 
-    angles = np.linspace(0, swept, SAMPLES)
-    grown = SPIRAL * np.abs(angles) / (2 * np.pi)
+    swept -= np.sign(swept) * FULL * max(abs(swept) // FULL - TURNS, 0)
+    angles = np.linspace(0, swept, SAMPLES * max(int(np.ceil(abs(swept) / FULL)), 1))
+    grown = SPIRAL * np.abs(angles) / FULL
     arc = [pixel(a, radius + more) for a, more in zip(angles, grown, strict=True)]
     longest = max(1.12 * reach, radius + 16)
     zero = [pixel(0, 0), pixel(0, longest)]
     now = [pixel(0, 0), pixel(value, reach if reach > 1 else radius + 10)]
-    name = pixel(swept / 2, radius + SPIRAL * abs(swept) / (2 * np.pi) + 14)
+    name = pixel(swept / 2, radius + SPIRAL * abs(swept) / FULL + 14)
     size = min(8.0, 0.5 * radius * abs(swept))
     return "".join(
         (

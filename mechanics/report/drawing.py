@@ -1,7 +1,8 @@
 """A schematic drawing of a scene as inline SVG, made from its geometry alone.
 
-Bodies are drawn between their centres and the points where reactions act; a body that hangs at one
-point is drawn as the uniform rod, or as the ellipse, that has its inertia.
+Bodies are drawn as declared, or between their centres and the points where reactions act. A body
+without a shape that hangs at one point is drawn as the uniform rod, or dashed as the ellipse, that
+has its inertia; the words beside the drawing say so.
 """
 
 import re
@@ -201,25 +202,41 @@ def _free_corner(drawn: str) -> tuple[float, float]:
 
 def outline(view: View, body: Body) -> list[np.ndarray]:
     """Corners of a body on paper, in m: one for a block, two or more for a rod, many for a disc."""
+    return _outline(view, body)[0]
+
+
+def shape_words(scene: Scene) -> str:
+    """Which bodies have no shape but by their inertia; empty where all have one."""
+    view = View(scene, closed(scene, scene.example))
+    names = [body.name.replace("_", " ") for body in scene.bodies if _outline(view, body)[1]]
+    if not names:
+        return ""
+    of = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    rest = "it is" if len(names) == 1 else "each is"
+    return (
+        f"No shape is declared for {of}: {rest} drawn as the uniform rod or ellipse of its inertia."
+    )
+
+
+def _outline(view: View, body: Body) -> tuple[list[np.ndarray], bool]:
+    """Corners of a body, and whether they follow from its inertia alone."""
     if declared := view.outlines(body):
-        return [point for points in declared for point in points]
+        return [point for points in declared for point in points], False
     if not isinstance(body, RigidBody):
-        return [view.point(body.centre)]
+        return [view.point(body.centre)], False
     found: list[np.ndarray] = []
     for point in attached(view.scene, body):
         place = view.point(point)
         if all(np.hypot(*(place - other)) > 1e-9 for other in found):
             found.append(place)
     if ends := _ends(view, body):
-        return [view.point(end) for end in ends]
-    if len(found) > 2:
-        return found
-    if len(found) == 1 and rail(view, body) is not None:
-        return found
+        return [view.point(end) for end in ends], False
+    if len(found) > 2 or (len(found) == 1 and rail(view, body) is not None):
+        return found, False
     if len(found) == 2 and view.planar and (tips := _tips(view, body, found)):
-        return [*found, *tips]
+        return [*found, *tips], False
     if view.number(body.mass) == 0:
-        return found  # a moment of inertia alone says nothing about a shape
+        return found, False  # a moment of inertia alone says nothing about a shape
     first, second = _semi_axes(view, body)
     long, short = (float(np.hypot(*axis)) for axis in (first, second))
     centre = found[0]
@@ -228,20 +245,20 @@ def outline(view: View, body: Body) -> list[np.ndarray]:
         # A uniform rod of half length a has I = m a^2 / 3; the ellipse of that I has a sqrt(2/3).
         reach = float(np.hypot(*arm))
         if abs(reach - long * np.sqrt(1.5)) < 0.01 * long and view.planar:
-            return [centre - arm, centre, centre + arm]
+            return [centre - arm, centre, centre + arm], True
         rolls = not all(_carries(view, body, point) for point in attached(view.scene, body))
         if view.planar and rolls and 0.5 * long < reach < 1.3 * long:
             # Of the ellipses with this inertia the one that ends at the contact.
             across = np.sqrt(2 * long**2 - reach**2)
             first, second, short = arm, across * unit(normal(arm)), across
         elif view.planar:
-            return found  # a bar from the hinge
+            return found, False  # a bar from the hinge
     if long < 1e-9:
-        return found
+        return found, False
     if short < 0.02 * long:
-        return [centre - first, centre, centre + first]
+        return [centre - first, centre, centre + first], True
     angles = np.linspace(0, 2 * np.pi, 49)
-    return [centre + np.cos(a) * first + np.sin(a) * second for a in angles]
+    return [centre + np.cos(a) * first + np.sin(a) * second for a in angles], True
 
 
 def _ends(view: View, body: RigidBody) -> list[Point]:
@@ -336,7 +353,7 @@ def body_shape(view: View, paper: Paper, body: Body, corners: list[np.ndarray]) 
         aside = strokes.path([middle, centre], "faint")
         return aside + _rods(pixels[0], pixels) + strokes.dot(centre, 3, "ink")
     if len(corners) > 20:
-        shape = strokes.path(pixels, "body", closed=True)
+        shape = strokes.path(pixels, "body inferred", closed=True)
         spoke = strokes.path([pixels[0], centre, pixels[12]], "faint")
         return shape + spoke + strokes.dot(centre, 3, "ink")
     point_mass = isinstance(body, RigidBody) and body.inertia == 0

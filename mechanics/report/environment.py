@@ -5,6 +5,8 @@ from markupsafe import Markup
 
 from mechanics.kernel import Verdict
 from mechanics.report import charts, typeset, words
+from mechanics.report.contacts import rolling_words
+from mechanics.report.drawing import shape_words
 from mechanics.report.notation import latex_name, svg_name
 from mechanics.report.sections import ROUTES
 
@@ -34,6 +36,8 @@ def environment() -> Environment:
         inline=typeset.inline,
         prose=typeset.prose,
         ratio=words.ratio,
+        rolling_words=rolling_words,
+        shape_words=shape_words,
         tag=typeset.tag,
         symbol=lambda name: typeset.maths(latex_name(name)),
         svg_name=lambda name: Markup(svg_name(name)),

@@ -3,7 +3,7 @@ r"""LaTeX that is wider than a phone, as pieces between which a page may break i
     \frac{a + b + ...}{c}    ->    <span class="fraction">  a  + b  + ...  over  c  </span>
     A (a + b + ...) x        ->    A ( a    + b    + ... ) x
 
-MathML breaks no lines by itself. What is narrow stays one element.
+MathML breaks no lines by itself. What fits on one line is one element.
 """
 
 from collections.abc import Callable
@@ -15,6 +15,9 @@ from mechanics.report.latex_items import CLOSES, HELD, OPENS, TABLE, TOKEN, item
 
 WIDEST, NARROWER, NARROWEST = 30, 4, 14
 """Characters of a piece that fit on the screen of a phone; less by so many inside another one."""
+
+LINE = 36
+"""Characters of a whole equation that fit on one line there."""
 
 DEEPEST = 12
 """Brackets and fractions inside each other that are opened."""
@@ -47,6 +50,17 @@ def broken(latex: str, maths: Maths, deepest: int = DEEPEST) -> Markup | None:
     return Markup("<wbr>").join(found) if len(found) == len(shown) and found else None
 
 
+def fits(latex: str) -> bool:
+    """Whether one line of a phone has room for the whole of it."""
+    return width(latex) <= LINE
+
+
+def line_box(shown: Markup, latex: str, reach: Markup | str = "") -> Markup:
+    """The box of an equation; one that is set in pieces is mathematics, called by its LaTeX."""
+    whole = Markup(' role="math" aria-label="{}"').format(latex) if "<wbr>" in shown else ""
+    return Markup('<div class="terms"{}{}>{}</div>').format(whole, reach, shown)
+
+
 def _readable(latex: str) -> bool:
     """Whether LaTeX of somebody else is small enough to be looked into."""
     depth = deepest = 0
@@ -61,6 +75,8 @@ def _limit(deepest: int) -> int:
 
 
 def _units(latex: str, deepest: int) -> list[Unit]:
+    if deepest == DEEPEST and fits(latex):
+        return [[latex]]
     found: list[Unit] = []
     for term in terms(latex):
         if width(term) <= _limit(deepest) or deepest == 0 or TABLE.search(term):

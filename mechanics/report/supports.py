@@ -104,7 +104,7 @@ def _plane(view: View, paper: Paper, held: Sequence[Point], moving: bool) -> str
     led = {body.centre for body in view.scene.bodies if not isinstance(body, RigidBody)}
     ways = [view.way(at) if moving or at in led else view.point(at)[None] for at in held]
     places = [paper.place(p) for way in ways for p in way]
-    reach = (0.34 if len(places) == len(held) else 0.16) * paper.middle[0]
+    reach = (0.32 if len(places) == len(held) else 0.16) * paper.middle[0]
     towards = np.cross(*view.projection)[2]
     heights = [view.place(body.centre)[2] - view.place(held[0])[2] for body in view.scene.bodies]
     style = "plane open" if min(towards * height for height in heights) < -1e-9 else "plane"

@@ -1,8 +1,8 @@
-"""Equations as HTML that breaks between terms: left = first term | + second | - third.
+"""Equations as HTML: one `<math>` on a line, or pieces: left = first term | + second | - third.
 
-MathML breaks no lines by itself, so every term of a sum is an element of its own, and a line of the
-page may end between two of them, and inside of a long one. What is wider still scrolls in its own
-box.
+MathML breaks no lines by itself, so in an equation that is wider than a phone every term of a sum
+is an element of its own; a line of the page may end between two of them, and inside of a long one.
+What is wider still scrolls in its own box.
 """
 
 import re
@@ -16,7 +16,7 @@ from sympy import MatrixBase, S
 
 from mechanics.equations import Line, Side
 from mechanics.report.latex_items import terms
-from mechanics.report.line_breaks import broken
+from mechanics.report.line_breaks import broken, fits, line_box
 from mechanics.report.notation import GREEK, latex, latex_name, mathml, operations, pieces
 from mechanics.scene.published import Published
 
@@ -110,14 +110,13 @@ def named(source: str) -> str:
 def _number(line: Line, parts: Sequence[Piece], section: int) -> Markup:
     if not line.number:
         return Markup("")
-    source = " ".join(part.latex for part in parts)
     # Every route ends in the equations on top, which have their ids there.
     own = section and not line.number.startswith("E")
     place = Markup(' id="{}"').format(anchor(line.number, section)) if own else Markup("")
     return Markup(
         '<details class="tex"{}><summary title="LaTeX of this equation">({})</summary>'
         "<code>{}</code></details>"
-    ).format(place, line.number, source)
+    ).format(place, line.number, _source(parts))
 
 
 def chain(sides: Sequence[Any], name: str = "") -> Markup:
@@ -241,13 +240,20 @@ def _joined(sign: str, expr: Any) -> list[str]:
 
 
 def _row(parts: Sequence[Piece], label: str, number: Markup | str = "", section: int = 0) -> Markup:
-    body = Markup("<wbr>").join(map(_piece, parts))
+    source = _source(parts)
+    whole = fits(source)
+    body = _whole(parts) if whole else Markup("<wbr>").join(map(_piece, parts))
     note = Markup('<span class="label">{}</span>').format(prose(label, section)) if label else ""
     # What may be wider than a page scrolls, which the keyboard has to reach.
-    reach = Markup(' tabindex="0"') if _may_scroll(body) else ""
-    return Markup('<div class="eq"><div class="terms"{}>{}</div>{}{}</div>').format(
-        reach, body, note, number
+    reach = Markup(' tabindex="0"') if not whole and _may_scroll(body) else ""
+    return Markup('<div class="eq">{}{}{}</div>').format(
+        line_box(body, source, reach), note, number
     )
+
+
+def _source(parts: Sequence[Piece]) -> str:
+    """LaTeX of a whole equation."""
+    return " ".join(part.latex for part in parts)
 
 
 def _may_scroll(body: str) -> bool:
@@ -266,11 +272,25 @@ def _fitted(typeset: Markup) -> Markup:
 
 
 def _piece(part: Piece) -> Markup:
-    typeset = _fitted(broken(part.latex, maths) or maths(part.latex))
+    return _classed(part, "span", _fitted(broken(part.latex, maths) or maths(part.latex)))
+
+
+def _whole(parts: Sequence[Piece]) -> Markup:
+    """One element for all pieces of an equation; each stays one inside of it."""
+    rows = []
+    for part in parts:
+        opened, inner = maths(part.latex).removesuffix("</math>").split(">", 1)
+        rows.append(_classed(part, "mrow", Markup(inner)))
+    return Markup("{}>{}</math>").format(Markup(opened), Markup("").join(rows))
+
+
+def _classed(part: Piece, element: str, typeset: Markup) -> Markup:
     if not part.classes:
         return typeset
     focus = Markup(' tabindex="0"') if part.classes[0] != "gone" else ""
-    return Markup('<span class="{}"{}>{}</span>').format(" ".join(part.classes), focus, typeset)
+    return Markup('<{0} class="{1}"{2}>{3}</{0}>').format(
+        Markup(element), " ".join(part.classes), focus, typeset
+    )
 
 
 def _folded(line: Line, typeset: Markup) -> Markup:

@@ -11,8 +11,10 @@ import pytest
 
 from mechanics.errors import InputError
 from mechanics.report.animation import COARSE, LARGEST_TURN, SLOW, animation, watchable
+from mechanics.report.coordinates import RADIUS, SPIRAL, TURNS
+from mechanics.report.drawing import drawing
 from mechanics.report.motion import FAR, moving_figure, supported, write_motion
-from systems import cartpole, double_pendulum, rolling_disc
+from systems import cartpole, double_pendulum, rolling_disc, slider_crank
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -41,6 +43,27 @@ def test_it_is_one_file_that_moves_and_rests_for_who_prefers_that(scene, name) -
     assert not re.search(r"(?:href|src|url)\s*[=(]", text)
     assert "prefers-reduced-motion: reduce), print" in text
     assert "nan" not in text
+
+
+def test_a_page_has_the_rules_of_its_curves(tmp_path: Path) -> None:
+    """Without them curves are filled areas."""
+    times = np.linspace(0, 2, 21)
+    columns = {"t": times, "x": times, "theta": times, "total_energy": times}
+    write_motion(cartpole.scene(), columns, {}, "a note", tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    for name in re.findall(r'<polyline class="(curve) (s\d)"', text)[0]:
+        assert f".{name} {{" in text
+
+
+def test_many_turns_are_a_spiral_of_the_last_ones() -> None:
+    """Thirty turns of a crank, drawn all, hide the scene."""
+    scene = slider_crank.scene()
+    text = drawing(scene, scene.example | {"theta": 180.5})
+    spiral = max(re.findall(r'<polyline class="motion" points="([^"]*)"', text), key=len)
+    ways = np.array([list(map(float, pair.split(","))) for pair in spiral.split()])
+    steps = np.hypot(*np.diff(ways, axis=0).T)
+    assert steps.max() < 2 * np.median(steps)
+    assert np.ptp(ways, axis=0).max() < 2 * (RADIUS[1] + SPIRAL * (TURNS + 1))
 
 
 def test_a_cart_goes_where_its_coordinate_says() -> None:

@@ -1,5 +1,6 @@
 """A drawing of every system, from its geometry alone."""
 
+import dataclasses
 import importlib
 import pkgutil
 import re
@@ -18,7 +19,7 @@ from mechanics.errors import SceneError
 from mechanics.report.animation import moving_picture
 from mechanics.report.charts import Axis, bar, line_chart, round_step
 from mechanics.report.coordinate_drawings import coordinate_drawings
-from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline, paper_for
+from mechanics.report.drawing import CORNER, HEIGHT, WIDTH, drawing, outline, paper_for, shape_words
 from mechanics.report.projection import View, closed
 from mechanics.scene import (
     Outline,
@@ -78,7 +79,28 @@ def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
     assert min(y) >= 0
     assert max(y) <= HEIGHT
     # Every body is seen.
-    assert len(re.findall(r'class="(?:body|rod|rim|mass)"', text)) >= len(scene.bodies)
+    assert len(re.findall(r'class="(?:body(?: inferred)?|rod|rim|mass)"', text)) >= len(
+        scene.bodies
+    )
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("name", NAMES)
+def test_words_name_the_bodies_whose_shape_is_that_of_their_inertia(name: str) -> None:
+    """With another inertia they are drawn in another shape, and no others are."""
+    scene = scenes()[name]
+    view = View(scene, closed(scene, scene.example))
+    words = shape_words(scene)
+    for body in scene.bodies:
+        if isinstance(body, RigidBody):
+            heavier = outline(view, dataclasses.replace(body, inertia=body.inertia * 1.3))
+            as_is = outline(view, body)
+            other = len(as_is) != len(heavier) or not np.allclose(as_is, heavier)
+            assert other == (body.name.replace("_", " ") in words)
+            assert not (other and body.outlines)
+    dashed = drawing(scene, scene.example).count('class="body inferred"')
+    assert dashed == sum(len(outline(view, b)) > 20 and not b.outlines for b in scene.bodies
+                         if isinstance(b, RigidBody))  # fmt: skip
 
 
 def test_a_scene_that_holds_the_time_is_drawn_at_its_start() -> None:

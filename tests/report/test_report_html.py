@@ -4,7 +4,9 @@ import dataclasses
 import os
 import re
 from html import unescape
+from itertools import chain
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from html_nesting import Nesting
@@ -15,6 +17,7 @@ from mechanics.equations import Line
 from mechanics.kernel import Finding, Verdict
 from mechanics.report import typeset, words
 from mechanics.report.html import to_html
+from mechanics.report.line_breaks import fits
 from mechanics.report.result import LedgerResult, ResidualResult, RouteResult, SystemResult
 from mechanics.report.sections import residual_rows
 from mechanics.routes.derivation import by_route, goal_of, steps_of
@@ -200,8 +203,26 @@ def test_a_term_lights_the_arrow_of_its_load() -> None:
     page = to_html([SystemResult(scene.name, scene, {"free_body": route}, ())])
     for name in ("T", "N", "f", "gravity"):
         assert f'<g class="of-{name} arrow' in page
-        assert f'<span class="of-{name}" tabindex="0">' in page
-        assert f"span.of-{name}:is(:hover, :focus)) .arrow.of-{name} {{" in page
+        assert re.search(rf'<(span|mrow) class="of-{name}" tabindex="0">', page)
+        assert f".terms .of-{name}:is(:hover, :focus)) .arrow.of-{name} {{" in page
+
+
+@pytest.mark.parametrize("system", [rocker, elastic_pendulum])
+def test_an_equation_that_fits_on_a_line_is_one_element(system: ModuleType) -> None:
+    """A wider one is pieces, in a box that is called mathematics and says its LaTeX."""
+    scene = system.scene()
+    routes = [by_route(name, scene) for name in ("free_body", "moving_point", "kane", "lagrange")]
+    goal = goal_of(routes)
+    seen = []
+    steps = chain.from_iterable(steps_of(equations, goal) for equations in routes)
+    for line in chain.from_iterable(step.lines for step in steps):
+        page = typeset.equation(line)
+        latex = unescape(re.findall(r"<code>(.*?)</code>", page)[0])
+        ((called, shown),) = re.findall(r'<div class="terms"(.*?)>(.*?)</div>', page)
+        seen.append(fits(latex))
+        assert (shown.count("<math") == 1) == seen[-1]
+        assert called.startswith(f' role="math" aria-label="{escape(latex)}"') != seen[-1]
+    assert seen.count(True) > seen.count(False) > 0
 
 
 def test_a_wide_matrix_is_written_entry_by_entry() -> None:
@@ -222,7 +243,7 @@ def test_what_may_scroll_is_reached_by_the_keyboard() -> None:
     root = sqrt(Add(*(Symbol(f"a_{k}") for k in range(30))))
     assert "tabindex" not in short
     wide = typeset.chain((x + 1 / root,))
-    assert '<div class="terms" tabindex="0">' in wide
+    assert re.search(r'<div class="terms"[^>]* tabindex="0">', wide)
     # Paper does not scroll: the root alone is set smaller there.
     assert re.findall(r'class="wide" style="--letters: (\d+)"', wide) == [
         str(10 * 2 + 20 * 3 + 29 + 1)

@@ -50,7 +50,11 @@ def test_wide_formulas_are_cut_and_nothing_is_lost(latex: str) -> None:
 
 def test_fractions_stay_fractions_and_narrow_ones_stay_mathml() -> None:
     assert 'class="fraction"' in str(broken(rf"\frac{{{LONG}}}{{m}}", safe_mathml))
-    assert texts(r"\frac{a + b}{c} + d") == [r"\frac{a + b}{c}", "+ d"]
+    assert texts(rf"\frac{{a + b}}{{c}} + {LONG}")[0] == r"\frac{a + b}{c}"
+
+
+def test_what_fits_on_one_line_is_one_element() -> None:
+    assert texts(r"\frac{a + b}{c} + d = 0") == [r"\frac{a + b}{c} + d = 0"]
 
 
 def test_what_belongs_together_is_not_cut() -> None:
@@ -64,8 +68,8 @@ def test_what_belongs_together_is_not_cut() -> None:
 
 
 def test_a_line_may_end_before_a_wrong_sign() -> None:
-    latex = r"x = a \class{wrong}{+}\class{right}{-} b"
-    assert texts(latex) == ["x", "= a", r"\class{wrong}{+}\class{right}{-} b"]
+    latex = rf"x = a \class{{wrong}}{{+}}\class{{right}}{{-}} b + {LONG}"
+    assert texts(latex)[:3] == ["x", "= a", r"\class{wrong}{+}\class{right}{-} b"]
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from mechanics.report.answer.person_latex import clean, marked
 from mechanics.report.answer.safe_mathml import safe_mathml
 from mechanics.report.answer.tree_latex import TreeLatex, function_latex
 from mechanics.report.latex_items import width
-from mechanics.report.line_breaks import broken
+from mechanics.report.line_breaks import broken, line_box
 
 COLUMN = 16
 """Characters that fit into one of four columns."""
@@ -123,7 +123,7 @@ def _typeset(latex: str | None) -> Markup | None:
     shown = broken(latex, safe_mathml)
     if shown is None:
         return None
-    return Markup('<div class="eq"><div class="terms">{}</div></div>').format(shown)
+    return Markup('<div class="eq">{}</div>').format(line_box(shown, latex))
 
 
 def _code(found: Sequence[Piece]) -> Markup:
