@@ -32,7 +32,8 @@ _AFTER = (
     r"\s*(?:\$|\\\))?\s*(?:is|be|denotes|for|,|:|being|means)\s+(?:the|its|a)?\s*"
     rf"(?:[a-z]+ ){{0,2}}?(?P<noun>{_ANY})\b"
 )
-
+PAIR = re.compile(r"\b(?:kinetic|potential)(?: energy)?,? (?:and|or|minus|plus) (?:the )?$", re.I)
+"""Before a noun of two things, which says nothing of one letter."""
 
 ENERGY = re.compile(
     r"\b(?:(?P<kinetic>kinetic)|(?P<potential>potential)|(?:total|mechanical)) energy"
@@ -103,6 +104,7 @@ def said_of(text: str, letter: str) -> str:
     plain = " ".join(text.split())
     name = rf"(?<![\w\\]){re.escape(letter)}(?![\w_'^(])"
     patterns = (rf"\b{_BEFORE}{name}", rf"{name}{_AFTER}")
-    nouns = {m["noun"].lower() for p in patterns for m in re.finditer(p, plain, re.IGNORECASE)}
+    every = (m for p in patterns for m in re.finditer(p, plain, re.IGNORECASE))
+    nouns = {m["noun"].lower() for m in every if not PAIR.search(plain[: m.start("noun")])}
     said = {word for noun in nouns for names, word in NOUNS if noun in names.lower().split("|")}
     return said.pop() if len(said) == 1 else ""

@@ -9,7 +9,9 @@ from sympy import Symbol
 
 from mechanics.compiled.quantities import quantities
 from mechanics.equations import Equations
-from mechanics.scene.dimensions import MixedDimensions, dimension_of
+from mechanics.scene import Scene
+from mechanics.scene.dimensions import NONE, MixedDimensions, dimension_of
+from mechanics.scene.loads import Force, Torque
 from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import (
@@ -61,7 +63,25 @@ def known_dimensions(truth: Equations) -> Mapping[Symbol, Dimension | None]:
             action = dimension_of_unit("J*s", "") or ()
             known[momentum] = tuple(a - b for a, b in zip(action, length, strict=True))
     known[TIME] = SECOND
-    return known | inferred(scene)
+    known |= inferred(scene)
+    for symbol in _scaled_inputs(scene, known):
+        del known[symbol]
+    return known
+
+
+def _scaled_inputs(scene: Scene, known: Mapping[Symbol, Dimension | None]) -> set[Symbol]:
+    """Inputs and rates of them that loads hold times a parameter with a unit: no forces."""
+    pure = {p for p in scene.parameters if known.get(p) == NONE}
+    scaled = {
+        one.name
+        for load in scene.loads
+        if isinstance(load, Force | Torque)
+        for one in scene.input_symbols
+        for entry in scene.vector(load.vector, load.name)
+        if entry.diff(one).free_symbols & {*scene.parameters} - pure
+    }
+    names = {name + dots for name in scaled for dots in DOTS}
+    return {symbol for symbol in known if symbol.name in names}
 
 
 def _per_second(base: Dimension, order: int) -> Dimension:

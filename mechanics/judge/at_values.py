@@ -180,7 +180,9 @@ def _candidates(
     if not (numbers or units) or not all(isinstance(row.quantity, FITTED) for row in rows):
         return
     fitted = values_for(truth, rows, free)
-    plain = all(v in values or (units and v == 1) for v in fitted.values())
+    # A side that names no parameter has numbers for all of them, and what is 1 shows nowhere.
+    units = units or not held & {*scene.parameters}
+    plain = all(not v.is_Rational or v in values or (units and v == 1) for v in fitted.values())
     # As many equations as numbers: several values that fit them all are no chance.
     measured = {abs(n) for n in atoms if n.q not in OF_MECHANICS or abs(n) > 4}
     several = len(measured) >= sum(v != 1 for v in fitted.values()) > 1

@@ -3,20 +3,23 @@
     F = -k (r - l) e_r        V = k (r - l)^2 / 2        dV/dq_i = -F . dr/dq_i
 
 A scene has no potential for such a force or torque, and its energy is right without; a person's
-energy is right with it, too. Parts with speeds or inputs do no part of it; what holds time has
-none.
+energy is right with it, too. Parts with speeds do no part of it; what holds time has none. Inputs
+do no part of it, or all: the potential of a spring k (q - u) to a place that is moved is
+k (q - u)^2 / 2, which vanishes with the force.
 """
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Expr, Integral, Matrix, S, integrate, zeros
+from sympy import Expr, Integral, Matrix, S, integrate, linsolve, trigsimp, zeros
 from sympy.matrices import MatrixBase
+from sympy.solvers.solveset import NonlinearError
 
 from mechanics.kernel import Finding
 from mechanics.scene import Force, RigidBody, Scene, Torque
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
+from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import canonical, is_zero
 
@@ -39,37 +42,63 @@ def right_with_potentials(
     sign = SIGNS.get(type(row.quantity))
     if sign is None or any(isinstance(side, MatrixBase) for side in row.sides):
         return None
-    found = dict(_potentials(scene))
-    # A pull that is the same everywhere may be no part of an energy; one that springs have is.
-    elastic = [
-        n for n, V in found.items() if any(V.diff(q, p) != 0 for q in scene.q for p in scene.q)
-    ]
-    for names in dict.fromkeys((tuple(found), tuple(elastic))):
-        if not names:
-            continue
-        added = sum((found[name] for name in names), S.Zero)
-        finding = check(replace(row, sides=tuple(side + sign * added for side in row.sides)))
-        if finding.shown:
+    for added, names in _sums(scene):
+        sides = tuple(side + sign * added for side in row.sides)
+        finding = check(replace(row, sides=sides))
+        moved = added.free_symbols & {*scene.input_symbols}
+        # The ledger leaves an energy a part of inputs alone; a spring has none of its own.
+        own = any(not is_zero(scene.plain(side).diff(z)) for side in sides for z in moved)
+        if finding.shown and not own:
             words = f"{finding.evidence}, with the potential of {' and '.join(names)}"
             return replace(finding, evidence=words)
     return None
 
 
-def _potentials(scene: Scene) -> Iterator[tuple[str, Expr]]:
+def _sums(scene: Scene) -> Iterator[tuple[Expr, tuple[str, ...]]]:
+    """Sums of potentials, and what they are of: all, and those of springs."""
+    for inputs in (False, True) if scene.input_symbols else (False,):
+        found = dict(_potentials(scene, inputs))
+        # A pull that is the same everywhere may be no part of an energy; one that springs have is.
+        elastic = [
+            n for n, V in found.items() if any(V.diff(q, p) != 0 for q in scene.q for p in scene.q)
+        ]
+        for names in dict.fromkeys((tuple(found), tuple(elastic))):
+            if names:
+                yield sum((found[name] for name in names), S.Zero), names
+
+
+def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
     constants = {*scene.q, *scene.parameters}
     rates = (plain_symbol(q, 1) for q in scene.coordinates)
-    rest = dict.fromkeys((*rates, *scene.u, *scene.input_symbols), S.Zero)
+    rest = dict.fromkeys((*rates, *scene.u), S.Zero)
+    if inputs:
+        constants |= {*scene.input_symbols}
+    else:
+        rest |= dict.fromkeys(scene.input_symbols, S.Zero)
     for load in scene.loads:
         if not isinstance(load, Force | Torque):
             continue
         vector = scene.vector(load.vector, load.name).subs(rest)
-        if not vector.free_symbols <= constants:
-            continue
-        forces = [canonical(vector.dot(arm)) for arm in _arms(scene, load)]
+        forces = [_plain(vector.dot(arm)) for arm in _arms(scene, load)]
         if all(Q.count_ops() <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
-                yield load.name, potential
+                yield load.name, _from_rest(scene, potential, forces) if inputs else potential
+
+
+def _plain(force: Expr) -> Expr:
+    """A generalized force; time cancels where a frame turns by it."""
+    return canonical(trigsimp(force) if TIME in force.free_symbols else force)
+
+
+def _from_rest(scene: Scene, potential: Expr, forces: list[Expr]) -> Expr:
+    """A potential that vanishes where a linear force does; any other as it is."""
+    try:
+        places = list(linsolve(forces, *scene.q))
+    except NonlinearError:
+        return potential
+    there = [potential.subs(zip(scene.q, place, strict=True)) for place in places]
+    return potential - there[0] if there else potential
 
 
 def _arms(scene: Scene, load: Force | Torque) -> list[Matrix]:

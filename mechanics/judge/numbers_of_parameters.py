@@ -1,17 +1,20 @@
 """Values of parameters for which statements are right: fitted to numbers, to be proved then.
 
     x'' = (u + 0.05 w^2 sin(a))/1.1    ->    m l = 0.05, M + m = 1.1    ->    m = 0.1, l = 0.5
+    x'' = 0.05 sin(20 pi t)            ->    A = 0.05, w = 20 pi: numbers as they stand
 
-Gauss and Newton in the logarithms of the values, damped, at drawn states; what the statements
-leave free is 1. Nothing here is a verdict: values are proposed, the ledger decides.
+Numbers as they stand are tried first. Gauss and Newton in the logarithms of the values, damped, at
+drawn states; what the statements leave free is 1. Nothing here is a verdict: values are proposed,
+the ledger decides.
 """
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from itertools import islice, permutations
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Integer, Rational, Symbol, preorder_traversal
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import define
@@ -34,7 +37,10 @@ SMALL = 1e-10
 """Relative, of what is left."""
 STEP = 1e-7
 """Of the logarithm of a value, for its derivative."""
-DENOMINATORS = (1, 10, 100, 1000, 10**4, 10**6)
+DENOMINATORS = (1, 10, 100)
+DECIMALS = (3, 4, 5, 6)
+ASSIGNMENTS = 400
+"""Ways to give numbers as they stand to parameters that are tried."""
 
 
 def values_for(
@@ -52,6 +58,11 @@ def values_for(
     fit, free = _fit(truth, rows, free)
     if fit is None:
         return {}
+    numbers = [*_numbers(rows), *(Integer(1) for _ in free)]
+    for values in dict.fromkeys(islice(permutations(numbers, len(free)), ASSIGNMENTS)):
+        logs = np.log([float(value) for value in values])
+        if np.max(np.abs(fit.left(logs))) < SMALL:
+            return {s: v for s, v, one in zip(free, values, fit.matters(logs), strict=True) if one}
     open_places = list(range(len(free)))
     for start in _starts(len(free)):
         found = fit.solved(start, open_places)
@@ -60,8 +71,7 @@ def values_for(
             found[loose] = 0.0
             found = fit.solved(found, open_places)
         if found is not None:
-            matters = np.max(np.abs(fit.slope(found, range(len(free)))), axis=0) > STEP
-            some = zip(free, found, matters, strict=True)
+            some = zip(free, found, fit.matters(found), strict=True)
             return {s: _rational(float(np.exp(v))) for s, v, one in some if one}
         open_places = list(range(len(free)))
     return {}
@@ -110,6 +120,10 @@ class _Fit:
             back[place] -= STEP
             columns.append((self.left(moved) - self.left(back)) / (2 * STEP))
         return np.array(columns).T
+
+    def matters(self, logs: Numbers) -> list[bool]:
+        """Whether anything depends on each value."""
+        return list(np.max(np.abs(self.slope(logs, range(len(logs)))), axis=0) > STEP)
 
     def solved(self, start: Numbers, places: Sequence[int]) -> Numbers | None:
         """Logarithms where nothing is left, only those at some places moved; None without any."""
@@ -179,6 +193,19 @@ def _pairs(row: Published) -> list[tuple[Expr, Expr]]:
     return [pair for side in others for pair in zip(first, side, strict=True)]
 
 
+def _numbers(rows: Sequence[Published]) -> list[Expr]:
+    """Positive numbers and numeric factors of rows: 0.05, 20 pi."""
+    sides = (side for row in rows for pair in _pairs(row) for side in pair)
+    parts = (part for side in sides for part in preorder_traversal(side))
+    factors = (
+        part if part.is_number else part.as_independent(*part.free_symbols)[0]
+        for part in parts
+        if part.is_number or part.is_Mul
+    )  # fmt: skip
+    found = {abs(n) for n in factors if n != 1}
+    return sorted((n for n in found if n.is_positive), key=lambda n: (float(n), str(n)))
+
+
 def _starts(count: int) -> list[Numbers]:
     draw = np.random.default_rng(1)
     return [np.zeros(count), *(draw.uniform(-2.5, 2.5, count) for _ in range(STARTS - 1))]
@@ -190,4 +217,7 @@ def _rational(value: float) -> Expr:
         found = Fraction(value).limit_denominator(denominator)
         if abs(float(found) - value) < 1e-7 * abs(value):
             return Rational(found.numerator, found.denominator)
+    for places in DECIMALS:
+        if abs(round(value, places) - value) < 1e-9 * abs(value):
+            return Rational(str(round(value, places)))
     return Rational(Fraction(value).limit_denominator(10**9))

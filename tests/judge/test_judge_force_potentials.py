@@ -1,11 +1,13 @@
 """Energies count in what a scene declares as a force: at the point that the body carries there."""
 
+from collections.abc import Callable
+
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics import check
 from mechanics.kernel import Verdict
-from mechanics.scene import RigidBody, Scene, force, parameters, reaction
+from mechanics.scene import Particle, RigidBody, Scene, force, parameters, reaction
 
 
 def roller() -> Scene:
@@ -46,3 +48,45 @@ def test_springs_that_are_forces_have_a_potential_beside_inputs(
 
 def test_an_input_by_the_letter_of_an_energy_is_no_energy() -> None:
     assert check(roller(), "U = F", blame=False).verdict is Verdict.UNDECIDED
+
+
+def wagon() -> Scene:
+    """A wagon on a spring to a place z that is moved."""
+    (x, z), (m, k) = dynamicsymbols("x z"), parameters("m k", units="kg N/m")
+    N, O = ReferenceFrame("N"), Point("O")
+    C = O.locatenew("C", x * N.x)
+    spring = force("spring", C, -k * (x - z) * N.x, on="wagon")
+    return Scene("wagon", N, O, coordinates=(x,), inputs=(z,), loads=(spring,),
+                 bodies=(Particle("wagon", C, m),), plane=N.z,
+                 reactions=(reaction("n", at=C, on="wagon", by=None, along=N.y),))  # fmt: skip
+
+
+def plate() -> Scene:
+    """A point on a plate that turns, springs that are forces along its axes."""
+    (x, y), (m, a, b, W) = (
+        dynamicsymbols("x y"), parameters("m a b W", units="kg N/m N/m 1/s")
+    )  # fmt: skip
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (W * dynamicsymbols._t, N.z))
+    C = O.locatenew("C", x * A.x + y * A.y)
+    springs = force("springs", C, -a * x * A.x - b * y * A.y, on="point")
+    up = reaction("up", at=C, on="point", by=None, along=N.z)
+    return Scene("plate", N, O, coordinates=(x, y), loads=(springs,), reactions=(up,),
+                 bodies=(Particle("point", C, m),), example={"x": 0.4, "y": 0.3})  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "verdict"),
+    [
+        (wagon, r"V = \frac12 k (x - z)^2", Verdict.PROVED),
+        (wagon, r"V = \frac12 k (x + z)^2", Verdict.REFUTED),
+        (wagon, r"V = \frac12 k x^2 - k x z + k z^2", Verdict.REFUTED),
+        (wagon, r"L = \frac12 m \dot x^2 - \frac12 k (x - z)^2", Verdict.PROVED),
+        (plate, r"V = \frac12 (a x^2 + b y^2)", Verdict.PROVED),
+        (plate, r"V = \frac12 (a x^2 - b y^2)", Verdict.REFUTED),
+    ],
+)
+def test_a_spring_to_what_moves_has_its_potential(
+    scene: Callable[[], Scene], text: str, verdict: Verdict
+) -> None:
+    assert check(scene(), text, blame=False).verdict is verdict

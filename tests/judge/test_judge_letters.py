@@ -132,6 +132,11 @@ def test_one_meaning_for_a_document() -> None:
         (r"\[ T = -m g l\sin\theta, \] where $T$ is the torque of gravity.", RIGHT),
         (r"The torque $T$ about the pivot is \[ T = -m g l\cos\theta. \]", WRONG),
         (r"The kinetic energy $T$ is \[ T = -m g l\sin\theta. \]", WRONG),
+        (
+            r"The difference of kinetic and potential energy, $L=T-V$, is $L = \frac12 m l^2"
+            r"\dot\theta^2 + m g l\cos\theta$",
+            RIGHT,
+        ),
     ],
 )
 def test_prose_says_what_a_letter_is(text: str, verdict: tuple[Verdict, ...]) -> None:

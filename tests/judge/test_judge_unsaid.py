@@ -77,6 +77,18 @@ def test_numbers_may_stand_for_four_parameters() -> None:
     assert check(POLE, CART.format("0.5"), notation="text", blame=False).verdict.name == "REFUTED"
 
 
+def test_a_side_without_any_parameter_has_numbers_for_all() -> None:
+    def bob(t, s):
+        return [s[1] + 0, -9.80665 * np.sin(s[0])]
+
+    def wrong(t, s):
+        return [s[1] + 0, -9.80665 * np.cos(s[0])]
+
+    entry = check(simple_phi(), bob, blame=False).judged[1]
+    assert (entry.verdict.name, entry.right_if) == ("UNDECIDED", ("g = 9.80665, l = 1",))
+    assert check(simple_phi(), wrong, blame=False).verdict.name == "REFUTED"
+
+
 def test_what_follows_another_value_is_one() -> None:
     names = {s.name: s for s in ROD.scene.parameters}
     row = published(
