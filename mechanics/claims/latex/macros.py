@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.latex.comments import without_hidden
+from mechanics.claims.latex.packages import PACKAGES, USES, WITH_POWERS, power_of, written_out
 from mechanics.claims.latex.token_stream import Pending
 from mechanics.claims.names import GREEK
 from mechanics.claims.place import LARGEST_TEXT, Refused, refusal
@@ -43,11 +44,6 @@ UNSAFE = frozenset(
 TAKES = {"frac": 2, "dfrac": 2, "tfrac": 2, "cfrac": 2, "sqrt": 1}
 """Commands of which a single command may be an argument."""
 
-_BRACED = r"\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}"
-DERIVATIVE = re.compile(
-    rf"\\(p?)(?:dv|deriv|diff)(?![A-Za-z@])(?:\[(\d)\])?\s*{_BRACED}\s*{_BRACED}"
-)
-r"""A derivative as packages have it: \pdv{L}{x}, \dv[2]{x}{t}."""
 MOST_EXPANSIONS = 2000
 LONGEST = 2 * LARGEST_TEXT
 """Characters that are put in, in all."""
@@ -90,17 +86,12 @@ def expanded(text: str, origin: str) -> str:
     """
     if len(text) > LARGEST_TEXT:
         return text
-    if not DEFINES.search(text):
-        return DERIVATIVE.sub(_derivative, text)
+    if not DEFINES.search(text) and not USES.search(text):
+        return text
     try:
         return _Expansion().of(without_hidden(text))
     except Refused as reason:
         raise refusal(text, reason, origin) from None
-
-
-def _derivative(found: re.Match[str]) -> str:
-    d, power = r"\partial" if found[1] else "d", f"^{found[2]}" if found[2] else ""
-    return rf"\frac{{{d}{power} {found[3]}}}{{{d} {found[4]}{power}}}"
 
 
 @dataclass
@@ -137,6 +128,14 @@ class _Expansion:
             return self._environment(token, at)
         if name in ("begingroup", "bgroup", "endgroup", "egroup"):
             self.depth += 1 if name.startswith("b") else -1
+        if name in PACKAGES:
+            body = written_out(token, self.input, at)
+            self._counted(len(body or ""), token, at)
+            if body is not None:
+                self._push(body, at)
+                return ""
+        if name in WITH_POWERS:
+            return token + power_of(self.input)
         if name in TAKES:
             self._in_braces(TAKES[name])
         return token
@@ -166,17 +165,22 @@ class _Expansion:
         while len(given) < macro.arguments:
             end = macro.between[len(given) + 1] if macro.between else ""
             given.append(self.input.until(end, at) if end else self.input.argument(at, token))
-        self.count += 1
         longest = max(map(len, given), default=0)
-        self.length += len(macro.body) + macro.body.count("#") * longest
+        self._counted(len(macro.body) + macro.body.count("#") * longest, token, at)
+        self._push(re.sub(r"#([1-9])", lambda m: _of(given, m[1], token, at), macro.body), at)
+        return ""
+
+    def _counted(self, length: int, token: str, at: int) -> None:
+        self.count += 1
+        self.length += length
         if self.count > MOST_EXPANSIONS or self.length > LONGEST:
             raise Refused(at, f"{token} expands too far: write out what it stands for")
-        body = re.sub(r"#([1-9])", lambda m: _of(given, m[1], token, at), macro.body)
+
+    def _push(self, body: str, at: int) -> None:
         # What was two words stays two.
         before = " " if body[:1].isalnum() else ""
         after = " " if body[-1:].isalnum() else ""
         self.input.push(before + body + after, at)
-        return ""
 
     def _in_braces(self, arguments: int) -> None:
         r"""Put braces around a command that is an argument: ``\frac\a\b``."""

@@ -66,6 +66,13 @@ class Pending:
             found += token
         raise Refused(at, f"{end!r} is missing behind this")
 
+    def inside(self, opens: str, closes: str, at: int) -> str:
+        """Take what stands in a bracket that was opened, others of its kind in it, and its end."""
+        found = self.until(closes, at)
+        while opens != closes and _open(found, opens) > _open(found, closes):
+            found += closes + self.until(closes, at)
+        return found
+
     def argument(self, at: int, command: str) -> str:
         """Take what stands in braces, or one token."""
         self.skip()
@@ -81,3 +88,12 @@ class Pending:
             return None
         self.character()
         return self.until("]", at)
+
+
+def _open(text: str, bracket: str) -> int:
+    """How often a bracket stands in a text outside of braces."""
+    depth = count = 0
+    for match in TOKEN.finditer(text):
+        depth += (match[0] == "{") - (match[0] == "}")
+        count += match[0].count(bracket) if depth == 0 and match[0][0] != "\\" else 0
+    return count
