@@ -73,7 +73,8 @@ def test_four_digits_of_the_tolerance_gain_four_times_the_seconds_of_a_digit(
     model, gains = model_of("double_pendulum"), []
     for angle in (2.0, 2.5, 2.9):
         coarse, fine = (
-            simulate(model, 40, initial={"phi1": angle}, rtol=r, atol=r / 100) for r in (1e-7, 1e-11)
+            simulate(model, 40, initial={"phi1": angle}, rtol=r, atol=r / 100)
+            for r in (1e-7, 1e-11)
         )
         assert coarse.horizon < fine.horizon
         gains.append((fine.horizon - coarse.horizon) / (4 * fine.tenfold))
