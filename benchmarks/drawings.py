@@ -53,7 +53,7 @@ def page() -> str:
     """All of them, four beside each other where there is room."""
     light, dark = colours()
     figures = "".join(
-        f"<figure>{svg}<figcaption>{name}</figcaption></figure>" for name, svg in drawings()
+        f"<figure><figcaption>{name}</figcaption>{svg}</figure>" for name, svg in drawings()
     )
     return (
         '<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Drawings</title>'
@@ -66,6 +66,7 @@ def page() -> str:
         " svg + svg { display: inline-block !important; width: calc(50% - .7rem) !important;"
         " margin: .3rem .3rem 0 0; } h1 { grid-column: 1 / -1; }"
         " body { margin: 0; background: var(--paper); } svg { break-inside: avoid; }"
+        " figcaption { break-after: avoid; }"
         " @media print { figure { break-inside: auto; } }"
         f"</style><main><h1>Drawings</h1>{figures}</main></html>"
     )

@@ -15,7 +15,7 @@ LONG = 4
 
 
 def rolling_words(scene: Scene) -> str:
-    """Which bodies roll without slip, and where; empty where none does.
+    """Which bodies roll without slip, and where, as prose with LaTeX; empty where none does.
 
     The point of a body that coincides with a contact has no velocity in any motion that the
     constraints admit, though the contact itself moves.
@@ -37,7 +37,7 @@ def rolling_words(scene: Scene) -> str:
 
 
 def _sentence(name: str, at: Point) -> str:
-    place = at.name if len(at.name) < LONG else "the contact"
+    place = f"$<<{at.name}>>$" if len(at.name) < LONG else "the contact"
     return (
         f"The {name.replace('_', ' ')} rolls without slip: the point of it that is at {place} is at"
         f" rest, while {place} moves on."
