@@ -48,6 +48,12 @@ DERIVATIVE = re.compile(
     rf"\\(p?)(?:dv|deriv|diff)(?![A-Za-z@])(?:\[(\d)\])?\s*{_BRACED}\s*{_BRACED}"
 )
 r"""A derivative as packages have it: \pdv{L}{x}, \dv[2]{x}{t}."""
+OPERATOR = re.compile(rf"\\dv(?![A-Za-z@])(?:\[(\d)\])?\s*{_BRACED}(?!\s*\{{)")
+r"""A derivative of what follows: \dv{t}(m v)."""
+BRACKET = re.compile(r"\\(?:qty|quantity)\s*(?=[(\[|])")
+r"""Of the right size, as packages have it: \qty(a + b)."""
+COMMA = re.compile(r"\\(?:qc|qcomma)(?![A-Za-z@])")
+WORDS = re.compile(r"\\qq\*?(?=\s*\{)")
 MOST_EXPANSIONS = 2000
 LONGEST = 2 * LARGEST_TEXT
 """Characters that are put in, in all."""
@@ -91,11 +97,23 @@ def expanded(text: str, origin: str) -> str:
     if len(text) > LARGEST_TEXT:
         return text
     if not DEFINES.search(text):
-        return DERIVATIVE.sub(_derivative, text)
+        return _of_packages(text)
     try:
-        return _Expansion().of(without_hidden(text))
+        return _of_packages(_Expansion().of(without_hidden(text)))
     except Refused as reason:
         raise refusal(text, reason, origin) from None
+
+
+def _of_packages(text: str) -> str:
+    """The text with commands that packages have for brackets, commas and derivatives."""
+    text = WORDS.sub(r"\\quad\\text", text)
+    text = DERIVATIVE.sub(_derivative, COMMA.sub(r",\\quad ", BRACKET.sub("", text)))
+    return OPERATOR.sub(_operator, text)
+
+
+def _operator(found: re.Match[str]) -> str:
+    power = f"^{found[1]}" if found[1] else ""
+    return rf"\frac{{d{power}}}{{d {found[2]}{power}}}"
 
 
 def _derivative(found: re.Match[str]) -> str:
