@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 
-from sympy import Rational
+from sympy import Expr, Rational
 
 from mechanics.claims.convention import combined_table
 from mechanics.claims.declared_conventions import Declared, read_declared, readings
@@ -368,6 +368,8 @@ def _massless(facts: SceneFacts, said: Said) -> Found:
     if not bodies and link:
         rods = p.ALIKE[0]
         bodies = [b for b in facts.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
+    if link and not any(isinstance(b, RigidBody) for b in facts.scene.bodies):
+        return ""  # points on what has no mass
     heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
     if not heavy or len(heavy) < len(bodies):
         return None
@@ -382,12 +384,22 @@ def _value(facts: SceneFacts, said: Said) -> Found:
         return None
     value, what = int(said["factor"]) * symbol, said["what"].lower()
     if what in ("length", "radius"):
-        have = "half" in facts.meaning(symbol.name) and said["factor"] == "2"
+        half = "half" in facts.meaning(symbol.name) or _is_half_of_a_rod(facts, symbol.name, value)
+        have = half and said["factor"] == "2"
     else:
         parts = [x.stiffness for x in scene.loads if isinstance(x, Spring)]
         every = [b.mass for b in scene.bodies] if what == "mass" else parts
         have = any(is_zero(scene.plain(one) - value) for one in every)
     return "" if have else f"the text has a {what} of {value}, the scene has none"
+
+
+def _is_half_of_a_rod(facts: SceneFacts, name: str, length: Expr) -> bool:
+    """Whether the mass centre of a rod of a length, uniform or of any inertia, is that far away."""
+    plain, rods = facts.scene.plain, [b for b in facts.scene.bodies if isinstance(b, RigidBody)]
+    inertias = [(plain(b.inertia), plain(b.mass)) for b in rods if isinstance(b.inertia, Expr)]
+    return facts.ratio(name) == 1 and any(
+        J.is_Symbol or is_zero(J - m * length**2 / 12) for J, m in inertias
+    )
 
 
 def _sort(facts: SceneFacts, said: Said) -> Found:

@@ -47,7 +47,8 @@ HIDES = re.compile(r"\b(?:hidden|style|class|color|size|alt|title)\b", re.IGNORE
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 QUOTED = re.compile(r"^[ \t]*>[ \t]*\S", re.MULTILINE)
 STRUCK = re.compile(r"~~[^~]+~~")
-UNSEEN = re.compile(r"<!--|^\[//\]:", re.MULTILINE)
+UNSEEN = re.compile(r"<!--(?![\w\s-]*-->)|^\[//\]:", re.MULTILINE)
+"""A comment that may hold more than words, such as ``<!--more-->``."""
 
 
 def unread_markup(text: str) -> Iterator[str]:

@@ -132,6 +132,10 @@ NO_MASS = (
     phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),
     phrase(r"\b(?P<body>\w+) (?:is|are) (?:\w+ )?MASSLESS"),
     phrase(r"\b(?P<body>\w+) (?:has|have) (?:no|negligible|zero) (?:mass|inertia)\b"),
+    phrase(
+        r"\b(?P<body>LINK) (?:of|with) (?:(?!and\b)[\w⟨⟩]+ ){0,5}and (?:of )?(?:no|negligible|zero)"
+        r" mass\b"
+    ),
     phrase(r"\bmass(?:es)? of (?:the )?(?P<body>\w+) (?:is|are) (?:neglected|negligible|zero)"),
     phrase(r"\b(?:neglect|ignor)\w+ (?:the )?mass(?:es)? of (?:the )?(?P<body>\w+)"),
 )
@@ -154,13 +158,21 @@ DRIVEN = phrase(
 )
 
 FEATURES = (
-    ("friction", r"friction|damp|dashpot|viscous|\bdrag\b|resistance|dissipat"),
-    ("gravity", r"(?<!cent\w\w of )(?<!acceleration of )(?:gravity|gravitational)"),
-    ("springs", r"\bsprings?\b"),
+    (
+        "friction",
+        r"friction|damp|dashpot|viscous|\bdrag\b|resistance|dissipat"
+        r"|fricci[oó]n|rozamiento|frottement|reibung|attrito|atrito",
+    ),
+    (
+        "gravity",
+        r"(?<!cent\w\w of )(?<!acceleration of )(?:gravity|gravitational)|gravedad|schwerkraft",
+    ),
+    ("springs", r"\bsprings?\b|\b(?:resorte|muelle|ressort|mola)s?\b|\bmolle?\b"),
 )
 """What a scene has or has not, and words of it."""
 ABSENT = re.compile(
-    r"\b(?:no|not|without|neglect\w*|ignor\w+|negligible|absen\w+|disregard\w*|free of|never|nor)\b"
+    r"\b(?:no|not|without|neglect\w*|ignor\w+|negligible|absen\w+|disregard\w*|free of|never|nor"
+    r"|sin|sans|ohne|senza|sem)\b"
     r"|frictionless|undamped|gravity-free|-free\b",
     re.IGNORECASE,
 )
@@ -244,13 +256,16 @@ SMALL = re.compile(
 )
 IDIOMS = re.compile(
     r"\bnot (?:hard|difficult|surprising)\b|\bnon[- ]?linear\w*|\bwithout loss of generality\b"
+    r"|\b(?:without|no) (?:slip(?:ping|page)?|sliding)\b|\b(?:sin|sem) desli[sz]a\w*"
+    r"|\bsans gliss\w*|\bohne (?:zu )?(?:gleiten|rutschen)|\bsenza stris\w*"
     r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b",
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""
 UNUSUAL = re.compile(
     r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff"
-    r"\u3001\u3002\uff0c\uff1a\uff1b\uff08\uff09\u220e\u25a0\u25a1-]"
+    r"\u00a1\u00ab\u00bb\u3001\u3002\u3008-\u3011\u3014-\u301b\uff0c\uff0e\uff1a\uff1b\uff08\uff09\uff61"
+    r"\U0001f4cc\U0001f4cd\U0001f4d0\U0001f4d6\U0001f4d8\U0001f4da\U0001f4dd\u220e\u25a0\u25a1-]"
     r"|(?<!\w)[A-Za-z](?:[ .{}]{1,4}[A-Za-z]){2,}(?!\w)"
 )
 """A sign that is no mark of plain prose, or letters of a word apart."""

@@ -105,3 +105,16 @@ def test_lines_do_not_move() -> None:
 def test_what_is_not_printed_is_not_read(hidden: str) -> None:
     assert verdicts(f"{hidden}\n\\[ {POLE} \\] \\end{{document}} \\[ x = 1 \\]") == ["PROVED"]
     assert verdicts(rf"\[ \ensuremath{{{POLE}}} \iffalse + 1 \fi \]") == ["PROVED"]
+
+
+@pytest.mark.parametrize(
+    "pole",
+    [
+        r"\qty(m_c + m_p) \dv[2]{x}{t}"
+        r" + m_p l\qty[\ddot\theta\cos\theta - \dot\theta^2\sin\theta] = F",
+        r"\dv{t}\qty((m_c + m_p)\dot x + m_p l\cos\theta\,\dot\theta) = F",
+    ],
+)
+def test_commands_of_a_package_for_brackets_and_derivatives(pole: str) -> None:
+    assert verdicts(rf"\[ {pole} \]") == ["PROVED"]
+    assert verdicts(rf"\[ {pole.replace('m_c +', 'm_c -')} \]") == ["REFUTED"]

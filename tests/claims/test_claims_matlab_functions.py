@@ -189,3 +189,13 @@ def test_mass_matrix_turning_and_gravity_together(tmp_path: Path, sign: str, ver
     found = mechanics.check(scene, path, blame=False)
     assert found.verdict.name == verdict
     assert sign or any("otherwise than M" in words for e in found.judged for words in e.right_if)
+
+
+def test_a_return_at_the_end_of_a_function_is_its_end() -> None:
+    text = "function y = f(a)\n%s\ny = 2*a;\nreturn\n%% the end\n"
+    (function,) = functions(text % "")
+    assert function(a=3.0) == 6.0
+    with pytest.raises(Unread, match="return"):
+        functions(text % "if a > 1\n return\nend")
+    with pytest.raises(Unread, match="return"):
+        functions(text % "return")

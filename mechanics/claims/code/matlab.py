@@ -407,9 +407,10 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, f"for {safe(words(counter))} in {_list(steps, scope)}:",
                      opens=True)  # fmt: skip
             _block(page, node, depth + 1, scope)
-        case "global_operator" | "persistent_operator" | "return_statement":
-            if kind == "return_statement":
-                raise refuse(node)
+        case "return_statement" if node == _last(_around(node)):
+            page.put(line, depth, "pass")
+        case "global_operator" | "persistent_operator":
+            pass
         case "function_call" if words(_name(node)) == "error" and depth == 1:
             page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN:
@@ -420,6 +421,12 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")
         case _:
             raise refuse(node)
+
+
+def _last(function: Any) -> Any:
+    """The last statement of a function, behind which it ends anyway."""
+    blocks = [c for c in function.children if c.type == "block"] if function is not None else []
+    return next(reversed([part for block in blocks for part in named(block)]), None)
 
 
 def _assignment(left: Any, right: Any, scope: Scope) -> str:
