@@ -38,13 +38,16 @@ UNIT = (
 )
 NUMBER = r"[-+\u2212]?\s?\d[\d.,]*(?:\s?(?:\\cdot|\\times)\s?10\s?\^\s?(?:\d|\{\s?-?\d+\s?\}))?"
 BRACKET = r"(?:\\left\s?)?(?:\(|\[|\\\{)[^=+*/()\[\]]*,[^=+*/()\[\]]*(?:\\right\s?)?(?:\)|\]|\\\})"
+SET = r"\\mathbb\s?\{?\s?[A-Z]\s?\}?(?:\s?[\^_]\s?(?:\w|\{[\w\s+]*\}))*"
+"""The real numbers, a circle, and powers of them."""
 VALUES = (
     re.compile(rf"{NAME}{SPACE}={SPACE}{NUMBER}{SPACE}{UNIT}(?:{SPACE}{UNIT})*{SPACE}[.,;]?"),
     re.compile(rf"{NAME}{SPACE}={SPACE}\\(?:SI|qty)\s?\{{\s?{NUMBER}\s?\}}\s?{BRACES}[.,;]?"),
     re.compile(rf"{RATE}{SPACE}\(\s?(?:0|t_0|t_\{{0\}})\s?\){SPACE}=[^=]*"),
+    re.compile(rf"{NAME}{SPACE}={SPACE}{SET}(?:{SPACE}\\times{SPACE}{SET})*{SPACE}[.,;]?"),
     re.compile(rf"{NAME}{SPACE}={SPACE}{BRACKET}\s?(?:\^\s?\{{?\s?\\?[A-Za-z]+\s?\}}?)?\s?[.,;]?"),
 )
-"""A number with its unit, a value at the beginning, a list of names."""
+"""A number with its unit, a value at the beginning, a set of numbers, a list of names."""
 BESIDE = re.compile(r"[\w$)][ \t,:;(*_-]*\Z")
 """Words in the same line: some Markdown marks formulas in prose so, too: the mass $$m$$."""
 GOES_ON = re.compile(r"[\s&]*=(?![\s&]*\Z)")

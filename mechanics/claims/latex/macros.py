@@ -7,6 +7,7 @@ is not understood is refused where its command is used.
 """
 
 import re
+import unicodedata
 from dataclasses import dataclass, field
 
 from mechanics.claims.functions import FUNCTIONS
@@ -44,6 +45,8 @@ UNSAFE = frozenset(
 TAKES = {"frac": 2, "dfrac": 2, "tfrac": 2, "cfrac": 2, "sqrt": 1}
 """Commands of which a single command may be an argument."""
 
+PRINTED = re.compile("[\u210b\u2112\U0001d434-\U0001d467\U0001d49c-\U0001d503]")
+"""Letters as they are printed: a script or italic L."""
 MOST_EXPANSIONS = 2000
 LONGEST = 2 * LARGEST_TEXT
 """Characters that are put in, in all."""
@@ -86,12 +89,20 @@ def expanded(text: str, origin: str) -> str:
     """
     if len(text) > LARGEST_TEXT:
         return text
+    text = PRINTED.sub(_letter, text)
     if not DEFINES.search(text) and not USES.search(text):
         return text
     try:
         return _Expansion().of(without_hidden(text))
     except Refused as reason:
         raise refusal(text, reason, origin) from None
+
+
+def _letter(match: re.Match[str]) -> str:
+    letter, name = unicodedata.normalize("NFKD", match[0]), unicodedata.name(match[0], "")
+    if not letter.isascii():
+        return match[0]
+    return rf"\mathcal{{{letter}}}" if "SCRIPT CAPITAL" in name else letter
 
 
 @dataclass

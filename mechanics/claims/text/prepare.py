@@ -11,6 +11,7 @@ import re
 from mechanics.claims.latex.bars import barred
 from mechanics.claims.text.declarations import without_declarations
 from mechanics.claims.text.line_continuation import on_one_line, sentences
+from mechanics.claims.text.markdown import without_markdown
 from mechanics.program.c.tokens import blanked
 
 BLOCK = re.compile(r"#=(?!=).*?=#", re.DOTALL)
@@ -89,7 +90,8 @@ OVER_TIMES = re.compile(
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
-    text = CALLED.sub(_letter, CJK.sub(lambda m: " " * len(m[0]), text))
+    text = CJK.sub(lambda m: " " * len(m[0]), without_markdown(text))
+    text = CALLED.sub(_letter, text)
     if INSIDE.search(text):
         text = OVERDOTS.sub(lambda m: "'" * len(m[0]), text)
     for words in (ANONYMOUS, BRACES):
