@@ -26,6 +26,9 @@ from mechanics.scene.unit_names import dimension_of_unit
 
 UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
 """A unit in a declaration of Modelica's."""
+DEFINED = re.compile(
+    r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?([^\n()]*)\)?[ \t\r]*$", re.MULTILINE
+)
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 
 
@@ -92,7 +95,17 @@ def prose_of(
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
         limits |= dict.fromkeys(markup)
         against |= dict.fromkeys((*_outside(facts, text), *_units(facts, text)))
+    for source in code:
+        against |= dict.fromkeys(_outside(facts, _assignments(source)))
     return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
+
+
+def _assignments(source: str) -> str:
+    """Code without comments; a name that changes, as that of a sum, is no parameter in it."""
+    text = COMMENT.sub("", DEFINED.sub(r"\1 = \2", source))
+    every = re.findall(r"(?<![\w.])(\w+)[ \t]*(?:[-+*/.]?=(?!=)|\+\+|--)", text)
+    changed = {name for name in every if every.count(name) > 1}
+    return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)
 
 
 def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
