@@ -285,8 +285,10 @@ PART_OF_DOCUMENT = re.compile(
 )
 """What names a part of a document."""
 GIVEN = re.compile(
-    r"(?:^|[\n,;:$]|\b(?:with|where|and|for|let|if|here|take|set)\b)[ \t]*\\?(?P<name>[A-Za-z]\w*)"
-    r"[ \t]*=[ \t]*(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?)(?![ \t]*[\w*^/(\\.+-])"
+    r"(?:^|[\n,;:$({]|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
+    r"|Real|[A-Z]\w*(?:\.[A-Z]\w*)+)\b)[ \t]*(?:\w+\.)*\\?(?P<name>[A-Za-z]\w*)"
+    r"(?:[ \t]*\([^()\n]*=[^()\n]*\))?[ \t]*=[ \t]*"
+    r"(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)[fF]?(?![ \t]*[\w*^/(\\.+-])"
 )
 """A parameter that is a number."""
 DENIAL = re.compile(

@@ -5,28 +5,26 @@ where $\theta$ is measured from the downward vertical     a declared convention
 The springs are made of steel.                           quoted beside the verdict
 """
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.errors import SceneError
 from mechanics.judge.comparison import compared, senses
+from mechanics.judge.declared_otherwise import (
+    COMMENT,
+    declared_in_code,
+    declared_otherwise,
+    described,
+)
 from mechanics.judge.markup import unread_markup
-from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
-from mechanics.scene.unit_names import dimension_of_unit
-
-UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
-"""A unit in a declaration of Modelica's."""
-COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -67,6 +65,7 @@ def prose_of(
     names = {*(match.name for match in known), *facts.names}
     written = {s.written.text: s.written.notation for s in statements if s.written is not None}
     texts = [*sorted(written.items())]
+    texts += [(one, "code") for text in written for one in described(text)]
     texts += [(m[0], "code") for source in code for m in COMMENT.finditer(source)]
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}
@@ -91,36 +90,10 @@ def prose_of(
         hidden = unread_markup(marked(text)) if notation == "latex" else ()
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
         limits |= dict.fromkeys(markup)
-        against |= dict.fromkeys((*_outside(facts, text), *_units(facts, text)))
+        against |= dict.fromkeys(declared_otherwise(facts, text))
+    for source in code:
+        against |= dict.fromkeys(declared_in_code(facts, source))
     return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
-
-
-def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
-    """Values that a text gives parameters, and that the scene's cannot have."""
-    for said in GIVEN.finditer(text):
-        symbol = facts.parameters.get(facts.own(said))
-        number = float(re.sub(r"\s", "", said["number"].replace("\u2212", "-")))
-        if symbol is None or number > 0 or (number == 0 and not symbol.is_positive):
-            continue
-        if symbol.is_positive or symbol.is_nonnegative:
-            value = f"{said['name']} = {said['number']}"
-            yield f"the text has {value}, the scene's {symbol.name} is positive"
-
-
-def _units(facts: SceneFacts, text: str) -> Iterator[str]:
-    """Declared units that are not coherent ones of the SI, or not those of the scene."""
-    for said in UNITS.finditer(text):
-        name, unit = said["name"], said["unit"]
-        powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
-        below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
-        own = facts.unit(facts.own_name(name))
-        try:
-            dimension = dimension_of_unit(below, "")
-        except SceneError:
-            yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
-            continue
-        if own and dimension != dimension_of_unit(own, ""):
-            yield f"the text declares {name} in {unit}, the scene's is in {own}"
 
 
 def seen_from_one_side(

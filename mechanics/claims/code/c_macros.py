@@ -9,12 +9,19 @@ import re
 from dataclasses import dataclass
 
 from mechanics.claims.code.c_person import GUARD, without_comments
-from mechanics.errors import ExpressionError
+from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.tokens import Line, tokens
 
 DEFINE = re.compile(r"[ \t\v]*#[ \t\v]*define[ \t\v]+(\w+)\(([^()]*)\)(.*)", re.DOTALL)
 OTHER = re.compile(r"([ \t\v]*#[ \t\v]*define[ \t\v]+\w+)\b(?!\()(.*)", re.DOTALL)
+DEFINED = re.compile(r"[ \t\v]*#[ \t\v]*define[ \t\v]+(\w+)\b(.*)", re.DOTALL)
 CONDITION = re.compile(r"[ \t\v]*#[ \t\v]*(ifdef|ifndef|if|endif)\b[ \t\v]*(\w*)")
+
+KEYWORDS = re.compile(
+    r"double|float|int|long|short|char|signed|unsigned|bool|void|const|constexpr|static|inline"
+    r"|struct|auto|return|if|else|for|while|do|switch|case|default|break|continue|goto|sizeof"
+)
+"""Words of C and C++ that a reader takes as they are."""
 
 MOST, DEEPEST = 20_000, 40
 """Tokens that macros make, and macros in macros."""
@@ -28,6 +35,22 @@ class Macro:
     body: Line
 
 
+def keeps_keywords(text: str, origin: str) -> None:
+    """Refuse a file whose macros give words of the language another meaning.
+
+    Raises
+    ------
+    InputError
+    """
+    for number, line in enumerate(without_comments(text).split("\n"), 1):
+        found = DEFINED.match(line)
+        if found and KEYWORDS.fullmatch(found[1]) and found[2].strip(" \t\v") != found[1]:
+            raise InputError(
+                f"{origin}, line {number}, column 1: {found[1]} is a word of C, and a macro"
+                " gives it another meaning: remove the macro"
+            )
+
+
 def without_macros(text: str, origin: str) -> str:
     """The text with uses of macros replaced.
 
@@ -36,6 +59,7 @@ def without_macros(text: str, origin: str) -> str:
     ExpressionError
         For a macro that is defined twice or under a condition, or used with other arguments.
     """
+    keeps_keywords(text, origin)
     if not re.search(r"#[ \t\\\n]*define[ \t\\\n]+\w+\(", text):
         return text
     macros: dict[str, Macro] = {}

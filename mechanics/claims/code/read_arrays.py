@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
+from mechanics.claims.code.c_macros import keeps_keywords
 from mechanics.claims.code.c_plain import in_doubles
 from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
@@ -71,6 +72,7 @@ def read_cpp(
     about: str | None, origin: str,
 ) -> Reading:  # fmt: skip
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
+    keeps_keywords(text, origin)
     with located(origin):
         functions = cpp_functions.in_python(text, origin, function)
     found = _together([read_function(scene, one, names, about, text) for one in functions])

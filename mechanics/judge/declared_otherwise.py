@@ -1,0 +1,134 @@
+"""What a text or code declares of names, and the scene has otherwise.
+
+#define G -9.81              the scene's g is positive
+parameter Real l = m;        the scene's l and m have different units
+double f(int theta)          the scene's theta is a real number
+constant Real theta = 0;     the scene's theta moves
+"""
+
+import re
+from collections.abc import Iterator
+
+from mechanics.errors import SceneError
+from mechanics.judge.phrases import GIVEN
+from mechanics.judge.scene_facts import SceneFacts
+from mechanics.scene.unit_names import Dimension, dimension_of_unit
+
+UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
+"""A unit in a declaration of Modelica's."""
+DEFINED = re.compile(
+    r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?([^\n()]*)\)?[ \t\r]*$", re.MULTILINE
+)
+COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
+ALIAS = re.compile(
+    r"(?:^|[\n,;:$]|\b(?:with|where|and|let|if|set|double|float|Real)\b)[ \t]*"
+    r"\\?(?P<name>[A-Za-z]\w*)[ \t]*:?=[ \t]*\\?(?P<other>[A-Za-z]\w*)[ \t]*(?=$|[\n,;.$])"
+)
+"""A name that is another one."""
+LASTING = re.compile(r"\b(?:const|constexpr)\b[^;{}()]*;")
+"""Of C++: what no line changes."""
+KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|Integer|Boolean|u?int\w*_t)"
+INTEGER = re.compile(rf"\b{KINDS}[ \t]+(?P<name>\w+)[ \t]*(?=[,;)\[])")
+OWN_KIND = re.compile(
+    rf"\btypedef\s+(?:{KINDS}\s+)+(\w+)\s*;|\busing\s+(\w+)\s*=\s*(?:{KINDS}\s*)+;"
+)
+"""A name of the file for a kind of integers."""
+COUNTER = r"\bfor\s*\(\s*(?:\w+\s+)?{0}\s*=|\[\s*{0}\b"
+"""Of a loop, or the place of an entry."""
+FIXED = re.compile(r"\b(?P<kind>constant|discrete|parameter)\b(?P<names>[^;]*);")
+"""Of Modelica: what does not move, or in steps."""
+DESCRIBED = re.compile(r"\bReal\b[^;\"]*?(?P<name>\w+)[ \t]*(?:=[^;,\"]*)?\"(?P<words>[^\"\n]+)\"")
+STRING = re.compile(r"\"[^\"\n]*\"")
+MODEL = re.compile(r"^[ \t]*(?:partial[ \t]+)?(?:model|block|class)\b", re.MULTILINE)
+
+
+def declared_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
+    """What a text declares otherwise, in words."""
+    yield from _outside(facts, text)
+    yield from _units(facts, text)
+    yield from _aliases(facts, text)
+    if MODEL.search(text):
+        plain = STRING.sub("", text)
+        yield from _integers(facts, plain)
+        yield from _fixed(facts, plain)
+
+
+def declared_in_code(facts: SceneFacts, source: str) -> Iterator[str]:
+    """What code declares otherwise, in words."""
+    yield from _outside(facts, _assignments(source))
+    yield from _integers(facts, source)
+    yield from _aliases(facts, "\n".join(m[0] for m in LASTING.finditer(source)))
+
+
+def described(text: str) -> Iterator[str]:
+    """What a model of Modelica says that its names are, as comments say it."""
+    for one in DESCRIBED.finditer(text) if MODEL.search(text) else ():
+        yield f"// {one['name']} is the {one['words'].removeprefix('the ')}"
+
+
+def _aliases(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Names that are set to one of another unit."""
+    for said in ALIAS.finditer(text):
+        pair = [facts.own_name(said[key]) for key in ("name", "other")]
+        one, other = (_dimension(facts, name) for name in pair)
+        if one is not None and other is not None and one != other:
+            yield f"the text has {said['name']} = {said['other']}, which differ in their units"
+
+
+def _dimension(facts: SceneFacts, name: str) -> Dimension | None:
+    unit = facts.unit(name)
+    return dimension_of_unit(unit, "") if unit else None
+
+
+def _integers(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Quantities of the scene that are declared as integers."""
+    known = {match.name for match in facts.known} | facts.names
+    for own in OWN_KIND.findall(text):
+        text = re.sub(rf"\b{''.join(own)}\b", "int", text)
+    for said in INTEGER.finditer(text):
+        if said["name"] in known and not re.search(COUNTER.format(said["name"]), text):
+            yield f"{said['name']} is declared as an integer, the scene's is a real number"
+
+
+def _fixed(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Coordinates that are declared as what does not move."""
+    for said in FIXED.finditer(text):
+        for name in re.findall(r"(\w+)[ \t]*(?=[(,=]|$)", said["names"]):
+            if facts.own_name(name) in facts.coordinates:
+                yield f"the text declares {name} as {said['kind']}, the scene's moves"
+
+
+def _assignments(source: str) -> str:
+    """Code without comments; a name that changes, as that of a sum, is no parameter in it."""
+    text = COMMENT.sub("", DEFINED.sub(r"\1 = \2", source))
+    every = re.findall(r"(?<![\w.])(\w+)[ \t]*(?:[-+*/.]?=(?!=)|\+\+|--)", text)
+    changed = {name for name in every if every.count(name) > 1}
+    return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)
+
+
+def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Values that a text gives parameters, and that the scene's cannot have."""
+    for said in GIVEN.finditer(text):
+        symbol = facts.parameters.get(facts.own(said))
+        number = float(re.sub(r"\s", "", said["number"].replace("\u2212", "-")))
+        if symbol is None or number > 0 or (number == 0 and not symbol.is_positive):
+            continue
+        if symbol.is_positive or symbol.is_nonnegative:
+            value = f"{said['name']} = {said['number']}"
+            yield f"the text has {value}, the scene's {symbol.name} is positive"
+
+
+def _units(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Declared units that are not coherent ones of the SI, or not those of the scene."""
+    for said in UNITS.finditer(text):
+        name, unit = said["name"], said["unit"]
+        powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
+        below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
+        own = facts.unit(facts.own_name(name))
+        try:
+            dimension = dimension_of_unit(below, "")
+        except SceneError:
+            yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
+            continue
+        if own and dimension != dimension_of_unit(own, ""):
+            yield f"the text declares {name} in {unit}, the scene's is in {own}"
