@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from sympy import Expr, S
+from sympy import Expr, Matrix, Mul, S, factor_terms
 
 from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
-from mechanics.claims.demands import Demands
+from mechanics.claims.demands import Demand, Demands
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.judge.common_factor import demands_of_factors
@@ -27,6 +27,9 @@ from mechanics.scene.quantities import (
     ReactionValue,
 )
 from mechanics.symbolic import generic_rank, slope
+
+MOST_TOGETHER = 3
+"""Equations whose determinant is looked at."""
 
 
 def determines(truth: Equations, statements: Sequence[Statement]) -> bool:
@@ -76,12 +79,15 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     """How many equations of motion are shown, how many of them say something new, and freedoms.
 
     What says only what a reaction is, that nothing else gives, says nothing of the motion; nor does
-    ``theta (theta'' - ...) = 0`` of a motion that stays at theta = 0.
+    ``theta (theta'' - ...) = 0`` of a motion that stays at theta = 0. As many equations as freedoms
+    count as one less where they say the same at some state.
     """
     scene = truth.scene
-    entries = [e for e in judged if e.finding.shown and not _loses_motions(truth, e)]
+    entries = [e for e in judged if e.finding.shown and e.statement.row is not None]
     shown = [e.statement.row for e in entries if e.statement.row is not None]
-    rows = [row for row in shown if isinstance(row.quantity, EquationOfMotion)]
+    count = sum(isinstance(row.quantity, EquationOfMotion) for row in shown)
+    lost = [e.statement.row for e in entries if _loses_motions(truth, e)]
+    rows = [r for r in shown if isinstance(r.quantity, EquationOfMotion) and r not in lost]
     given = {row.quantity.name for row in shown if isinstance(row.quantity, ReactionValue)}
     forces = [r.symbol for r in scene.reactions if r.name not in given]
     written = partial(momenta_written_out, truth.kinematics)
@@ -93,15 +99,32 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     constraints = closing(truth).tolist()
     closure = truth.kinematics.mechanism.closure
     if closure and not closure.values:
-        return len(rows), len(rows), len(scene.ud) - len(constraints)  # no exact state is known
+        return count, len(rows), len(scene.ud) - len(constraints)  # no exact state is known
     try:
         held = _rank(truth, constraints)
         both = [[*a, *b] for a, b in zip(slopes, unknown, strict=True)]
         both += [[*row, *(S.Zero for _ in forces)] for row in constraints]
         rank = _rank(truth, both) - _rank(truth, unknown) - held
     except Inadmissible:
-        return len(rows), len(rows), len(scene.ud) - len(constraints)  # no state to look at
-    return len(rows), rank, len(scene.ud) - held
+        return count, len(rows), len(scene.ud) - len(constraints)  # no state to look at
+    if rank == len(rows) == len(scene.ud) <= MOST_TOGETHER and _meet_somewhere(
+        truth, entries, Matrix(slopes).det(method="berkowitz")
+    ):
+        rank -= 1
+    return count, rank, len(scene.ud) - held
+
+
+def _meet_somewhere(truth: Equations, entries: Sequence[Judged], determinant: Expr) -> bool:
+    """Whether as many equations as freedoms say less at some state.
+
+    e1 = 0 and x e2 + e1 = 0, where x = 0: their determinant by accelerations vanishes.
+    """
+    factors = Mul.make_args(factor_terms(determinant))
+    divisors = [f.as_base_exp()[0] for f in factors if f.free_symbols]
+    demands = Demands(tuple(Demand("divide", (S.One, divisor)) for divisor in divisors))
+    alone = replace(entries[0].statement, demands=demands)
+    finding = where_defined(truth, alone, replace(entries[0].finding, domain=""))
+    return bool(divisors) and (bool(finding.domain) or not finding.shown)
 
 
 def _loses_motions(truth: Equations, entry: Judged) -> bool:

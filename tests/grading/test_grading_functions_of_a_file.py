@@ -68,7 +68,8 @@ def test_modules_that_are_not_installed_have_no_value(tmp_path: Path) -> None:
 def test_code_on_a_page_is_judged_beside_its_words(tmp_path: Path) -> None:
     path = tmp_path / "page.md"
     path.write_text(f"# A pendulum\n\n$x = 3$\n\n```python\n{SOLVED}```\n\n```bash\nls\n```\n")
-    prose, function = things_in(path, run_python=True)
+    prose, function, words = things_in(path, run_python=True)
     assert "x = 3" in prose and "solve_ivp" not in prose
+    assert "A pendulum" in words.words and "solve_ivp" not in words.words
     assert function.__name__ == "__call__"
     assert things_in(path) == [path]

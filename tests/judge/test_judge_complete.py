@@ -13,7 +13,7 @@ from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
 from mechanics.testing import assert_equivalent
-from systems import cartpole, rod_pendulum
+from systems import cartpole, elastic_pendulum, rod_pendulum
 
 
 @cache
@@ -135,3 +135,18 @@ def test_an_equation_times_an_input_says_nothing_of_free_motion() -> None:
 def test_an_equation_of_sympy_between_equal_sides_says_nothing() -> None:
     equation = sympy.Eq(sympy.S.Zero, sympy.S.Zero, evaluate=False)
     assert check(rod(), equation).verdict is Verdict.UNDECIDED
+
+
+CARRIAGE = "(M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta) - theta'^2*sin(theta))"
+ROD = "M*L/2*cos(theta)*x'' + M*L^2/3*theta'' + M*g*L/2*sin(theta)"
+
+
+@pytest.mark.parametrize(
+    "second",
+    [f"theta'*({ROD}) + x'*({CARRIAGE}) = 0", f"x*({ROD})/L + theta*({CARRIAGE}) = 0"],
+)
+def test_equations_that_say_the_same_at_some_state_are_not_all(second: str) -> None:
+    scene = elastic_pendulum.scene()
+    with pytest.raises(AssertionError, match="only 1 of 2"):
+        assert_equivalent([f"{CARRIAGE} = 0", second], scene)
+    assert_equivalent([f"{CARRIAGE} + ({ROD})/L = 0", f"{ROD} = 0"], scene)
