@@ -347,9 +347,10 @@ class _Assembly:
         start = " ".join(self.text[max(0, line.at - 60) : line.at].split())
         number, rest = self.scene.plain(meaning).as_coeff_Mul()
         before = self.text[max(0, line.at - 8) : line.at]
-        multiple = number.is_Rational and rest in self.scene.parameters and IN_PROSE.search(before)
+        own = (*self.scene.parameters, *self.scene.input_symbols)
+        multiple = number.is_Rational and rest in own and IN_PROSE.search(before)
         said = multiple or SAID.search(start) or DEFINING.search(line.source)
-        held = self.scene.plain(meaning).free_symbols - {*self.scene.parameters, TIME}
+        held = self.scene.plain(meaning).free_symbols - {*own, TIME}
         return bool(said) and not held and name not in LETTERS and name not in MATRIX_NAMES
 
     def _matrices(

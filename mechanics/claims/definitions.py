@@ -232,7 +232,8 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
             first, *rest = line.sides
             kept = tuple(
                 side for side in rest
-                if not _unknown_rate(side, naming, known) and not _named(first, side, naming, once)
+                if not _unknown_rate(side, naming, known)
+                and not _named(first, side, naming, once, known)
             )  # fmt: skip
             kept = (first, *kept) if not _unknown_rate(first, naming, known) else kept
             if 1 < len(kept) < len(line.sides):
@@ -265,13 +266,23 @@ def _only_names(line: Line, lines: Sequence[Entry], naming: Naming, once: Contai
     return (first.name, first.order) in named
 
 
-def _named(first: Node, side: Node, naming: Naming, once: Container[str]) -> bool:
+def _energy(name: str) -> str:
+    """The energy that a name is, or is a part of: V, V_eff; empty where it is none."""
+    return ENERGY_NAMES.get(name) or ENERGY_NAMES.get(name.partition("_")[0], "")
+
+
+def _named(
+    first: Node, side: Node, naming: Naming, once: Container[str], known: Container[str] = ()
+) -> bool:
     """Whether a side says by names of its own what the others are."""
-    unknown = [n.name for n in names(side) if naming.target(n.name) is None and n.name != "t"]
+    unknown = [
+        n.name for n in names(side)
+        if naming.target(n.name) is None and n.name != "t" and n.name not in known
+    ]  # fmt: skip
     if not unknown or not all(name in once for name in unknown):
         return False
-    if not all(name in ENERGY_NAMES for name in unknown):
-        return not any(name in ENERGY_NAMES for name in unknown)
+    if not all(map(_energy, unknown)):
+        return not any(map(_energy, unknown))
     if isinstance(side, Call):  # p = dL/dq'
         return _momentum_of(first, side, naming)
     energy = ENERGY_NAMES.get(first.name, "") if isinstance(first, Name) else ""
@@ -294,7 +305,7 @@ def _is_law(energy: str, side: Node) -> bool:
         second, minus = second.factors[-1], -1
     if energy == "Lagrangian" and isinstance(second, Name) and second.name == "U":
         sign = minus  # the potential, or the force function
-    kinds = [ENERGY_NAMES.get(n.name) for n in (terms[0], second) if isinstance(n, Name)]
+    kinds = [_energy(n.name) for n in (terms[0], second) if isinstance(n, Name)]
     if kinds == ["potential energy", "kinetic energy"]:
         kinds, minus = kinds[::-1], minus if energy == "energy" else 0
     return kinds == ["kinetic energy", "potential energy"] and minus == sign

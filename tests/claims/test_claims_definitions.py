@@ -132,3 +132,23 @@ def test_a_wrong_energy_beside_an_unused_definition_is_refuted() -> None:
     )
     text = rf"\begin{{align}} q &= 7 \zeta \\ {energy} \end{{align}}"
     assert verdicts(PIVOT, text) == ["UNDECIDED", "REFUTED"]
+
+
+LAGRANGIAN = (
+    r"$$ L = {} = \frac12 (m_c + m_p)\dot x^2 + m_p l\cos\theta\,\dot x\dot\theta"
+    r" + \frac23 m_p l^2\dot\theta^2 {} m_p g l\cos\theta $$"
+)
+
+
+@pytest.mark.parametrize("law", [r"T - V_{\rm eff}", "T_k - U"])
+def test_parts_of_energies_stand_by_their_law(law: str) -> None:
+    right = LAGRANGIAN.replace("{}", law, 1)
+    assert verdicts(CART, right.replace("{}", "-")) == ["PROVED"]
+    assert verdicts(CART, right.replace("{}", "+")) == ["REFUTED"]
+    assert "PROVED" not in verdicts(CART, right.replace("- V", "+ V").replace("- U", "- 2U"))
+
+
+def test_a_text_says_that_an_input_has_another_name() -> None:
+    rail = r"$$ (m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F $$"
+    assert verdicts(CART, f"The control $u = F$. {rail}") == ["PROVED"]
+    assert "PROVED" not in verdicts(CART, f"$$ R = F $$ {rail.replace('= F', '= 2F')}")

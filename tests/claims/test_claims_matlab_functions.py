@@ -8,6 +8,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
 from benchmarks.corpus.builders import P, two_link_arm
+from benchmarks.corpus.scenes.arms_chasers_discs import feder
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
 from mechanics.errors import InputError
@@ -199,3 +200,10 @@ def test_a_return_at_the_end_of_a_function_is_its_end() -> None:
         functions(text % "if a > 1\n return\nend")
     with pytest.raises(Unread, match="return"):
         functions(text % "return")
+
+
+def test_what_is_taken_in_slices_is_no_coordinate_of_that_name() -> None:
+    text = "function dx = f(t, x)\nr = x(1:2);\ndx = [r(2); %s];\nend\n"
+    for right, verdict in (("-D*r(1)/m", "PROVED"), ("D*r(1)/m", "REFUTED")):
+        (function,) = functions(text % right, "D", "m")
+        assert mechanics.check(feder(), function, blame=False).verdict.name == verdict

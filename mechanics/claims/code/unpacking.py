@@ -113,6 +113,11 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).keys.setdefault(key, line)
             case ast.Subscript(value=ast.Name(id=mine)):
                 _of(found, mine).vector = True
+            case ast.Call(
+                func=ast.Name(id="get"),
+                args=[ast.Name(id=mine), ast.Call(func=ast.Name(id="steps"))],
+            ):
+                _of(found, mine).vector = True  # x(1:3) of MATLAB
             case ast.BinOp(op=ast.MatMult()):
                 for side in (node.left, node.right):
                     if isinstance(side, ast.Name):
