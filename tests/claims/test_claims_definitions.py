@@ -132,3 +132,27 @@ def test_a_wrong_energy_beside_an_unused_definition_is_refuted() -> None:
     )
     text = rf"\begin{{align}} q &= 7 \zeta \\ {energy} \end{{align}}"
     assert verdicts(PIVOT, text) == ["UNDECIDED", "REFUTED"]
+
+
+@pytest.mark.parametrize(
+    ("words", "formula", "short"),
+    [
+        ("the control", "u = F", True),
+        ("with", "b = m_c + m_p", True),
+        ("with", "M = m_c + m_p", False),
+        ("the control", "u = -F", False),
+        ("the tension", "T = F", False),
+        ("the frequency", r"\omega = g", False),
+        ("the control", "a = F", False),
+    ],
+)
+def test_what_only_names_a_given_quantity_is_quoted_as_not_judged(
+    words: str, formula: str, short: bool
+) -> None:
+    def answer(sign: str):
+        pole = rf"$$\tfrac43 l\ddot\theta + \ddot x\cos\theta = {sign} g\sin\theta$$"
+        return mechanics.check(CART, f"{words} ${formula}$ {pole}", notation="latex", blame=False)
+
+    assert (formula in answer("").unjudged) is short
+    assert (answer("").verdict.name == "PROVED") is short
+    assert answer("-").verdict.name == "REFUTED"
