@@ -80,6 +80,8 @@ SAID = re.compile(
 )
 IN_PROSE = re.compile(r"[\w,]\s+(?:\$|\\\()\s*\Z")
 """Words before a formula between single dollars."""
+CONTROL = re.compile(r"u(?:_?\w+)?")
+"""What control theory calls any input."""
 DEFINING = re.compile(r"\\equiv(?![A-Za-z])|:=|\\coloneqq")
 """What says that a name is short for something."""
 UP_TO_A_CONSTANT = ("energy", "potential energy", "Lagrangian")
@@ -122,7 +124,7 @@ def assemble(
         work.add(line)
     statements = _beside_unread(work.statements, lines, naming)
     matches = naming.matches(name.name for name in used(lines))
-    return Reading(statements, matches, (*work.remarks, *told))
+    return Reading(statements, matches, (*work.remarks, *told), tuple(work.unjudged))
 
 
 def _beside_unread(
@@ -191,6 +193,7 @@ class _Assembly:
         self.claims = False
         self.statements: list[Statement] = []
         self.remarks: list[str] = []
+        self.unjudged: list[str] = []
 
     def learn(self, lines: Sequence[Entry]) -> None:
         """Build what lines define; it holds in those before them, too."""
@@ -333,7 +336,7 @@ class _Assembly:
             self.remarks.append(f"{name} is a coordinate of {body} or its rate: {line.source}")
             return
         if self.claims and scalar(sides) and self._is_abbreviation(line, name, sides[0]):
-            self.remarks.append(f"{name}, which nothing uses, is not checked: {line.source}")
+            self.unjudged.append(line.source)
             return
         doubt = f"{name} is defined and never used, so it is NOT checked: say what it means"
         tag = line.tag or str(len(self.statements) + 1)
@@ -343,14 +346,19 @@ class _Assembly:
         self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
 
     def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
-        """Whether the text says that a name is short for parameters, and it names no result."""
+        """Whether the text says that a name is short for something given, and it names no result.
+
+        An input may have another name, u, which is that of no quantity.
+        """
         start = " ".join(self.text[max(0, line.at - 60) : line.at].split())
         number, rest = self.scene.plain(meaning).as_coeff_Mul()
         before = self.text[max(0, line.at - 8) : line.at]
-        own = (*self.scene.parameters, *self.scene.input_symbols)
-        multiple = number.is_Rational and rest in own and IN_PROSE.search(before)
+        given = {*self.scene.parameters}
+        if CONTROL.fullmatch(name) and self.scene.plain(meaning) in self.scene.input_symbols:
+            given |= {*self.scene.input_symbols}
+        multiple = number.is_Rational and rest in given and IN_PROSE.search(before)
         said = multiple or SAID.search(start) or DEFINING.search(line.source)
-        held = self.scene.plain(meaning).free_symbols - {*own, TIME}
+        held = self.scene.plain(meaning).free_symbols - {*given, TIME}
         return bool(said) and not held and name not in LETTERS and name not in MATRIX_NAMES
 
     def _matrices(

@@ -77,7 +77,7 @@ def read_source(
     except RecursionError:
         # The limits leave room; a caller that is deep itself may not.
         raise InputError(f"{title}, line 1, column 1: nested too deeply") from None
-    if not found.statements and not found.remarks:
+    if not (found.statements or found.remarks or found.unjudged):
         raise InputError(f"{title}, line 1, column 1: there is no equation in it")
     if all(statement.row is None for statement in found.statements) and found.statements:
         raise InputError(found.statements[0].doubt)

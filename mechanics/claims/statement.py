@@ -104,8 +104,11 @@ class Reading:
         What each name of the person was taken for.
     remarks : tuple of str
         Definitions of the person, and what else was made of the text.
+    unjudged : tuple of str
+        Definitions of the person's own names that nothing uses and nothing can contradict.
     """
 
     statements: tuple[Statement, ...]
     names: tuple[Match, ...]
     remarks: tuple[str, ...]
+    unjudged: tuple[str, ...] = ()

@@ -1,7 +1,8 @@
 """What a student hands in, as things that `check` reads.
 
     a.tex, a.txt, a.md, a.m    text        a.c, a.h    C        a.ipynb    its cells
-    a.py    its last function that is no part of another, or the one that is asked for, which is run
+    a.py    its last function that is no part of another, or the one asked for, which is run;
+            of a script without one its equations in SymPy's objects
 
 Code in Python is only run where that is allowed.
 """
@@ -16,6 +17,11 @@ from dis import get_instructions
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
+
+import sympy
+from sympy import Basic, Derivative, Eq, Symbol
+from sympy.core.function import AppliedUndef
+from sympy.matrices import MatrixBase
 
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
@@ -50,7 +56,7 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
     """
     suffix = path.suffix.lower()
     if suffix == ".py":
-        return [_function(path, file_text(path), function, run_python)]
+        return _functions(path, file_text(path), function, run_python)
     if suffix == ".ipynb":
         return _cells(path, function, run_python)
     if suffix == ".md" and run_python:
@@ -89,7 +95,7 @@ def _parts(
     said = (text for text in beside if "=" not in text)
     found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
     if any("def " in text for text in code) and (run_python or not found):
-        found.append(_function(path, _runnable(code), function, run_python))
+        found += _functions(path, _runnable(code), function, run_python)
         words = "\n".join((prose, *beside)).strip()
         found += [Beside(words)] if words else []
     if not found:
@@ -109,7 +115,8 @@ def _runnable(cells: list[str]) -> str:
     return "\n".join(MAGIC.sub("pass", text) for text in cells)
 
 
-def _function(path: Path, code: str, function: str | None, run_python: bool) -> Any:
+def _functions(path: Path, code: str, function: str | None, run_python: bool) -> list[Any]:
+    """The function of a file, or its equations in SymPy's objects."""
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
     try:
@@ -129,6 +136,9 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
             names, own = held, methods
     best = [n for n in own if n in solved] or [n for n in own if n in shown] or own
     chosen = function or (_last(names, best) if best else "")
+    equations = [] if own or function or different_elsewhere(code) else _equations(whole)
+    if equations:
+        return [*equations, Beside("\n".join(COMMENT.findall(code)))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
@@ -140,7 +150,23 @@ def _function(path: Path, code: str, function: str | None, run_python: bool) -> 
         raise InputError(
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
-    return names[chosen]
+    return [names[chosen]]
+
+
+def _equations(names: Mapping[str, Any]) -> list[Any]:
+    """Equations of a script in SymPy's objects; none where it has other formulas beside them."""
+    own = [v for n, v in names.items() if getattr(sympy, n, None) is not v]
+    held = [[*v.values()] if isinstance(v, dict) else v for v in own]
+    values = [part for v in held for part in (v if isinstance(v, list | tuple) else [v])]
+    claims = [v for v in values if isinstance(v, Basic | MatrixBase) and not _is_name(v)]
+    return list(dict.fromkeys(claims)) if all(isinstance(v, Eq) for v in claims) else []
+
+
+def _is_name(value: Any) -> bool:
+    """Whether it is a symbol, a function of time, one of its rates, or a number."""
+    if isinstance(value, Derivative):
+        return _is_name(value.expr)
+    return isinstance(value, Symbol | AppliedUndef) or getattr(value, "is_number", False)
 
 
 def _classes_with(names: Mapping[str, Any], method: str) -> list[str]:

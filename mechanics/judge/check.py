@@ -181,7 +181,8 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth, prose.unjudged)
+    unjudged = (*prose.unjudged, *_definitions(readings))
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth, unjudged)
 
 
 def _reference(
@@ -239,7 +240,13 @@ def _check_program(
         remarks += (
             "no term-by-term search is made for a scene of this size: its equations stay a program",
         )
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, None, prose.unjudged)
+    unjudged = (*prose.unjudged, *_definitions(readings))
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, None, unjudged)
+
+
+def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
+    """Definitions of texts that nothing uses."""
+    return dict.fromkeys(words for reading in readings for words in reading.unjudged)
 
 
 LARGEST_SEARCHED = 800

@@ -9,7 +9,7 @@ r"""What became of a person's equations, as JSON, stable.
 | statements | list of `tag`, `source`, `place`, `about`, `verdict`, `evidence`, `error_bound`,
   `witness`, `terms`, `domain`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
-| unjudged | sentences of the text that were compared with nothing |
+| unjudged | sentences of the text, and definitions that nothing uses, compared with nothing |
 
 `domain` says where the verdict holds, or what was written is undefined; empty for everywhere.
 `witness` is as in `mechanics.report.json_report`, `terms` has each `term` of both sides with its

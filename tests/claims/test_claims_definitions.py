@@ -152,3 +152,27 @@ def test_a_text_says_that_an_input_has_another_name() -> None:
     rail = r"$$ (m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F $$"
     assert verdicts(CART, f"The control $u = F$. {rail}") == ["PROVED"]
     assert "PROVED" not in verdicts(CART, f"$$ R = F $$ {rail.replace('= F', '= 2F')}")
+
+
+@pytest.mark.parametrize(
+    ("words", "formula", "short"),
+    [
+        ("the control", "u = F", True),
+        ("with", "b = m_c + m_p", True),
+        ("with", "M = m_c + m_p", False),
+        ("the control", "u = -F", False),
+        ("the tension", "T = F", False),
+        ("the frequency", r"\omega = g", False),
+        ("the control", "a = F", False),
+    ],
+)
+def test_what_only_names_a_given_quantity_is_quoted_as_not_judged(
+    words: str, formula: str, short: bool
+) -> None:
+    def answer(sign: str):
+        pole = rf"$$\tfrac43 l\ddot\theta + \ddot x\cos\theta = {sign} g\sin\theta$$"
+        return mechanics.check(CART, f"{words} ${formula}$ {pole}", notation="latex", blame=False)
+
+    assert (formula in answer("").unjudged) is short
+    assert (answer("").verdict.name == "PROVED") is short
+    assert answer("-").verdict.name == "REFUTED"

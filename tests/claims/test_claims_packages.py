@@ -73,3 +73,15 @@ def test_a_right_statement_is_proved_and_a_wrong_one_is_not(text: str) -> None:
 
     assert verdict("+") == "PROVED"
     assert verdict("-") == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\frac{dx}{d\theta} = 0", r"\frac{d^2 x}{d\theta^2} = 0", r"\frac{d^2x}{d\theta dt} = 0",
+        r"\dv[2]{V}{\theta} = -m_p g l\cos\theta", r"\dv{\theta} V = 0",
+    ],
+)  # fmt: skip
+def test_the_d_of_a_differential_is_no_length(text: str) -> None:
+    with pytest.raises(InputError, match="a derivative by something other than time"):
+        mechanics.check(CART, text, notation="latex", blame=False)

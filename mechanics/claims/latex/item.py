@@ -10,7 +10,7 @@ from lark import Token, Tree
 
 from mechanics.claims.names import GREEK, Naming
 from mechanics.claims.place import Refused
-from mechanics.claims.tree import Name, Node, Rate
+from mechanics.claims.tree import Name, Node, Power, Rate
 
 ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
@@ -58,14 +58,27 @@ def glued(name: str, naming: Naming) -> bool:
 
 
 def differential(above: list[Item], below: list[Item], naming: Naming) -> bool:
-    """Whether a fraction is d v / d x, in which d is no factor."""
+    """Whether a fraction is d v / d x or d^2 v / d x^2, in which d is no factor."""
     first = below[0].node if below else None
-    before = above[0].node if above else None
-    if not (isinstance(before, Name) and before.name == "d" and isinstance(first, Name)):
+    if isinstance(first, Power):
+        first = first.base
+    if not (_d(above, naming) and isinstance(first, Name)):
         return False
     if len(below) == 1:
         return glued(first.name, naming)
     return first.name == "d" and below[1].kind in ("node", "bracket")
+
+
+def _d(above: list[Item], naming: Naming) -> bool:
+    """Whether a numerator begins with the d of a differential: that of a power, dx."""
+    first = above[0].node if above else None
+    if isinstance(first, Name) and first.name == "d":
+        return True
+    if naming.vocabulary.lookup("d") is not None:
+        return False
+    if isinstance(first, Power):
+        return isinstance(first.base, Name) and first.base.name == "d"
+    return isinstance(first, Name) and glued(first.name, naming)
 
 
 def bare(text: str) -> str:

@@ -284,7 +284,9 @@ class Items:
 
     def _by_a_name(self, above: list[Item], below: list[Item], at: int) -> Item:
         """dV/dx of one name by another; nothing else is told from a fraction."""
-        of, by = self.fold(above[1:], at) if len(above) == 2 else None, below[-1].node
+        once = isinstance(above[0].node, Name) and above[0].node.name == "d"
+        of = self.fold(above[1:], at) if len(above) == 2 and once else None
+        by = below[-1].node
         if len(below) == 1 and isinstance(by, Name):
             by = ended(Name(by.at + 1, by.name[1:], by.order), by.end)
         plain = isinstance(of, Name) and self.naming.lookup(of.name) is None and len(below) < 3

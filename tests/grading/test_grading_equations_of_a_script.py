@@ -1,0 +1,44 @@
+"""A script in Python without a function: its equations in SymPy's objects, and nothing beside."""
+
+from pathlib import Path
+
+import pytest
+
+import mechanics
+from mechanics.errors import InputError
+from mechanics.grading.submission import things_in
+from mechanics.judge.check import derived
+from systems import cartpole
+
+CART = derived(cartpole.scene())
+SCRIPT = """
+from sympy import *
+t, g, l = symbols("t g l")
+x, theta = Function("x")(t), Function("theta")(t)
+pole = Eq(Rational(4, 3)*l*theta.diff(t, 2) + x.diff(t, 2)*cos(theta), SIGN*g*sin(theta))
+"""
+
+
+def submitted(folder: Path, text: str) -> list[object]:
+    path = folder / "a.py"
+    path.write_text(text)
+    return things_in(path, run_python=True)
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("1", "PROVED"), ("-1", "REFUTED")])
+def test_equations_of_a_script_are_judged(tmp_path: Path, sign: str, verdict: str) -> None:
+    things = submitted(tmp_path, SCRIPT.replace("SIGN", sign))
+    assert mechanics.check(CART, things, blame=False).verdict.name == verdict
+
+
+@pytest.mark.parametrize(
+    "beside", ["V = l*g*cos(theta)", "b = {'V': l*g*cos(theta)}", "no = Eq(1, 2)"]
+)
+def test_a_script_with_other_formulas_is_refused(tmp_path: Path, beside: str) -> None:
+    with pytest.raises(InputError, match="no function to check"):
+        submitted(tmp_path, SCRIPT.replace("SIGN", "1") + beside)
+
+
+def test_a_comment_that_denies_an_equation_leaves_it_undecided(tmp_path: Path) -> None:
+    things = submitted(tmp_path, SCRIPT.replace("SIGN", "1") + "# This equation is wrong.\n")
+    assert mechanics.check(CART, things, blame=False).verdict.name == "UNDECIDED"
