@@ -104,3 +104,24 @@ def test_entries_that_are_not_set_have_no_value() -> None:
     (function,) = functions("function f!(du, u)\n du[2] = u[1]\nend")
     found = function(u=np.array([3.0, 5.0]))
     assert np.isnan(found[0]) and found[1] == 3.0
+
+
+@pytest.mark.parametrize(
+    ("lines", "read"),
+    [
+        ("du[1] = s[2]; du[2] = s[1]", True),
+        ("du .= [s[2], s[1]]", True),
+        ("du = [s[2], s[1]]", False),
+        ("du = similar(s); du[1] = s[2]; du[2] = s[1]; nothing", False),
+        ("du = copy(du); du[1] = s[2]; du[2] = s[1]; nothing", False),
+        ("[s[2], s[1]]", False),
+    ],
+)
+def test_a_function_in_place_sets_entries_of_its_first_argument(lines: str, read: bool) -> None:
+    text = f"function f!(du, s, p, t)\n{lines.replace('; ', chr(10))}\nend"
+    if read:
+        (function,) = functions(text)
+        assert list(function(s=np.array([3.0, 5.0]))) == [5.0, 3.0]
+        return
+    with pytest.raises(Unread, match=r"does not see|sets no entries"):
+        functions(text)

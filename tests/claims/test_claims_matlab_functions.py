@@ -189,3 +189,25 @@ def test_mass_matrix_turning_and_gravity_together(tmp_path: Path, sign: str, ver
     found = mechanics.check(scene, path, blame=False)
     assert found.verdict.name == verdict
     assert sign or any("otherwise than M" in words for e in found.judged for words in e.right_if)
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        ("a(1) = x; a(2) = a(1);\na(2) = a(2) + k;", ""),
+        ("clc; close all; a(1) = x; a(2) = x + k;", ""),
+        ("global m\na(1) = x; a(2) = x + k;", ""),
+        ("global k\na(1) = x; a(2) = x + k;", "k is an argument"),
+        ("a(1) = x; a(2) = x + k;\nclear a", "clear removes names"),
+        ("clear all; a(1) = x; a(2) = x + k;", "clear removes names"),
+        ("a(1) = k; a(1) = x; a(2) = x + k;", r"a\(1\) is set twice"),
+    ],
+)
+def test_what_a_line_undoes_is_not_passed_over(lines: str, words: str) -> None:
+    text = f"function a = f(x, k)\n{lines}\nend\n"
+    if not words:
+        (function,) = functions(text)
+        assert list(function(x=3.0, k=4.0)) == [3.0, 7.0]
+        return
+    with pytest.raises(Unread, match=words):
+        functions(text)
