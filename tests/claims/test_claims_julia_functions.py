@@ -125,3 +125,14 @@ def test_a_function_in_place_sets_entries_of_its_first_argument(lines: str, read
         return
     with pytest.raises(Unread, match=r"does not see|sets no entries"):
         functions(text)
+
+
+@pytest.mark.parametrize("kind", ["Int", "Int64", "Bool"])
+def test_what_is_converted_to_integers_is_not_read(kind: str) -> None:
+    for text in (
+        f"function f(x)\na::{kind} = 3x\nreturn a\nend",
+        f"function f(x)::{kind}\n3x\nend",
+    ):
+        with pytest.raises(Unread, match="converted"):
+            functions(text)
+    assert functions("function f(x)::Float64\n3x\nend")[0](x=2.0) == 6.0

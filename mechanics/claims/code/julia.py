@@ -72,6 +72,10 @@ CLAUSES = {"elseif_clause": "elif", "else_clause": "else"}
 DOTS = {0: "", 1: "_dot", 2: "_ddot"}
 
 
+WHOLE = re.compile(r"U?Int(?:eger|\d+)?|Bool")
+"""Kinds of integers."""
+
+
 @dataclass
 class Function:
     """One function of a file.
@@ -298,6 +302,11 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     one.scalar, one.others = known, others
     for part in named(named(one.call)[1]):
         _argument(one, part)
+    for typed in within(one.node, "typed_expression"):
+        inner, kind = named(typed)[0], words(named(typed)[-1])
+        argument = typed.parent is not None and typed.parent.type == "argument_list"
+        if WHOLE.fullmatch(kind) and not (argument and not known(words(inner))):
+            raise refuse(typed, f"what is converted to {kind} is not read")
     targets = [t for t in _assigned(one.node) if _around(t[2]) == one.node]
     if one.node.type == "assignment":
         targets = []
