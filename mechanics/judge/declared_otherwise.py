@@ -7,8 +7,12 @@ constant Real theta = 0;     the scene's theta moves
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
+from sympy import Pow, Symbol
+
+from mechanics.claims.code.cpp_functions import with_plain_integers
+from mechanics.claims.statement import Statement
 from mechanics.errors import SceneError
 from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
@@ -29,10 +33,6 @@ LASTING = re.compile(r"\b(?:const|constexpr)\b[^;{}()]*;")
 """Of C++: what no line changes."""
 KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|Integer|Boolean|u?int\w*_t)"
 INTEGER = re.compile(rf"\b{KINDS}[ \t]+(?P<name>\w+)[ \t]*(?=[,;)\[])")
-OWN_KIND = re.compile(
-    rf"\btypedef\s+(?:{KINDS}\s+)+(\w+)\s*;|\busing\s+(\w+)\s*=\s*(?:{KINDS}\s*)+;"
-)
-"""A name of the file for a kind of integers."""
 COUNTER = r"\bfor\s*\(\s*(?:\w+\s+)?{0}\s*=|\[\s*{0}\b"
 """Of a loop, or the place of an entry."""
 FIXED = re.compile(r"\b(?P<kind>constant|discrete|parameter)\b(?P<names>[^;]*);")
@@ -53,9 +53,14 @@ def declared_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
         yield from _fixed(facts, plain)
 
 
-def declared_in_code(facts: SceneFacts, source: str) -> Iterator[str]:
-    """What code declares otherwise, in words."""
-    yield from _outside(facts, _assignments(source))
+def declared_in_code(
+    facts: SceneFacts, source: str, statements: Sequence[Statement]
+) -> Iterator[str]:
+    """What code declares otherwise, in words.
+
+    Zero is an example of what is positive, no damping, but of what statements divide by.
+    """
+    yield from _outside(facts, _assignments(source), lambda symbol: _divide(statements, symbol))
     yield from _integers(facts, source)
     yield from _aliases(facts, "\n".join(m[0] for m in LASTING.finditer(source)))
 
@@ -83,8 +88,7 @@ def _dimension(facts: SceneFacts, name: str) -> Dimension | None:
 def _integers(facts: SceneFacts, text: str) -> Iterator[str]:
     """Quantities of the scene that are declared as integers."""
     known = {match.name for match in facts.known} | facts.names
-    for own in OWN_KIND.findall(text):
-        text = re.sub(rf"\b{''.join(own)}\b", "int", text)
+    text = with_plain_integers(text)
     for said in INTEGER.finditer(text):
         if said["name"] in known and not re.search(COUNTER.format(said["name"]), text):
             yield f"{said['name']} is declared as an integer, the scene's is a real number"
@@ -106,12 +110,23 @@ def _assignments(source: str) -> str:
     return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)
 
 
-def _outside(facts: SceneFacts, text: str) -> Iterator[str]:
+def _divide(statements: Sequence[Statement], symbol: Symbol) -> bool:
+    """Whether statements divide by what is zero with a symbol."""
+    sides = [side for s in statements if s.row is not None for side in s.row.sides]
+    powers = {power for side in sides for power in side.atoms(Pow) if power.has(symbol)}
+    return any(p.exp.is_negative and p.base.subs(symbol, 0) == 0 for p in powers)
+
+
+def _outside(
+    facts: SceneFacts, text: str, no_zero: Callable[[Symbol], bool] = lambda symbol: True
+) -> Iterator[str]:
     """Values that a text gives parameters, and that the scene's cannot have."""
     for said in GIVEN.finditer(text):
         symbol = facts.parameters.get(facts.own(said))
         number = float(re.sub(r"\s", "", said["number"].replace("\u2212", "-")))
         if symbol is None or number > 0 or (number == 0 and not symbol.is_positive):
+            continue
+        if number == 0 and not no_zero(symbol):
             continue
         if symbol.is_positive or symbol.is_nonnegative:
             value = f"{said['name']} = {said['number']}"

@@ -92,7 +92,7 @@ def prose_of(
         limits |= dict.fromkeys(markup)
         against |= dict.fromkeys(declared_otherwise(facts, text))
     for source in code:
-        against |= dict.fromkeys(declared_in_code(facts, source))
+        against |= dict.fromkeys(declared_in_code(facts, source, statements))
     return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
 
 

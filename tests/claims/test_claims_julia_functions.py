@@ -104,3 +104,35 @@ def test_entries_that_are_not_set_have_no_value() -> None:
     (function,) = functions("function f!(du, u)\n du[2] = u[1]\nend")
     found = function(u=np.array([3.0, 5.0]))
     assert np.isnan(found[0]) and found[1] == 3.0
+
+
+@pytest.mark.parametrize(
+    ("lines", "read"),
+    [
+        ("du[1] = s[2]; du[2] = s[1]", True),
+        ("du .= [s[2], s[1]]", True),
+        ("du = [s[2], s[1]]", False),
+        ("du = similar(s); du[1] = s[2]; du[2] = s[1]; nothing", False),
+        ("du = copy(du); du[1] = s[2]; du[2] = s[1]; nothing", False),
+        ("[s[2], s[1]]", False),
+    ],
+)
+def test_a_function_in_place_sets_entries_of_its_first_argument(lines: str, read: bool) -> None:
+    text = f"function f!(du, s, p, t)\n{lines.replace('; ', chr(10))}\nend"
+    if read:
+        (function,) = functions(text)
+        assert list(function(s=np.array([3.0, 5.0]))) == [5.0, 3.0]
+        return
+    with pytest.raises(Unread, match=r"does not see|sets no entries"):
+        functions(text)
+
+
+@pytest.mark.parametrize("kind", ["Int", "Int64", "Bool"])
+def test_what_is_converted_to_integers_is_not_read(kind: str) -> None:
+    for text in (
+        f"function f(x)\na::{kind} = 3x\nreturn a\nend",
+        f"function f(x)::{kind}\n3x\nend",
+    ):
+        with pytest.raises(Unread, match="converted"):
+            functions(text)
+    assert functions("function f(x)::Float64\n3x\nend")[0](x=2.0) == 6.0

@@ -207,3 +207,25 @@ def test_what_is_taken_in_slices_is_no_coordinate_of_that_name() -> None:
     for right, verdict in (("-D*r(1)/m", "PROVED"), ("D*r(1)/m", "REFUTED")):
         (function,) = functions(text % right, "D", "m")
         assert mechanics.check(feder(), function, blame=False).verdict.name == verdict
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        ("a(1) = x; a(2) = a(1);\na(2) = a(2) + k;", ""),
+        ("clc; close all; a(1) = x; a(2) = x + k;", ""),
+        ("global m\na(1) = x; a(2) = x + k;", ""),
+        ("global k\na(1) = x; a(2) = x + k;", "k is an argument"),
+        ("a(1) = x; a(2) = x + k;\nclear a", "clear removes names"),
+        ("clear all; a(1) = x; a(2) = x + k;", "clear removes names"),
+        ("a(1) = k; a(1) = x; a(2) = x + k;", r"a\(1\) is set twice"),
+    ],
+)
+def test_what_a_line_undoes_is_not_passed_over(lines: str, words: str) -> None:
+    text = f"function a = f(x, k)\n{lines}\nend\n"
+    if not words:
+        (function,) = functions(text)
+        assert list(function(x=3.0, k=4.0)) == [3.0, 7.0]
+        return
+    with pytest.raises(Unread, match=words):
+        functions(text)

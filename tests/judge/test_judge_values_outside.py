@@ -33,6 +33,8 @@ def truth() -> Equations:
         (".c", C.format(head="#define G -9.81", g="G", rest=", double m, double l"), OPEN),
         (".c", C.format(head="#define G 9.81", g="G", rest=", double m, double l"), RIGHT),
         (".c", C.format(head="", g="g", rest=", double m, double l, double g"), RIGHT),
+        (".c", C.format(head="const double l = 0;", g="g", rest=", double m, double g"), OPEN),
+        (".c", C.format(head="const double l = 2;", g="g", rest=", double m, double g"), RIGHT),
         (".mo", MODELICA.format(l="1", g="10"), RIGHT),
         (".mo", MODELICA.format(l="0", g="10"), OPEN),
         (".mo", MODELICA.format(l="1", g="-10"), OPEN),

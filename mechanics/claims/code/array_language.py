@@ -122,6 +122,8 @@ def get(a: Any, *indices: Any) -> Any:
 
 def put(a: Any, value: Any, *indices: Any) -> Any:
     """The array after a(2) = value"""
+    if isinstance(a, bool):
+        raise ValueError("entries of what is true or false are not set")
     array = np.zeros((0, 0), dtype=object) if a is None else table(a)
     if len(indices) == 1:
         single = places(indices[0], array.size)

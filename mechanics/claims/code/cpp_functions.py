@@ -43,6 +43,11 @@ INTEGERS = re.compile(
 )
 UNSIGNED = re.compile(r"\b(?:unsigned|byte|word|size_t|uint\w*_t)\b")
 
+OWN_KIND = re.compile(
+    rf"\btypedef\s+(?:{INTEGERS.pattern}\s+)+(\w+)\s*;"
+    rf"|\busing\s+(\w+)\s*=\s*(?:{INTEGERS.pattern}\s*)+;"
+)
+"""A name of the file for a kind of integers."""
 WIDE = re.compile(r"\b(?:long|(?:u?int(?:32|64)|size|ptrdiff)_t)\b|\d[uU]?[lL]")
 """What makes integers longer than an int."""
 SMALL = ".ino"
@@ -101,6 +106,13 @@ def _language() -> object:
     import tree_sitter_cpp
 
     return tree_sitter_cpp.language()
+
+
+def with_plain_integers(text: str) -> str:
+    """The text with ``int`` for names that it gives to kinds of integers."""
+    for own in OWN_KIND.findall(text):
+        text = re.sub(rf"\b{''.join(own)}\b(?=[\s*&]+\w)", "int", text)
+    return text
 
 
 def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[..., Any], ...]:

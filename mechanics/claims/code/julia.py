@@ -72,6 +72,10 @@ CLAUSES = {"elseif_clause": "elif", "else_clause": "else"}
 DOTS = {0: "", 1: "_dot", 2: "_ddot"}
 
 
+WHOLE = re.compile(r"U?Int(?:eger|\d+)?|Bool")
+"""Kinds of integers."""
+
+
 @dataclass
 class Function:
     """One function of a file.
@@ -298,6 +302,11 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     one.scalar, one.others = known, others
     for part in named(named(one.call)[1]):
         _argument(one, part)
+    for typed in within(one.node, "typed_expression"):
+        inner, kind = named(typed)[0], words(named(typed)[-1])
+        argument = typed.parent is not None and typed.parent.type == "argument_list"
+        if WHOLE.fullmatch(kind) and not (argument and not known(words(inner))):
+            raise refuse(typed, f"what is converted to {kind} is not read")
     targets = [t for t in _assigned(one.node) if _around(t[2]) == one.node]
     if one.node.type == "assignment":
         targets = []
@@ -320,9 +329,22 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     one.filled = outside[0] if outside else ""
     for target, value, whole in targets:
         if target.type == "identifier" and not _fills(whole):
+            if name_of(target) in one.arguments[:1] and _is_output(one, value):
+                lost = f"{name_of(target)} is another array from here on"
+                raise refuse(whole, f"{lost}, which the caller does not see: write .=")
             alike = _same(named(whole)[-1] if value is None else value)
             if alike & entries or (name_of(target) in entries and alike):
                 raise refuse(whole, f"{joined(sorted(alike))} may be one array with it: copy it")
+
+
+def _is_output(one: Function, value: Any) -> bool:
+    """Whether what the first argument is set to was to be its entries: f!(du, u, p, t)."""
+    made = value is not None and value.type == "vector_expression" and len(one.arguments) > 3
+    return made or bool(one.filled) or _in_place(one)
+
+
+def _in_place(one: Function) -> bool:
+    return words(named(one.call)[0]).endswith("!")
 
 
 def _same(value: Any) -> set[str]:
@@ -406,6 +428,8 @@ def _function(page: Page, name: str, one: Function, main: bool) -> None:
     extra = [n for n in one.free if n not in one.arguments]
     if not main and extra:
         raise refuse(one.call, f"{joined(extra)} of {name}: nothing gives it a value")
+    if main and _in_place(one) and not one.filled:
+        raise refuse(one.call, f"{words(named(one.call)[0])} sets no entries of its argument")
     if not main and one.filled:
         raise refuse(one.call, f"{name}, which fills an array, is called: let it return one")
     given = [f"{a}={number}" for a, number in one.defaults.items()]

@@ -345,10 +345,33 @@ def _function(page: Page, node: Any, scope: Scope, chosen: list[str], before: li
             depth = (len(text) - len(text.lstrip())) // 4
             page.put(number, depth, text.strip(), opens=text.rstrip().endswith(":"))
     page.compound = True
+    _set_once(node, scope)
     outputs = [f"{o} = vector({o})" for o in scope.outputs] if main else []
     returned = "; ".join([*outputs, f"return {joined(scope.outputs)}"])
     page.put(len(page.lines), 1, returned)
     page.compound = True
+
+
+def _set_once(node: Any, scope: Scope) -> None:
+    """Refuse an entry of what is returned that is set twice in one block, the first time in vain.
+
+    Raises
+    ------
+    Unread
+    """
+    done: set[tuple[int, str]] = set()
+    for target, value in _targets(node):
+        name = _base(target)
+        if target.type != "function_call" or name not in scope.outputs:
+            continue
+        key = (target.parent.parent.id, "".join(words(target).split()))
+        if key in done and not _uses_name(value, name):
+            raise refuse(target, f"{key[1]} is set twice: leave one")
+        done.add(key)
+
+
+def _uses_name(node: Any, name: str) -> bool:
+    return any(safe(words(one)) == name for one in (node, *within(node, "identifier")))
 
 
 def words_used(argument: str, node: Any) -> bool:
@@ -409,8 +432,14 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             _block(page, node, depth + 1, scope)
         case "return_statement" if node == _last(_around(node)):
             page.put(line, depth, "pass")
+        case "return_statement":
+            raise refuse(node)
         case "global_operator" | "persistent_operator":
-            pass
+            own = {safe(words(one)) for one in within(node, "identifier")} & {*scope.arguments}
+            if own:
+                raise refuse(node, f"{joined(sorted(own))} is an argument: it cannot be both")
+        case _ if re.match(r"clear(?:vars)?\b", words(node)) and scope.arguments:
+            raise refuse(node, "clear removes names, arguments too: leave it out")
         case "function_call" if words(_name(node)) == "error" and depth == 1:
             page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN:

@@ -74,7 +74,9 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     keeps_keywords(text, origin)
     with located(origin):
-        functions = cpp_functions.in_python(text, origin, function)
+        functions = cpp_functions.in_python(
+            cpp_functions.with_plain_integers(text), origin, function
+        )
     found = _together([read_function(scene, one, names, about, text) for one in functions])
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
