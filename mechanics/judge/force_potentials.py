@@ -11,7 +11,7 @@ k (q - u)^2 / 2, which vanishes with the force.
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Expr, Integral, Matrix, S, integrate, linsolve, trigsimp, zeros
+from sympy import Expr, Integral, Matrix, S, integrate, linsolve, zeros
 from sympy.matrices import MatrixBase
 from sympy.solvers.solveset import NonlinearError
 
@@ -19,7 +19,6 @@ from mechanics.kernel import Finding
 from mechanics.scene import Force, RigidBody, Scene, Torque
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
-from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import plain_symbol
 from mechanics.symbolic import canonical, is_zero
 
@@ -79,16 +78,11 @@ def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
         if not isinstance(load, Force | Torque):
             continue
         vector = scene.vector(load.vector, load.name).subs(rest)
-        forces = [_plain(vector.dot(arm)) for arm in _arms(scene, load)]
+        forces = [canonical(vector.dot(arm)) for arm in _arms(scene, load)]
         if all(Q.count_ops() <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
                 yield load.name, _from_rest(scene, potential, forces) if inputs else potential
-
-
-def _plain(force: Expr) -> Expr:
-    """A generalized force; time cancels where a frame turns by it."""
-    return canonical(trigsimp(force) if TIME in force.free_symbols else force)
 
 
 def _from_rest(scene: Scene, potential: Expr, forces: list[Expr]) -> Expr:

@@ -258,7 +258,8 @@ IDIOMS = re.compile(
     r"\bnot (?:hard|difficult|surprising)\b|\bnon[- ]?linear\w*|\bwithout loss of generality\b"
     r"|\b(?:without|no) (?:slip(?:ping|page)?|sliding)\b|\b(?:sin|sem) desli[sz]a\w*"
     r"|\bsans gliss\w*|\bohne (?:zu )?(?:gleiten|rutschen)|\bsenza stris\w*"
-    r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b",
+    r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
+    r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b",
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""

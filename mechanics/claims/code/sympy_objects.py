@@ -18,7 +18,6 @@ from sympy import (
     S,
     Symbol,
     linsolve,
-    simplify,
     sympify,
 )
 from sympy.core.function import AppliedUndef
@@ -41,6 +40,7 @@ from mechanics.scene.declared import decimals
 from mechanics.scene.published import published
 from mechanics.scene.quantities import Identity, MassMatrix
 from mechanics.scene.symbols import TIME, entries
+from mechanics.symbolic import is_zero
 
 Sides = tuple[Any, ...]
 KINDS = (Expr, MatrixBase, Eq, *MODELS)
@@ -128,7 +128,7 @@ def _kane(method: KanesMethod) -> list[Sides]:
     count = len(rates)
     whole = method.mass_matrix_full[:count, :count] * Matrix(rates)
     kinematic = (written(e) for e in whole - Matrix(method.forcing_full[:count]))
-    other = [(row, S.Zero) for row in kinematic if row.expand() != 0 and simplify(row) != 0]
+    other = [(row, S.Zero) for row in kinematic if not is_zero(row)]
     return [*((written(a), written(b)) for a, b in pairs), *other]
 
 
