@@ -140,6 +140,13 @@ TWICE = "struct D { double v; D(double x): v(2*x) {} operator double() const { r
         ("double f(int x) { return x/2; }", "x is an integer"),
         ("class P { int g, l; double f(double x) { return g/l*x; } };", "g is an integer"),
         ("int g;\ndouble f(double x) { return g*x; }", "g is an integer"),
+        ("enum { g = 3 };\ndouble f(double x) { return g/2*x; }", "g is an integer"),
+        ("template<class T> T f(T x) { return x/2; }\ntemplate int f<int>(int);", "for integers"),
+        ("class P { double m, l; P(double mass, double l): m(l), l(mass) {}\n"
+         "  double f(double x) { return x*m/l; } };", "m of an object is not"),
+        ("auto f(double x) -> int { return x; }", "rounded to an integer"),
+        ("Eigen::Vector2i f(double x, double v) { return {x, v}; }", "rounded to an"),
+        ("union U { double d; long n; };\ndouble f(U x) { return x.d; }", "U is a union"),
         ("#define true 0\ndouble f(double x) { if (true) return x; return 2*x; }", "a macro"),
     ],
 )  # fmt: skip

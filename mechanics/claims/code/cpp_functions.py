@@ -196,6 +196,7 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
     """Refuse objects that begin with something else in a member than what is passed by its name."""
     parts = ("identifier", "field_identifier")
     used = {words(one) for node in nodes.values() for one in within(node, *parts)}
+    members = {words(one) for one in within(root, "field_identifier")}
     for node in within(root, "function_definition"):
         if node.child_by_field_name("type") is not None or words(node).startswith("operator"):
             continue
@@ -203,7 +204,9 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
             first, *_, last = named(one)
             member = words(within(first, *parts)[-1]) if within(first, *parts) else ""
             values = [words(name) for name in within(last, *parts)]
-            same = bool(values) and member_key(values[-1]) == member_key(member)
+            key, value = member_key(member), values[-1] if values else ""
+            initial = value not in members and value[:1] == key  # m(mass)
+            same = bool(value) and (member_key(value) == key or initial)
             plain = not within(last, "binary_expression", "unary_expression", "call_expression")
             if member in used and values and not (same and plain):
                 raise refuse(one, f"{member} of an object is not what is passed by that name")

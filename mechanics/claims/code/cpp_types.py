@@ -15,7 +15,7 @@ from mechanics.claims.code.python_page import named, refuse, within, words
 CLASSES = ("class_specifier", "struct_specifier", "union_specifier")
 INTEGERS = re.compile(
     r"\b(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word"
-    r"|(?:s?size|ptrdiff|u?int\w*|wchar|char\d+)_t)\b"
+    r"|(?:s?size|ptrdiff|u?int\w*|wchar|char\d+)_t|(?:Row)?(?:Matrix|Vector|Array)[\dX]+i)\b"
 )
 NAMES = ("identifier", "type_identifier")
 
@@ -44,6 +44,9 @@ def refuse_types(nodes: Mapping[str, Any], types: Mapping[str, str]) -> None:
     Unread
     """
     for node in nodes.values():
+        for end in within(node, "trailing_return_type"):
+            if is_integral(words(end)):
+                raise refuse(end, "what is rounded to an integer is not read")
         for leaf in tokens_of(node):
             name = words(leaf)
             if name in ("decltype", "typeof", "__typeof__"):
@@ -74,9 +77,15 @@ def unread_types(root: Any) -> dict[str, str]:
         head = node.child_by_field_name("name")
         if head is not None and node.child_by_field_name("body"):
             why |= _changing(node, words(head))
+            if node.type == "union_specifier":
+                why[words(head)] = f"{words(head)} is a union: not read"
             bases = [one for one in node.children if one.type == "base_class_clause"]
             parts[words(head)] = {words(n) for b in bases for n in within(b, "type_identifier")}
     why |= _of_operators(root)
+    for node in within(root, "template_instantiation"):
+        if is_integral(words(node).replace("double", "")):
+            why |= {words(one): "a template is made for integers: not read"
+                    for one in within(node, "identifier")[:1]}  # fmt: skip
     while more := {n: f"{n} is made of a type that is not read" for n in parts.keys() - why.keys()
                    if parts[n] & why.keys()}:  # fmt: skip
         why |= more
@@ -84,8 +93,8 @@ def unread_types(root: Any) -> dict[str, str]:
 
 
 def integer_members(root: Any, types: Mapping[str, str]) -> set[str]:
-    """Members of classes, and variables of the file, that are integers."""
-    found = set()
+    """Members of classes, variables of the file and enumerators, that are integers."""
+    found = {words(one.child_by_field_name("name")) for one in within(root, "enumerator")}
     for node in within(root, "field_declaration", "declaration"):
         kind = node.child_by_field_name("type")
         if kind is not None and (is_integral(words(kind)) or words(kind) in types):
