@@ -118,6 +118,58 @@ def test_brackets_before_a_sign_are_no_cast() -> None:
     assert function("double f(double x, double y) { return (x) - (y); }")(x=3.0, y=1.0) == 2.0
 
 
+TWICE = "struct D { double v; D(double x): v(2*x) {} operator double() const { return v; } };\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (TWICE + "double f(double x) { D a = x; return a; }", "class D has conversions"),
+        (TWICE + "using E = D;\ndouble f(double x) { E a = x; return a; }", "E is made of"),
+        (TWICE + "struct E: D { using D::D; };\ndouble f(double x) { E a = x; return a; }", "E is"),
+        (TWICE + "D f(D x) { return x; }", "class D has conversions"),
+        ("template<class T> struct R { T v; operator T() { return 2*v; } };\n"
+         "double f(double x) { R<double> a{x}; return a; }", "class R has conversions"),
+        ("struct V { double x; };\nV operator*(double a, V b) { return {0}; }\n"
+         "V f(V a, double b) { return b*a; }", "class V has conversions"),
+        ("struct S { double x, v; S(double v, double x): x(x), v(v) {} };\n"
+         "S f(double a, double b) { return {a, b}; }", "class S has conversions"),
+        ("typedef int real;\nreal f(real x) { return x; }", "real is an integer type"),
+        ("#define real int\nreal f(real x) { return x; }", "real is an integer type"),
+        ("double f(double x) { decltype(1) a = x; return a; }", "write the type"),
+        ("double f(int x) { return x/2; }", "x is an integer"),
+        ("class P { int g, l; double f(double x) { return g/l*x; } };", "g is an integer"),
+        ("int g;\ndouble f(double x) { return g*x; }", "g is an integer"),
+        ("enum { g = 3 };\ndouble f(double x) { return g/2*x; }", "g is an integer"),
+        ("template<class T> T f(T x) { return x/2; }\ntemplate int f<int>(int);", "for integers"),
+        ("class P { double m, l; P(double mass, double l): m(l), l(mass) {}\n"
+         "  double f(double x) { return x*m/l; } };", "m of an object is not"),
+        ("auto f(double x) -> int { return x; }", "rounded to an integer"),
+        ("Eigen::Vector2i f(double x, double v) { return {x, v}; }", "rounded to an"),
+        ("union U { double d; long n; };\ndouble f(U x) { return x.d; }", "U is a union"),
+        ("#define true 0\ndouble f(double x) { if (true) return x; return 2*x; }", "a macro"),
+    ],
+)  # fmt: skip
+def test_types_that_change_what_they_are_given_are_refused(text: str, words: str) -> None:
+    with pytest.raises(Unread, match=words):
+        function(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "typedef double real;\nreal f(real x, real v) { real a = x*v; return a; }",
+        "#define real double\nreal f(real x, real v) { return x*v; }",
+        "typedef struct { double x, v; } S;\ndouble f(double x, double v) { return x*v; }",
+        "struct S { double x, v; S(): x(0), v(0) {} S(double x_, double v_): x(x_), v(v_) {}\n"
+        "  double f() { return x*v; } };",
+        TWICE.replace("v", "w") + "double f(double x, double v) { return x*v; }",
+    ],
+)
+def test_types_that_change_nothing_are_read(text: str) -> None:
+    assert function(text)(x=3.0, v=2.0) == 6.0
+
+
 @pytest.mark.parametrize(
     ("turns", "words"), [(10**9, "64 at most"), (60, "more than 300000 operations")]
 )

@@ -13,6 +13,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.cpp_types import (
+    INTEGERS,
+    integer_members,
+    is_integral,
+    member_key,
+    refuse_types,
+    tokens_of,
+    unread_types,
+)
 from mechanics.claims.code.python_page import (
     Page,
     Unread,
@@ -38,9 +47,6 @@ PAIRS = ("make_pair", "make_tuple")
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
-INTEGERS = re.compile(
-    r"\b(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|(?:size|ptrdiff|u?int\w*)_t)\b"
-)
 UNSIGNED = re.compile(r"\b(?:unsigned|byte|word|size_t|uint\w*_t)\b")
 
 OWN_KIND = re.compile(
@@ -135,10 +141,17 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     for name in order:  # what stands in others says nothing of these
         if (wrong := twice.get(name) or first_error(nodes[name])) is not None:
             raise wrong if isinstance(wrong, Unread) else refuse(wrong)
-    _refuse_constructors(root, {name: nodes[name] for name in order})
-    constants, integers = _numbers(root, {name: nodes[name] for name in order})
+    used, unread = {name: nodes[name] for name in order}, unread_types(root)
+    refuse_types(used, unread)
+    _refuse_constructors(root, used)
+    constants, integers = _numbers(root, used)
+    members = integer_members(root, unread)
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
-    structs = {words(s.child_by_field_name("name")): s for s in types}
+    heads = (
+        (s.child_by_field_name("name") or s.parent.child_by_field_name("declarator"), s)
+        for s in types
+    )  # typedef struct {...} State
+    structs = {words(head): s for head, s in heads if head is not None}
     scopes: dict[str, Scope] = {}
     bodies: dict[str, Page] = {}
     for name in order:
@@ -149,6 +162,8 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
+        if whole := sorted(members & scope.free.keys()):
+            raise refuse(nodes[name], f"{whole[0]} is an integer: it is not read as a number")
         scopes[name] = scope
     page = Page()
     for name in (n for n in nodes if n in bodies):
@@ -193,6 +208,7 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
     """Refuse objects that begin with something else in a member than what is passed by its name."""
     parts = ("identifier", "field_identifier")
     used = {words(one) for node in nodes.values() for one in within(node, *parts)}
+    members = {words(one) for one in within(root, "field_identifier")}
     for node in within(root, "function_definition"):
         if node.child_by_field_name("type") is not None or words(node).startswith("operator"):
             continue
@@ -200,15 +216,12 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
             first, *_, last = named(one)
             member = words(within(first, *parts)[-1]) if within(first, *parts) else ""
             values = [words(name) for name in within(last, *parts)]
-            same = bool(values) and _key(values[-1]) == _key(member)
+            key, value = member_key(member), values[-1] if values else ""
+            initial = value not in members and value[:1] == key  # m(mass)
+            same = bool(value) and (member_key(value) == key or initial)
             plain = not within(last, "binary_expression", "unary_expression", "call_expression")
             if member in used and values and not (same and plain):
                 raise refuse(one, f"{member} of an object is not what is passed by that name")
-
-
-def _key(name: str) -> str:
-    """A member or an argument as they are spelled alike: m_, _m, m0 and m."""
-    return re.sub(r"^m_(?=\w)|^_+|_+$|_(?:in|init)$|(?<=\w)0$", "", name).lower()
 
 
 def _refuse_conditions(root: Any) -> None:
@@ -234,14 +247,15 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
     constants: dict[str, str] = {}
     integers: set[str] = set()
     used = {words(one) for node in nodes.values() for one in within(node, "identifier")}
+    tokens = {words(leaf) for node in nodes.values() for leaf in tokens_of(node)}
     for one in within(root, "preproc_def", "preproc_function_def"):
         name = words(one.child_by_field_name("name"))
         body = one.child_by_field_name("value")
         number = words(body).partition("//")[0].partition("/*")[0].strip() if body else ""
         number = number[1:-1].strip() if number[:1] == "(" and number[-1:] == ")" else number
-        if name not in used:
+        if name not in tokens or (name not in used and number in (name, "double", "float")):
             continue
-        if not NUMBER.fullmatch(number) or name in constants:
+        if name not in used or not NUMBER.fullmatch(number) or name in constants:
             raise refuse(one, "a macro that is no number is not read")
         constants[safe(name)] = number.rstrip("fFlLuU")
         integers |= {safe(name)} if WHOLE.fullmatch(number) else set()
@@ -271,9 +285,9 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
             scope.free |= own.free
             constants[name] = number
             whole = _whole(value, own)
-            if _integral(kind) and not whole:
+            if is_integral(kind) and not whole:
                 raise refuse(node, "what is rounded to an integer is not read")
-            integers |= {name} if _integral(kind) or (kind == "auto" and whole) else set()
+            integers |= {name} if is_integral(kind) or (kind == "auto" and whole) else set()
     if unknown := scope.free:
         raise refuse(root, f"{', '.join(unknown)}: nothing gives it a value")
     return constants, integers
@@ -363,7 +377,7 @@ def _title(node: Any) -> str:
 
 def _fields(struct: Any) -> list[str]:
     for one in within(struct, "field_declaration"):
-        if _integral(words(one.child_by_field_name("type"))):
+        if is_integral(words(one.child_by_field_name("type"))):
             raise refuse(one, "integers of a struct are not read")
     return [safe(words(one)) for one in within(struct, "field_identifier")]
 
@@ -404,7 +418,7 @@ def _scope(
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
-        if _integral(kind):
+        if is_integral(kind):
             integers.add(arguments[-1])
             unsigned |= {arguments[-1]} if UNSIGNED.search(kind) else set()
         if kind == "auto" or _is_type(one.child_by_field_name("type")):
@@ -422,7 +436,7 @@ def _scope(
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
     } | {_root(one) for one in within(node, "update_expression")}
-    scope.changed, scope.locals, scope.whole = changed, changed - {*arguments}, _integral(kind)
+    scope.changed, scope.locals, scope.whole = changed, changed - {*arguments}, is_integral(kind)
     if kind in ("void", "int"):
         scope.returns = False
         scope.outputs = [o for o in outputs if o in changed]
@@ -447,6 +461,8 @@ def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: 
     if not main and not scope.returns:
         raise refuse(node, f"{name} returns no number, and another function calls it")
     given = [a for a in scope.arguments if a in used or not main]
+    if main and (whole := [a for a in given if a in scope.integers]):
+        raise refuse(node, f"{whole[0]} is an integer: it is not read as a number")
     extra = [n for n in scope.free if n not in given]
     page.put(line_of(node), 0, f"def {name}({joined([*given, *extra])}):", opens=True)
     for one, parts in scope.fields.items():
@@ -547,7 +563,7 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         name = _variable(declarator)
         if declarator.type == "reference_declarator" and "const" not in words(node).split():
             raise refuse(one, "a second name of a variable is not read")
-        if _integral(kind):
+        if is_integral(kind):
             whole = value is None or _whole(value, scope)
             if not whole or ("bool" in kind and (value is None or name in scope.changed)):
                 raise refuse(one, "what is rounded to an integer is not read")
@@ -597,12 +613,7 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
 
 
 def _is_scalar(kind: str) -> bool:
-    return kind in ("double", "float", "auto") or _integral(kind)
-
-
-def _integral(kind: str) -> bool:
-    """Whether a type is one of integers, or an array of them."""
-    return "double" not in kind and INTEGERS.search(kind.partition("<")[2] or kind) is not None
+    return kind in ("double", "float", "auto") or is_integral(kind)
 
 
 def _compared(node: Any) -> bool:
