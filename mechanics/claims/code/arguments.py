@@ -27,7 +27,7 @@ POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
 SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "speeds", "w")
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
-PARAMETERS = ("p", "params", "parameters", "args", "theta", "constants")
+PARAMETERS = ("p", "params", "parameters", "args", "constants")
 
 SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
 """What an angular speed is called."""
