@@ -111,7 +111,7 @@ def _of_fields(fields: tuple[str, ...]) -> dict[str, Any]:
     """What makes a tuple look its entries up among its attributes."""
 
     def entries(self: Any) -> tuple[Any, ...]:
-        return tuple(vars(self)[name] for name in fields)
+        return tuple(self.__dict__[name] for name in fields)
 
     asked = {name: _looked_up(name) for name in fields}
     whole = {"__iter__": lambda self: iter(entries(self)),
@@ -120,7 +120,7 @@ def _of_fields(fields: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _looked_up(name: str) -> property:
-    return property(lambda owner: vars(owner)[name])
+    return property(lambda self: self.__dict__[name])
 
 
 def _inner(value: Any) -> Function | None:

@@ -7,6 +7,7 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Iterable
+from operator import is_
 from typing import Any
 
 import numpy as np
@@ -43,7 +44,7 @@ def returning(
         arrays = {name: np.zeros(k) for name, k in sizes.items()}
         result = function(**arguments, **arrays)
         found: Any = tuple(arrays.values()) if len(arrays) > 1 else next(iter(arrays.values()))
-        if result is found or result is None or _is_status(result):
+        if result is None or is_(result, found) or _is_status(result):
             return found
         raise InputError(
             f"it fills {', '.join(arrays)} and returns something else, too: which of them is to be"

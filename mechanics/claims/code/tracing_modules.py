@@ -223,13 +223,6 @@ OF_ITSELF = ("__class__", "__dict__")
 """Attributes with two underscores that code may ask for: of anything, of its own object."""
 
 
-def _is_ours(function: types.FunctionType) -> bool:
-    """Whether a function is written in a module of this package."""
-    module = sys.modules.get(str(function.__globals__.get("__name__")))
-    inside = module is not None and module.__name__.startswith("mechanics.")
-    return inside and function.__code__.co_filename == getattr(module, "__file__", "")
-
-
 def _refused(name: str) -> str:
     return (
         f"it calls {name}: its result depends on more than its arguments: leave that out, or make"
@@ -421,10 +414,8 @@ def copy_of(function: Callable[..., Any], made: Made | None = None) -> Callable[
         raise InputError(f"{function!r} is no Python function: its code cannot be traced")
     if id(function) in made:
         return cast(Callable[..., Any], made[id(function)])
-    ours = _is_ours(function)  # a wrapper around a person's: what it calls is followed
     around = [n for n in named(function.__code__) if n[:2] == "__" and n in function.__globals__]
-    outside = sorted({*around, *_telling(function.__code__)})
-    if outside and not ours:
+    if outside := sorted({*around, *_telling(function.__code__)}):
         raise InputError(f"function {function.__name__}: {_refused(outside[0])}")
     table = {**function.__globals__, "float": Float}
     table["__builtins__"] = {**vars(builtins), **BUILTINS}  # a function takes them when it is made
@@ -440,7 +431,7 @@ def copy_of(function: Callable[..., Any], made: Made | None = None) -> Callable[
             table[name] = stand_in(table[name], made)
         elif name == "abs":
             table[name] = builtins.abs
-        elif name in OUTSIDE and name not in table and not ours:
+        elif name in OUTSIDE and name not in table:
             table[name] = Changing(name)
     for cell, own in zip(cells, function.__closure__ or (), strict=True):
         cell.cell_contents = stand_in(content(own), made)
