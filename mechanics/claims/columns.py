@@ -27,7 +27,8 @@ def with_columns(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     defined = definitions(lines, naming)
     own = {key(name): name for name in defined}
     free = [name for name in used if name not in defined and not naming.knows(name)]
-    lines = [_accelerations(line, naming, used_once(sides)) for line in lines]
+    once = used_once(sides)
+    lines = [_accelerations(line, naming, once) for line in lines]
     # x(1) is an entry itself, also beside x1 = x(1).
     whole = [name for name in free if ELEMENT.fullmatch(name) is None]
     gathered = [line for name in whole if (line := _gathered(naming, name, own)) is not None]

@@ -14,7 +14,7 @@ from itertools import islice, permutations
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr, Integer, Rational, Symbol, preorder_traversal
+from sympy import Expr, Integer, Rational, Symbol, pi, preorder_traversal
 from sympy.matrices import MatrixBase
 
 from mechanics.checks.ledger_compare import define
@@ -194,7 +194,7 @@ def _pairs(row: Published) -> list[tuple[Expr, Expr]]:
 
 
 def _numbers(rows: Sequence[Published]) -> list[Expr]:
-    """Positive numbers and numeric factors of rows: 0.05, 20 pi."""
+    """Positive numbers and numeric factors of rows: 0.05, 20 pi, which is 2 pi by 10."""
     sides = (side for row in rows for pair in _pairs(row) for side in pair)
     parts = (part for side in sides for part in preorder_traversal(side))
     factors = (
@@ -203,6 +203,7 @@ def _numbers(rows: Sequence[Published]) -> list[Expr]:
         if part.is_number or part.is_Mul
     )  # fmt: skip
     found = {abs(n) for n in factors if n != 1}
+    found |= {n / (2 * pi) for n in found if n.has(pi)}
     return sorted((n for n in found if n.is_positive), key=lambda n: (float(n), str(n)))
 
 

@@ -203,6 +203,8 @@ class Nodes:
     def number(self, tree: Tree, at: int) -> Node:
         """A number, exactly as it is typed."""
         text = str(tree.children[0])
+        if not text.isascii() and len(text) > 1:
+            raise Refused(at, "a number of other digits than 0 to 9 is not read")
         if not text.isascii():
             return Number(at, Fraction(numeric(text)).limit_denominator(10))
         mantissa, _, exponent = text.lower().partition("e")
