@@ -171,8 +171,8 @@ FEATURES = (
 )
 """What a scene has or has not, and words of it."""
 ABSENT = re.compile(
-    r"\b(?:no|not|without|neglect\w*|ignor\w+|negligible|absen\w+|disregard\w*|free of|never|nor"
-    r"|sin|sans|ohne|senza|sem)\b"
+    r"(?<!\\)\b(?:no|not|without|neglect\w*|ignor\w+|negligible|absen\w+|disregard\w*|free of"
+    r"|never|nor|sin(?! *[(^])|sans|ohne|senza|sem)\b"
     r"|frictionless|undamped|gravity-free|-free\b",
     re.IGNORECASE,
 )

@@ -80,7 +80,7 @@ def test_a_model_whose_parts_are_replaced_is_refused() -> None:
 @pytest.mark.parametrize("factor", [theta, theta.diff(), u, sp.sin(theta)])
 def test_an_equation_times_what_vanishes_is_not_the_motion(factor: sp.Expr) -> None:
     assert check(ROD, factor * MOTION).verdict is Verdict.PROVED
-    with pytest.raises(AssertionError, match="no equation of motion"):
+    with pytest.raises(AssertionError, match="only 0 of 1"):
         assert_equivalent(factor * MOTION, ROD)
     assert_equivalent((2 + factor**2) * MOTION, ROD)
 
