@@ -185,7 +185,10 @@ def _fit(
         for symbol, name in sorted(names.items(), key=lambda item: item[1])
         if symbol not in some
     }
-    return (_Fit(program, inputs, [names[s] for s in some]) if inputs else None), some
+    try:
+        return (_Fit(program, inputs, [names[s] for s in some]) if inputs else None), some
+    except OverflowError:
+        return None, []  # a number that no double holds
 
 
 def _pairs(row: Published) -> list[tuple[Expr, Expr]]:
