@@ -23,12 +23,13 @@ from sympy import Basic, Derivative, Eq, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 
+from mechanics.claims.code.comments import comments
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
-from mechanics.judge.readers import Beside
+from mechanics.judge.sources import Beside
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -90,7 +91,8 @@ def _parts(
     """The prose of pages together, and the function of their code; `beside` is neither."""
     shown = (GONE.sub("", text) for text in pages)
     prose = "\n\n".join(text for text in shown if text.strip())
-    beside += [words.lstrip("# ") for text in code for words in COMMENT.findall(text)]
+    blocks = [words for text in code for words in comments(text, ".py")]
+    beside += [line for words in blocks for line in words.splitlines()]
     # Commented code is no equation that is handed in.
     said = (text for text in beside if "=" not in text)
     found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
@@ -103,7 +105,6 @@ def _parts(
     return found
 
 
-COMMENT = re.compile(r"#[^\n]*")
 MAGIC = re.compile(
     r"^[ \t]*(?:%(?:matplotlib|config|load_ext|autoreload|pip)|!pip)\b[^\n]*", re.MULTILINE
 )
@@ -138,7 +139,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     chosen = function or (_last(names, best) if best else "")
     equations = [] if own or function or different_elsewhere(code) else _equations(whole)
     if equations:
-        return [*equations, Beside("\n".join(COMMENT.findall(code)))]
+        return [*equations, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
@@ -150,7 +151,17 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         raise InputError(
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
-    return [names[chosen]]
+    return [names[chosen], *_on_the_file(code)]
+
+
+def _on_the_file(code: str) -> list[Beside]:
+    """What a file says outside of its functions."""
+    words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
+    return [Beside("\n\n".join(words))] if any(words) else []
+
+
+INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
+"""Lines of a file that are no comments of their own."""
 
 
 def _equations(names: Mapping[str, Any]) -> list[Any]:

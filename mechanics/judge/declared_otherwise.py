@@ -25,7 +25,6 @@ DEFINED = re.compile(
 )
 INITIAL = re.compile(r"(?<=[\s,:])(\w+)[({]\s*(-[\d.]+(?:[eE][-+]?\d+)?)\s*[)}]")
 """What a constructor begins with: P() : g(-9.81)."""
-COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 ALIAS = re.compile(
     r"(?:^|[\n,;:$]|\b(?:with|where|and|let|if|set|double|float|Real)\b)[ \t]*"
     r"\\?(?P<name>[A-Za-z]\w*)[ \t]*:?=[ \t]*\\?(?P<other>[A-Za-z]\w*)[ \t]*(?=$|[\n,;.$])"
@@ -70,7 +69,7 @@ def declared_in_code(
 def described(text: str) -> Iterator[str]:
     """What a model of Modelica says that its names are, as comments say it."""
     for one in DESCRIBED.finditer(text) if MODEL.search(text) else ():
-        yield f"// {one['name']} is the {one['words'].removeprefix('the ')}"
+        yield f"{one['name']} is the {one['words'].removeprefix('the ')}"
 
 
 def _aliases(facts: SceneFacts, text: str) -> Iterator[str]:
@@ -105,8 +104,8 @@ def _fixed(facts: SceneFacts, text: str) -> Iterator[str]:
 
 
 def _assignments(source: str) -> str:
-    """Code without comments; a name that changes, as that of a sum, is no parameter in it."""
-    text = INITIAL.sub(r"; \1 = \2 ;", COMMENT.sub("", DEFINED.sub(r"\1 = \2", source)))
+    """Code; a name that changes, as that of a sum, is no parameter in it."""
+    text = INITIAL.sub(r"; \1 = \2 ;", DEFINED.sub(r"\1 = \2", source))
     every = re.findall(r"(?<![\w.])(\w+)[ \t]*(?:[-+*/.]?=(?!=)|\+\+|--)", text)
     changed = {name for name in every if every.count(name) > 1}
     return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)
