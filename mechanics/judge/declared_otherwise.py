@@ -23,6 +23,8 @@ UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]
 DEFINED = re.compile(
     r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?([^\n()]*)\)?[ \t\r]*$", re.MULTILINE
 )
+INITIAL = re.compile(r"(?<=[\s,:])(\w+)[({]\s*(-[\d.]+(?:[eE][-+]?\d+)?)\s*[)}]")
+"""What a constructor begins with: P() : g(-9.81)."""
 COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 ALIAS = re.compile(
     r"(?:^|[\n,;:$]|\b(?:with|where|and|let|if|set|double|float|Real)\b)[ \t]*"
@@ -104,7 +106,7 @@ def _fixed(facts: SceneFacts, text: str) -> Iterator[str]:
 
 def _assignments(source: str) -> str:
     """Code without comments; a name that changes, as that of a sum, is no parameter in it."""
-    text = COMMENT.sub("", DEFINED.sub(r"\1 = \2", source))
+    text = INITIAL.sub(r"; \1 = \2 ;", COMMENT.sub("", DEFINED.sub(r"\1 = \2", source)))
     every = re.findall(r"(?<![\w.])(\w+)[ \t]*(?:[-+*/.]?=(?!=)|\+\+|--)", text)
     changed = {name for name in every if every.count(name) > 1}
     return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)

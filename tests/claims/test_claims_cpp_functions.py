@@ -158,6 +158,31 @@ def test_types_that_change_what_they_are_given_are_refused(text: str, words: str
 @pytest.mark.parametrize(
     "text",
     [
+        "double f(double x) { Q15 a = x; return a; }",
+        "double f(double x) { lib::Q15 a = x; return a; }",
+        "double f(double x) { __int128 a = x; return a; }",
+        "double f(double x) { return Q{x}; }",
+        "double f(const V& x) { return x(0); }",
+        "Q15 g(double x) { return x; }\ndouble f(double x) { return g(x); }",
+        "struct P { Q15 g; double f(double x) { return g*x; } };",
+        "std::pair<double, int> f(double x) { return {x, x}; }",
+        "template<class T = int> T g(double x) { return x; }\ndouble f(double x) { return g(x); }",
+        "double f(double x) { thread_local double a = x; return a; }",
+        "double f(double x) { return lib::sin(x); }",
+        "#include <cmath>\ndouble f(double x) { return abs(x); }",
+        "void f(double *x, double *y) { y = x; y[0] = x[0]; }",
+    ],
+)
+def test_a_type_or_function_that_is_not_here_is_not_read(text: str) -> None:
+    with pytest.raises(Unread):
+        function(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "using namespace std;\ndouble f(double x, double v) { return abs(x)*v; }",
+        "template<class T = double> T f(T x, T v) { return x*v; }",
         "typedef double real;\nreal f(real x, real v) { real a = x*v; return a; }",
         "#define real double\nreal f(real x, real v) { return x*v; }",
         "typedef struct { double x, v; } S;\ndouble f(double x, double v) { return x*v; }",

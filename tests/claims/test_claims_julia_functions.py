@@ -127,7 +127,7 @@ def test_a_function_in_place_sets_entries_of_its_first_argument(lines: str, read
         functions(text)
 
 
-@pytest.mark.parametrize("kind", ["Int", "Int64", "Bool"])
+@pytest.mark.parametrize("kind", ["Int", "Int64", "Bool", "Q15", "Vector{Int}"])
 def test_what_is_converted_to_integers_is_not_read(kind: str) -> None:
     for text in (
         f"function f(x)\na::{kind} = 3x\nreturn a\nend",
@@ -136,3 +136,10 @@ def test_what_is_converted_to_integers_is_not_read(kind: str) -> None:
         with pytest.raises(Unread, match="converted"):
             functions(text)
     assert functions("function f(x)::Float64\n3x\nend")[0](x=2.0) == 6.0
+
+
+@pytest.mark.parametrize("line", ["using .Other: sin", "import Other: turned as sin"])
+def test_a_function_of_another_module_is_not_the_one_of_that_name(line: str) -> None:
+    with pytest.raises(Unread, match="another meaning"):
+        functions(f"{line}\nf(x) = sin(x)")
+    assert functions("using LinearAlgebra: dot\nf(x) = 3x")[0](x=2.0) == 6.0

@@ -219,6 +219,9 @@ def test_what_is_taken_in_slices_is_no_coordinate_of_that_name() -> None:
         ("a(1) = x; a(2) = x + k;\nclear a", "clear removes names"),
         ("clear all; a(1) = x; a(2) = x + k;", "clear removes names"),
         ("a(1) = k; a(1) = x; a(2) = x + k;", r"a\(1\) is set twice"),
+        ("syms k\na(1) = x; a(2) = x + k;", "has a value already"),
+        ("a(1) = x; a(2) = x + k; %{\na(2) = 0;\n%}", "line of its own"),
+        ("%{\na(2) = 0;\n%}\na(1) = x; a(2) = x + k;", ""),
     ],
 )
 def test_what_a_line_undoes_is_not_passed_over(lines: str, words: str) -> None:

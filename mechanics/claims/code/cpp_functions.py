@@ -56,6 +56,8 @@ OWN_KIND = re.compile(
 """A name of the file for a kind of integers."""
 WIDE = re.compile(r"\b(?:long|(?:u?int(?:32|64)|size|ptrdiff)_t)\b|\d[uU]?[lL]")
 """What makes integers longer than an int."""
+OVERLOADED = re.compile(r"\busing\s+(?:namespace\s+std|std::abs)\b|<(?:math|stdlib)\.h>")
+"""Where abs is that of real numbers, too."""
 SMALL = ".ino"
 """Of processors whose integers may have 16 bits."""
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
@@ -101,8 +103,10 @@ class Scope:
     unsigned: set[str] = field(default_factory=set)
     wide: set[str] = field(default_factory=set)
     open: set[str] = field(default_factory=set)
+    pointers: set[str] = field(default_factory=set)
     defaults: dict[str, str] = field(default_factory=dict)
     bits: int = 32
+    overloaded: bool = False
     returns: bool = True
     whole: bool = False
     numbers: bool = False
@@ -142,7 +146,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         if (wrong := twice.get(name) or first_error(nodes[name])) is not None:
             raise wrong if isinstance(wrong, Unread) else refuse(wrong)
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
-    refuse_types(used, unread)
+    refuse_types(root, used, unread)
     _refuse_constructors(root, used)
     constants, integers = _numbers(root, used)
     members = integer_members(root, unread)
@@ -159,11 +163,15 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         scope = _scope(nodes[name], structs, nodes, scopes)
         scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
         scope.bits = 16 if origin.endswith(SMALL) else 32
+        scope.overloaded = scope.bits == 16 or OVERLOADED.search(text) is not None
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
         if whole := sorted(members & scope.free.keys()):
-            raise refuse(nodes[name], f"{whole[0]} is an integer: it is not read as a number")
+            raise refuse(
+                nodes[name],
+                f"{whole[0]} is an integer, or of a type that is not here: it is not read",
+            )
         scopes[name] = scope
     page = Page()
     for name in (n for n in nodes if n in bodies):
@@ -409,12 +417,14 @@ def _scope(
     arguments: list[str] = []
     fields: dict[str, list[str]] = {}
     outputs, references, integers, unsigned = [], set(), set(), set()
-    open_ones, defaults = set(), {}
+    open_ones, pointers, defaults = set(), set(), {}
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
             continue
         arguments.append(_variable(declarator))
+        if declarator.type in ("pointer_declarator", "array_declarator"):
+            pointers.add(arguments[-1])
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
@@ -431,7 +441,7 @@ def _scope(
                 references.add(arguments[-1])
     scope = Scope(arguments, fields, functions, printed)
     scope.references, scope.integers, scope.unsigned = references, integers, unsigned
-    scope.open, scope.defaults = open_ones, defaults
+    scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
     kind = words(node.child_by_field_name("type") or node)
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
@@ -658,6 +668,8 @@ def _changed(node: Any, scope: Scope) -> str:
         value = f"signed({value}, {_bits(left, scope)})"
     if left.type == "identifier":
         name = safe(words(left))
+        if name in scope.pointers:
+            raise refuse(node, f"{name} is another array from here on: write its entries")
         scope.locals.add(name)
         return f"{name} = {value}"
     name, indices = _entry(left, scope)
@@ -880,12 +892,16 @@ def _call(node: Any, scope: Scope) -> str:
     casts = ("static_cast<double>", "static_cast<float>", "double", "float")
     if words(head).startswith(casts) or _is_type(head):
         return _value(named(given)[0], scope)
+    if "::" in words(head) and not re.match(r"(?:std|Eigen|this)?::", words(head)):
+        raise refuse(node)
     plain = name[:-1] if name.endswith("f") and name[:-1] in {*LIBRARY, "pow"} else name
     if plain == "pow":
         base, power = (_value(part, scope) for part in named(given))
         return f"power({base}, {power})"
     if name in PAIRS:
         return f"block({joined([f'({_value(part, scope)},)' for part in named(given)])})"
+    if words(head) == "abs" and not (scope.overloaded or _whole(named(given)[0], scope)):
+        raise refuse(node, "abs may be the one of integers here: write std::abs")
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
     if head.type == "identifier" and name not in scope.functions:

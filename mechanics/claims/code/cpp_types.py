@@ -18,11 +18,20 @@ INTEGERS = re.compile(
     r"|(?:s?size|ptrdiff|u?int\w*|wchar|char\d+)_t|(?:Row)?(?:Matrix|Vector|Array)[\dX]+i)\b"
 )
 NAMES = ("identifier", "type_identifier")
+REALS = re.compile(
+    r"GL(?:float|double)|real(?:32|64)?_[tT]|float(?:32|64)_t|dReal|btScalar|mjtNum|qreal"
+    r"|vector|array|span|valarray|pair|tuple|initializer_list"
+    r"|Ref|(?:Row)?(?:Matrix|Vector|Array)(?:[\dX]+[df]?)?|MatrixBase|Vectord|Matrixd|string"
+)
+"""Types of others that are real numbers, and arrays of what they are said to hold."""
+STORAGE = ("const", "constexpr", "static", "inline", "volatile", "override", "noexcept", "final")
+"""What is said of a variable and changes no value, or is asked for where it is declared."""
 
 
 def is_integral(kind: str) -> bool:
-    """Whether a type is one of integers, or an array of them."""
-    return "double" not in kind and INTEGERS.search(kind.partition("<")[2] or kind) is not None
+    """Whether a type is one of integers, or holds them."""
+    kind = kind.replace("long double", "double")
+    return INTEGERS.search(kind.partition("<")[2] or kind) is not None
 
 
 def member_key(name: str) -> str:
@@ -36,14 +45,49 @@ def tokens_of(node: Any) -> list[Any]:
     return [leaf for part in parts for leaf in tokens_of(part)] if parts else [node]
 
 
-def refuse_types(nodes: Mapping[str, Any], types: Mapping[str, str]) -> None:
-    """Refuse functions that use a type of `unread_types`, or one of an expression.
+def own_types(root: Any) -> set[str]:
+    """Names of types that the file makes: classes, other names, and what templates leave open."""
+    made = within(root, *CLASSES, "enum_specifier", "type_definition", "alias_declaration",
+                  "type_parameter_declaration", "optional_type_parameter_declaration",
+                  "preproc_def")  # fmt: skip
+    heads = (h for one in made for h in (one.child_by_field_name("name"),
+             *one.children_by_field_name("declarator"), *one.named_children[:1]))  # fmt: skip
+    lists = within(root, "template_parameter_list")
+    open_ones = (one.child_by_field_name("declarator") for part in lists
+                 for one in within(part, "parameter_declaration"))  # fmt: skip
+    return {words(n) for head in (*heads, *open_ones) if head is not None
+            for n in [head, *within(head, "type_identifier")] if n.type in NAMES}  # fmt: skip
+
+
+def strange_type(node: Any, own: set[str]) -> Any:
+    """The first type in a tree that neither the file makes nor `REALS` has; None without one."""
+    for leaf in within(node, "type_identifier"):
+        known = re.fullmatch(f"{REALS.pattern}|{INTEGERS.pattern}", words(leaf))
+        if words(leaf) not in own and known is None:
+            return leaf
+    return None
+
+
+def refuse_types(root: Any, nodes: Mapping[str, Any], types: Mapping[str, str]) -> None:
+    """Refuse functions that use a type of `unread_types`, one that is not here, or of expressions.
 
     Raises
     ------
     Unread
     """
+    own = own_types(root)
     for node in nodes.values():
+        head = within(node, "function_declarator")[0]
+        parts = (node.child_by_field_name("type"), head.child_by_field_name("parameters"),
+                 node.child_by_field_name("body"))  # fmt: skip
+        for leaf in (strange_type(part, own) for part in parts if part is not None):
+            if leaf is not None:
+                raise refuse(
+                    leaf, f"nothing says what the type {words(leaf)} is: declare it in the file"
+                )
+        for one in within(node, "storage_class_specifier", "type_qualifier"):
+            if words(one) not in STORAGE:
+                raise refuse(one, f"{words(one)} is not read")
         for end in within(node, "trailing_return_type"):
             if is_integral(words(end)):
                 raise refuse(end, "what is rounded to an integer is not read")
@@ -82,6 +126,10 @@ def unread_types(root: Any) -> dict[str, str]:
             bases = [one for one in node.children if one.type == "base_class_clause"]
             parts[words(head)] = {words(n) for b in bases for n in within(b, "type_identifier")}
     why |= _of_operators(root)
+    for node in within(root, "optional_type_parameter_declaration"):
+        if words(node.child_by_field_name("default_type")) not in ("double", "float"):
+            name = words(node.child_by_field_name("name"))
+            why[name] = f"{name} is a type that is not read where nothing says another"
     for node in within(root, "template_instantiation"):
         if is_integral(words(node).replace("double", "")):
             why |= {words(one): "a template is made for integers: not read"
@@ -93,11 +141,13 @@ def unread_types(root: Any) -> dict[str, str]:
 
 
 def integer_members(root: Any, types: Mapping[str, str]) -> set[str]:
-    """Members of classes, variables of the file and enumerators, that are integers."""
+    """Members of classes, variables of the file and enumerators, that are no real numbers."""
+    own = own_types(root)
     found = {words(one.child_by_field_name("name")) for one in within(root, "enumerator")}
     for node in within(root, "field_declaration", "declaration"):
         kind = node.child_by_field_name("type")
-        if kind is not None and (is_integral(words(kind)) or words(kind) in types):
+        if kind is not None and (is_integral(words(kind)) or words(kind) in types
+                                 or strange_type(kind, own) is not None):  # fmt: skip
             for one in node.children_by_field_name("declarator"):
                 found |= {words(n) for n in within(one, "identifier", "field_identifier")[:1]}
     return found

@@ -74,6 +74,14 @@ DOTS = {0: "", 1: "_dot", 2: "_ddot"}
 
 WHOLE = re.compile(r"U?Int(?:eger|\d+)?|Bool")
 """Kinds of integers."""
+REALS = frozenset(
+    ("Float64", "Float32", "BigFloat", "Real", "Number", "AbstractFloat", "Any", "Nothing", "Tuple",
+     "Vector", "Matrix", "Array", "AbstractVector", "AbstractMatrix", "AbstractArray", "SVector",
+     "MVector", "SMatrix", "MMatrix", "StaticArray")
+)  # fmt: skip
+"""Kinds to which what is real is converted as it is."""
+LIBRARIES = frozenset(("Base", "LinearAlgebra", "StaticArrays", "Core", "DifferentialEquations"))
+"""Whose functions are what they are called."""
 
 
 @dataclass
@@ -220,6 +228,7 @@ def _own_names(root: Any, nodes: list[Any]) -> None:
     for macro in within(root, "macro_definition"):
         raise refuse(macro, "macros of one's own are not read")
     known = {*FUNCTIONS, *OWN, *KINDS, *RECIPROCAL, *CONSTANTS, *MAKES, "sincos", "abs2"}
+    _refuse_imports(root, known)
     for node in within(root, "function_definition", "assignment"):
         head = node
         while head.type in ("function_definition", "assignment", "signature", "where_expression"):
@@ -234,6 +243,32 @@ def _own_names(root: Any, nodes: list[Any]) -> None:
         text = normalize("NFC", words(one))
         if written.setdefault(name_of(one), text) != text:
             raise refuse(one, f"{text} and {written[name_of(one)]} are one name here: rename one")
+
+
+def _open_kinds(node: Any) -> set[str]:
+    """T of ``where {T}``."""
+    wheres = within(node, "where_expression")
+    return {words(i) for w in wheres for part in named(w)[1:] for i in _tree_names(part)}
+
+
+def _tree_names(node: Any) -> list[Any]:
+    return [node] if node.type == "identifier" else within(node, "identifier")
+
+
+def _refuse_imports(root: Any, known: set[str]) -> None:
+    """Refuse a name that is known here and comes from somewhere else.
+
+    Raises
+    ------
+    Unread
+    """
+    for one in within(root, "selected_import"):
+        first, *names = named(one)
+        for name in names:
+            own = words(_tree_names(name)[-1]) if _tree_names(name) else words(name)
+            elsewhere = words(first) not in LIBRARIES or name.type == "import_alias"
+            if own in known and elsewhere:
+                raise refuse(one, f"{own} has another meaning here")
 
 
 def _names(node: Any) -> set[str]:
@@ -306,6 +341,8 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
         inner, kind = named(typed)[0], words(named(typed)[-1])
         argument = typed.parent is not None and typed.parent.type == "argument_list"
         if WHOLE.fullmatch(kind) and not (argument and not known(words(inner))):
+            raise refuse(typed, f"what is converted to {kind} is not read")
+        if not (argument or {*re.findall(r"[^\W\d]\w*", kind)} <= REALS | _open_kinds(one.node)):
             raise refuse(typed, f"what is converted to {kind} is not read")
     targets = [t for t in _assigned(one.node) if _around(t[2]) == one.node]
     if one.node.type == "assignment":

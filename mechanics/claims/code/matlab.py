@@ -110,6 +110,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     """
     text = OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text)
     root = tree(_language, text, "tree-sitter-matlab")
+    _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
     if not nodes:
         return _solved_handle(root, origin, known)
@@ -137,6 +138,20 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     space = page.module(origin, _arrays())
     remarks = tuple(f"{name} is read as true" for name in flags)
     return Translated(tuple(space[name] for name in chosen), remarks)
+
+
+def _refuse_comments(root: Any, text: str) -> None:
+    """Refuse comments of several lines that begin behind something: MATLAB ends them there.
+
+    Raises
+    ------
+    Unread
+    """
+    lines = text.splitlines()
+    for one in within(root, "comment"):
+        several = one.start_point[0] != one.end_point[0] and words(one)[1:2] == "{"
+        if several and lines[one.start_point[0]].strip() not in ("%{", "#{"):
+            raise refuse(one, "a comment of several lines begins in a line of its own")
 
 
 def _solved_handle(root: Any, origin: str, known: Callable[[str], bool]) -> Translated:
@@ -440,6 +455,10 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                 raise refuse(node, f"{joined(sorted(own))} is an argument: it cannot be both")
         case _ if re.match(r"clear(?:vars)?\b", words(node)) and scope.arguments:
             raise refuse(node, "clear removes names, arguments too: leave it out")
+        case "command" if words(node).startswith("syms") and (
+            {*words(node).split()} & {*scope.arguments, *scope.locals}
+        ):  # fmt: skip
+            raise refuse(node, "what syms makes a symbol has a value already")
         case "function_call" if words(_name(node)) == "error" and depth == 1:
             page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN:
