@@ -30,7 +30,7 @@ OPTIONS = (
     "--hide-scrollbars",
 )
 SHOTS = ((1280, False), (1280, True), (390, False), (390, True))
-TALL = {1280: 5200, 390: 17500}
+TALL = {1280: 4000, 390: 13600}
 """Pixels that all systems take, by the width."""
 
 

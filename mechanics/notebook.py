@@ -96,8 +96,7 @@ def model_html(model: "Model") -> str:
 
 def linear_html(linear: "Linear") -> str:
     """y' = A y + B w, where the matrices are small."""
-    from sympy import latex
-
+    from mechanics.report.notation import latex
     from mechanics.report.typeset import maths
 
     head = Markup("<p>{}</p>").format(repr(linear)[1:-1])
@@ -105,7 +104,7 @@ def linear_html(linear: "Linear") -> str:
         return _element(head)
     # In braces, so that brackets are the first and last of their row, and grow with it.
     parts = [
-        maths(f"{name} = {{{latex(getattr(linear, name), mat_str='bmatrix', mat_delim='')}}}")
+        Markup("<p>{}</p>").format(maths(f"{name} = {{{latex(getattr(linear, name))}}}"))
         for name in ("A", "B")
     ]
     states = ", ".join(str(symbol) for symbol in linear.states)
@@ -143,6 +142,13 @@ def _table(rows: list[tuple[Any, ...]]) -> Markup:
     return Markup("<table>{}</table>").format(Markup("".join(f"<tr>{line}</tr>" for line in lines)))
 
 
+OWN = """.mechanics.mechanics :is(table, tbody tr:nth-child(n), :not(pre) > code) {
+ background: none; color: inherit; }
+.mechanics.mechanics td { text-align: left; }
+.mechanics math { font-family: var(--maths); }"""
+"""JupyterLab colours rows and code for its own paper: these rules are as specific, and later."""
+
+
 def _element(*parts: Markup) -> str:
     """One element with the colours of the pages, which hold for it alone."""
     from mechanics.report.style import colours, drawing_rules
@@ -150,7 +156,7 @@ def _element(*parts: Markup) -> str:
     light, _ = colours()
     # On paper of its own, so that it is read in a dark notebook, too.
     frame = "max-width: 34rem; padding: .6rem; background: var(--paper); color: var(--ink);"
-    style = f".mechanics {{{light} {frame}}} {drawing_rules()}"
+    style = f".mechanics {{{light} {frame}}} {OWN} {drawing_rules()}"
     return f'<div class="mechanics"><style>{style}</style>{"".join(parts)}</div>'
 
 

@@ -9,7 +9,7 @@ import pytest
 import mechanics
 from mechanics.kernel import undecided
 from mechanics.notebook import SHOWN, register
-from systems import EVERY, arm_seven_joints, rod_pendulum, rolling_disc
+from systems import EVERY, arm_seven_joints, cartpole, rod_pendulum, rolling_disc
 
 
 def test_a_finding_is_short() -> None:
@@ -106,3 +106,11 @@ def test_what_a_cell_ends_with_is_short() -> None:
     ]  # fmt: skip
     long = {type(one).__name__: repr(one) for one in made if len(repr(one)) > 200}
     assert not long
+
+
+def test_a_symbol_of_two_letters_is_one_symbol_in_a_matrix() -> None:
+    equations = mechanics.derive(cartpole.scene())
+    linear = mechanics.linearize(equations, {"x": 0, "theta": 0}, inputs={"F": 0})
+    found = shown(linear)
+    assert "<mi>mp</mi>" in found.replace(' mathvariant="normal"', "")
+    assert "<mi>p</mi>" not in found

@@ -1,6 +1,8 @@
 """What scenes of the corpus have in common: pendulums, carts with rods, arms, masses on a line."""
 
-from sympy import sqrt
+from dataclasses import replace
+
+from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
 from mechanics.scene import (
@@ -77,7 +79,9 @@ def double_pendulum(angles, m1, m2, l1, l2, g, drag=0):
 
 def spring_pendulum(angle, length, m, g, pull, across=0, order=None):
     """A bob at the distance `length`, the angle from the downward vertical; pull inwards, across
-    forwards."""
+    forwards. The order holds the coordinates where the length is none itself."""
+    coordinates = order or (length, angle)
+    start = 2.0 if length in coordinates else 0.2
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (angle, N.z))
     C = O.locatenew("C", -length * B.y)
@@ -85,11 +89,11 @@ def spring_pendulum(angle, length, m, g, pull, across=0, order=None):
         "spring pendulum",
         N,
         O,
-        coordinates=order or (length, angle),
+        coordinates=coordinates,
         bodies=(Particle("bob", C, m),),
         loads=(gravity(-g * N.y), force("spring", C, pull * B.y + across * B.x, on="bob")),
         reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={str(length.func): 2.0, str(angle.func): 0.5},
+        example={str(q.func): 0.5 if q is angle else start for q in coordinates},
     )
 
 
@@ -267,4 +271,71 @@ def bead_on_parabola(m, a, g):
         "bead on a parabola", N, O, coordinates=(x,), bodies=(Particle("bead", P, m),),
         loads=(gravity(-g * N.y),),
         reactions=(reaction("R", at=P, on="bead", by=None, along=normal),),
+    )  # fmt: skip
+
+
+def roller(m, R, r, g, inertia):
+    """Something round m, r rolls inside a hollow cylinder R.
+
+    The angle theta is that of the line of centres from the vertical.
+    """
+    theta = dynamicsymbols("theta")
+    N, O = ReferenceFrame("N"), Point("O")
+    out = sin(theta) * N.x - cos(theta) * N.y
+    along = cos(theta) * N.x + sin(theta) * N.y
+    C = O.locatenew("C", (R - r) * out)
+    K = C.locatenew("K", r * out)
+    B = N.orientnew("B", "Axis", (-(R - r) / r * theta, N.z))
+    return Scene(
+        "roller",
+        N,
+        O,
+        coordinates=(theta,),
+        loads=(gravity(-g * N.y),),
+        bodies=(RigidBody("roller", C, B, m, inertia),),
+        reactions=(
+            reaction("f", at=K, on="roller", by=None, along=along),
+            reaction("N", at=K, on="roller", by=None, along=-out),
+        ),
+    )
+
+
+def held(point, on, **directions):
+    """Reactions of the ground at a point of a body, by their names and directions."""
+    return tuple(reaction(n, at=point, on=on, by=None, along=v) for n, v in directions.items())
+
+
+def shared(first, *others):
+    """One reaction in several places: a thread."""
+    return replace(first, parts=others)
+
+
+def on_walls(names, m1, m2, left, middle, right):
+    """Wall, spring, mass, spring, mass, spring, wall."""
+    a, b = dynamicsymbols(names)
+    return two_masses(
+        (a, b),
+        (m1, m2),
+        lambda N, A, B: (
+            force("left", A, -left * a * N.x, on="one"),
+            force("right", B, -right * b * N.x, on="two"),
+            force("between", B, -middle * (b - a) * N.x, on="two", by="one"),
+        ),
+    )
+
+
+def two_discs(angles, inertias, shaft, ground, inputs=()):
+    """Two discs on one axis; the moment of the shaft on the first, by the second, and the
+    ground's on each."""
+    N, O = ReferenceFrame("N"), Point("O")
+    names = ("one", "two")
+    pins = [pin(n, None, n, at=O, axis=N.z, angle=q) for n, q in zip(names, angles, strict=True)]
+    loads = [torque("shaft", shaft * N.z, on="one", by="two")]
+    loads += [
+        torque(f"on {n}", M * N.z, on=n) for n, M in zip(names, ground, strict=True) if M != 0
+    ]
+    return Scene(
+        "two discs", N, O, plane=N.z, joints=pins, loads=loads, inputs=inputs,
+        bodies=[RigidBody(n, p.point, p.frame, 0, J)
+                for n, p, J in zip(names, pins, inertias, strict=True)],
     )  # fmt: skip

@@ -19,8 +19,7 @@ from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
 import sympy
-from sympy import Basic, Derivative, Eq, Symbol
-from sympy.core.function import AppliedUndef
+from sympy import Basic, Eq
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.code.comments import comments
@@ -29,6 +28,7 @@ from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
+from mechanics.grading.script_formulas import is_name, lines_of
 from mechanics.judge.sources import Beside
 
 GONE = re.compile(
@@ -137,9 +137,12 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
             names, own = held, methods
     best = [n for n in own if n in solved] or [n for n in own if n in shown] or own
     chosen = function or (_last(names, best) if best else "")
-    equations = [] if own or function or different_elsewhere(code) else _equations(whole)
-    if equations:
-        return [*equations, Beside("\n".join(comments(code, ".py")))]
+    if not (own or function or different_elsewhere(code)):
+        claims = _equations(whole)
+        if not claims and (lines := lines_of(code, _own(whole))):
+            claims = ["\n".join(lines)]
+        if claims:
+            return [*claims, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
@@ -164,20 +167,17 @@ INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
 """Lines of a file that are no comments of their own."""
 
 
+def _own(names: Mapping[str, Any]) -> dict[str, Any]:
+    """Names of a script without those of SymPy's that it takes over."""
+    return {n: v for n, v in names.items() if getattr(sympy, n, None) is not v}
+
+
 def _equations(names: Mapping[str, Any]) -> list[Any]:
     """Equations of a script in SymPy's objects; none where it has other formulas beside them."""
-    own = [v for n, v in names.items() if getattr(sympy, n, None) is not v]
-    held = [[*v.values()] if isinstance(v, dict) else v for v in own]
+    held = [[*v.values()] if isinstance(v, dict) else v for v in _own(names).values()]
     values = [part for v in held for part in (v if isinstance(v, list | tuple) else [v])]
-    claims = [v for v in values if isinstance(v, Basic | MatrixBase) and not _is_name(v)]
+    claims = [v for v in values if isinstance(v, Basic | MatrixBase) and not is_name(v)]
     return list(dict.fromkeys(claims)) if all(isinstance(v, Eq) for v in claims) else []
-
-
-def _is_name(value: Any) -> bool:
-    """Whether it is a symbol, a function of time, one of its rates, or a number."""
-    if isinstance(value, Derivative):
-        return _is_name(value.expr)
-    return isinstance(value, Symbol | AppliedUndef) or getattr(value, "is_number", False)
 
 
 def _classes_with(names: Mapping[str, Any], method: str) -> list[str]:

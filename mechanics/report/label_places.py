@@ -36,7 +36,7 @@ TOUCHING = 1.0
 
 Box = np.ndarray
 """Left, top, right, bottom, in pixels."""
-GAP = np.array([-3.0, -1.0, 3.0, 1.0])
+GAP = np.array([-2.0, -1.0, 2.0, 1.0])
 """Pixels between a name and what is beside it, as a box is larger for them."""
 ANGLES = np.arange(AROUND) * 2 * np.pi / AROUND
 SHIFTS = np.array([[0.0, 0.0], *([r * np.cos(a), r * np.sin(a)] for r in RINGS for a in ANGLES)])

@@ -11,8 +11,8 @@ QUICK = ("taylor_pendulum/tension", "taylor_pendulum/factor", "landau_5/lagrangi
 
 
 def test_cases_have_their_form() -> None:
-    assert len(CASES) >= 1105
-    assert len({case.source for case in CASES}) >= 423
+    assert len(CASES) >= 1305
+    assert len({case.source for case in CASES}) >= 484
     assert len({case.name for case in CASES}) == len(CASES)
     for case in CASES:
         assert case.input in SUFFIXES, case.name

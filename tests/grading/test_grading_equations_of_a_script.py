@@ -32,7 +32,7 @@ def test_equations_of_a_script_are_judged(tmp_path: Path, sign: str, verdict: st
 
 
 @pytest.mark.parametrize(
-    "beside", ["V = l*g*cos(theta)", "b = {'V': l*g*cos(theta)}", "no = Eq(1, 2)"]
+    "beside", ["r = l*g*cos(theta)", "b = {'V': l*g*cos(theta)}", "no = Eq(1, 2)"]
 )
 def test_a_script_with_other_formulas_is_refused(tmp_path: Path, beside: str) -> None:
     with pytest.raises(InputError, match="no function to check"):
@@ -42,3 +42,37 @@ def test_a_script_with_other_formulas_is_refused(tmp_path: Path, beside: str) ->
 def test_a_comment_that_denies_an_equation_leaves_it_undecided(tmp_path: Path) -> None:
     things = submitted(tmp_path, SCRIPT.replace("SIGN", "1") + "# This equation is wrong.\n")
     assert mechanics.check(CART, things, blame=False).verdict.name == "UNDECIDED"
+
+
+LAGRANGE = """
+from sympy import *
+t, mp, mc, l, g, F = symbols("t mp mc l g F")
+x, theta = Function("x")(t), Function("theta")(t)
+p = Matrix([x + l*sin(theta), l*cos(theta)]).diff(t)
+T = mc*x.diff(t)**2/2 + mp*p.dot(p)/2 + mp*l**2*theta.diff(t)**2/6
+V = mp*g*l*cos(theta)
+L = T - V
+eqs = [L.diff(q.diff(t), t) - L.diff(q) - Q for q, Q in ((x, F), (theta, 0))]
+"""
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "verdicts"),
+    [
+        ("", "", {"PROVED"}),
+        ("/6", "/3", {"PROVED", "REFUTED"}),
+        ("Q for", "2*Q for", {"PROVED", "REFUTED"}),
+    ],
+)
+def test_energies_and_what_vanishes_are_claims_of_a_script(
+    tmp_path: Path, written: str, other: str, verdicts: set[str]
+) -> None:
+    things = submitted(tmp_path, LAGRANGE.replace(written, other, 1) if written else LAGRANGE)
+    found = mechanics.check(CART, things, blame=False)
+    assert {entry.finding.verdict.name for entry in found.judged} == verdicts
+
+
+@pytest.mark.parametrize("beside", ["N = mp*g", "eqs = [x.diff(t)*l]", "rest = eqs[0].diff(t)"])
+def test_a_formula_that_is_no_part_and_no_claim_is_not_read(tmp_path: Path, beside: str) -> None:
+    with pytest.raises(InputError, match="no function to check"):
+        submitted(tmp_path, LAGRANGE + beside)

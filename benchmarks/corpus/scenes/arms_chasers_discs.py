@@ -1,15 +1,14 @@
 """Arms, satellites, masses on springs, a wedge, discs on a wire, a quarter of a car."""
 
 from sympy import cos, sin, sqrt
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_link_arm, two_masses
+from benchmarks.corpus.builders import P, one_mass, two_discs, two_link_arm, two_masses
+from benchmarks.corpus.free_bodies import chaser, turning_body
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
-    ball,
-    euler,
     force,
     gravity,
     pin,
@@ -57,23 +56,9 @@ def monkey():
 
 def euler_body():
     """A rigid body that turns freely, rates omega_1, ... and torques T_1, ... about its axes."""
-    a, b, c = dynamicsymbols("yaw pitch roll")
-    w = dynamicsymbols("omega_1 omega_2 omega_3")
-    T = dynamicsymbols("T_1 T_2 T_3")
-    I = P("I_1:kg*m^2 I_2:kg*m^2 I_3:kg*m^2", typical="10 15 20")
-    N, O = ReferenceFrame("N"), Point("O")
-    hold = ball("hold", None, "spacecraft", at=O, frame=N, rotation=euler("zyx", a, b, c))
-    F = hold.frame
-    rates = (
-        c.diff() - a.diff() * sin(b),
-        b.diff() * cos(c) + a.diff() * cos(b) * sin(c),
-        -b.diff() * sin(c) + a.diff() * cos(b) * cos(c),
-    )
-    moment = T[0] * F.x + T[1] * F.y + T[2] * F.z
-    return Scene(
-        "spacecraft", N, O, joints=(hold,), inputs=T, speeds=tuple(zip(w, rates, strict=True)),
-        bodies=(RigidBody("spacecraft", O, F, 0, inertia(F, *I)),),
-        loads=(torque("torque", moment, on="spacecraft"),), example={"omega_1": 0.5},
+    return turning_body(
+        "omega_1 omega_2 omega_3", "I_1:kg*m^2 I_2:kg*m^2 I_3:kg*m^2",
+        dynamicsymbols("T_1 T_2 T_3"), name="spacecraft",
     )  # fmt: skip
 
 
@@ -82,33 +67,15 @@ def hill():
 
     Forces F_x, F_y, F_z beside the linear gravity.
     """
+    m, n = P("m:kg n:1/s")
     F = dynamicsymbols("F_x F_y F_z")
-    return _chaser(lambda N, n: N.orientnew("A", "Axis", (n * t, N.z)), (2, -1, -1), F, "y")
+    return chaser(m, n, lambda N: N.orientnew("A", "Axis", (n * t, N.z)), (2, -1, -1), F, "y")
 
 
 def hill_lvlh():
     """A chaser near a target in a circular orbit: x forwards, z down; the linear gravity."""
-    return _chaser(lambda N, n: N.orientnew("A", "Axis", (-n * t, N.y)), (-1, -1, 2), (), "z")
-
-
-def _chaser(turned, pull, thrust, other):
-    q = dynamicsymbols("x y z")
     m, n = P("m:kg n:1/s")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = turned(N, n)
-
-    def along(entries):
-        return sum((e * axis for e, axis in zip(entries, A, strict=True)), 0 * A.x)
-
-    C = O.locatenew("C", along(q))
-    loads = [force("gravity", C, along([m * n**2 * k * x for k, x in zip(pull, q, strict=True)]),
-                   on="chaser")]  # fmt: skip
-    if thrust:
-        loads.append(force("thrust", C, along(thrust), on="chaser"))
-    return Scene(
-        "chaser", N, O, coordinates=q, bodies=(Particle("chaser", C, m),), loads=loads,
-        inputs=thrust, example={"x": 0.3, other: 0.4},
-    )  # fmt: skip
+    return chaser(m, n, lambda N: N.orientnew("A", "Axis", (-n * t, N.y)), (-1, -1, 2), (), "z")
 
 
 def two_body():
@@ -132,15 +99,7 @@ def discs():
     """Two discs J_1, J_2 on one axis, a torsion wire C between them."""
     a, b = dynamicsymbols("theta_1 theta_2")
     J1, J2, C = P("J_1:kg*m^2 J_2:kg*m^2 C:N*m")
-    N, O = ReferenceFrame("N"), Point("O")
-    first = pin("one", None, "one", at=O, axis=N.z, angle=a)
-    second = pin("two", None, "two", at=O, axis=N.z, angle=b)
-    return Scene(
-        "discs", N, O, plane=N.z, joints=(first, second),
-        bodies=(RigidBody("one", first.point, first.frame, 0, J1),
-                RigidBody("two", second.point, second.frame, 0, J2)),
-        loads=(torque("wire", -C * (b - a) * N.z, on="two", by="one"),),
-    )  # fmt: skip
+    return two_discs((a, b), (J1, J2), C * (b - a), (0, 0))
 
 
 def feder():

@@ -6,12 +6,11 @@ Cylinders and balls in bowls.
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum
+from benchmarks.corpus.builders import P, double_pendulum, pendulum, roller, spring_pendulum
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
-    force,
     gravity,
     pin,
     reaction,
@@ -122,38 +121,18 @@ def compound():
     return pendulum(theta, 3 * m, 2 * m * a**2 / 3, 4 * a / 3, g)
 
 
-def _elastic(length, r, angle, m, g, pull):
-    """A bob at the distance `length` in the coordinate r.
-
-    The angle from the downward vertical; pull inwards.
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    B = N.orientnew("B", "Axis", (angle, N.z))
-    C = O.locatenew("C", -length * B.y)
-    return Scene(
-        "spring pendulum",
-        N,
-        O,
-        coordinates=(r, angle),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, pull * B.y, on="bob")),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={str(r.func): 0.2, str(angle.func): 0.5},
-    )
-
-
 def stretch():
     """A bob m on a spring k of the natural length L_o, stretched by y, theta from below."""
     y, theta = dynamicsymbols("y theta")
     m, k, L, g = P("m:kg k:N/m L_o:m gravity:m/s^2")
-    return _elastic(L + y, y, theta, m, g, k * y)
+    return spring_pendulum(theta, L + y, m, g, k * y, order=(y, theta))
 
 
 def stretch_b():
     """A bob m on a spring k of the natural length b, stretched by y, theta from below."""
     y, theta = dynamicsymbols("y theta")
     m, k, b, g = P("m:kg k:N/m b:m g:m/s^2")
-    return _elastic(b + y, y, theta, m, g, k * y)
+    return spring_pendulum(theta, b + y, m, g, k * y, order=(y, theta))
 
 
 def _sphere(names, l, m, g, up, example):
@@ -209,55 +188,29 @@ def wire():
     )
 
 
-def _roller(m, R, r, g, inertia):
-    """Something round m, r rolls inside a hollow cylinder R.
-
-    The angle theta is that of the line of centres from the vertical.
-    """
-    theta = dynamicsymbols("theta")
-    N, O = ReferenceFrame("N"), Point("O")
-    out = sin(theta) * N.x - cos(theta) * N.y
-    along = cos(theta) * N.x + sin(theta) * N.y
-    C = O.locatenew("C", (R - r) * out)
-    K = C.locatenew("K", r * out)
-    B = N.orientnew("B", "Axis", (-(R - r) / r * theta, N.z))
-    return Scene(
-        "roller",
-        N,
-        O,
-        coordinates=(theta,),
-        loads=(gravity(-g * N.y),),
-        bodies=(RigidBody("roller", C, B, m, inertia),),
-        reactions=(
-            reaction("f", at=K, on="roller", by=None, along=along),
-            reaction("N", at=K, on="roller", by=None, along=-out),
-        ),
-    )
-
-
 def hollow():
     """A solid cylinder m, r in a hollow one R."""
     m, R, r, g = P("m:kg R:m r:m g:m/s^2", typical="1 0.5 0.1 9.81")
-    return _roller(m, R, r, g, m * r**2 / 2)
+    return roller(m, R, r, g, m * r**2 / 2)
 
 
 def half():
     """A solid cylinder M, R in a hollow one 2R."""
     M, R, g = P("M:kg R:m g:m/s^2")
-    return _roller(M, 2 * R, R, g, M * R**2 / 2)
+    return roller(M, 2 * R, R, g, M * R**2 / 2)
 
 
 def bowl():
     """A solid sphere m, r in a bowl R, in a vertical plane."""
     m, R, r, g = P("m:kg R:m r:m g:m/s^2", typical="1 0.5 0.05 9.81")
-    return _roller(m, R, r, g, 2 * m * r**2 / 5)
+    return roller(m, R, r, g, 2 * m * r**2 / 5)
 
 
 def deviation():
     """A bob m on a spring k, its length a + r, a where it hangs at rest; theta from below."""
     r, theta = dynamicsymbols("r theta")
     m, k, a, g = P("m:kg k:N/m a:m g:m/s^2")
-    return _elastic(a + r, r, theta, m, g, k * r + m * g)
+    return spring_pendulum(theta, a + r, m, g, k * r + m * g, order=(r, theta))
 
 
 def bowl_point():

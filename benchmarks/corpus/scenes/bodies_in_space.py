@@ -3,9 +3,9 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from benchmarks.corpus.builders import P
+from benchmarks.corpus.builders import P, rotary_pendulum, two_link_arm
+from benchmarks.corpus.free_bodies import central_force, craft, turning_body
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     ball,
@@ -13,7 +13,6 @@ from mechanics.scene import (
     force,
     gravity,
     pin,
-    reaction,
     slide,
     torque,
 )
@@ -24,67 +23,19 @@ def ends():
 
     The angle q2 is from the first link, torques tau1, tau2.
     """
-    a, b, u, v = dynamicsymbols("q1 q2 tau1 tau2")
+    u = dynamicsymbols("tau1 tau2")
     m1, m2, l1, l2, g = P("m1:kg m2:kg l1:m l2:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=a)
-    A = shoulder.frame
-    E = shoulder.point.locatenew("E", l1 * A.x)
-    elbow = pin("elbow", "one", "two", at=E, axis=A.z, angle=b)
-    return Scene(
-        "arm",
-        N,
-        O,
-        plane=N.z,
-        joints=(shoulder, elbow),
-        inputs=(u, v),
-        loads=(
-            gravity(-g * N.y),
-            torque("shoulder moment", u * N.z, on="one"),
-            torque("elbow moment", v * N.z, on="two", by="one"),
-        ),
-        bodies=(
-            RigidBody("one", E, A, m1, 0),
-            RigidBody("two", elbow.point.locatenew("F", l2 * elbow.frame.x), elbow.frame, m2, 0),
-        ),
-    )
-
-
-def _rotary(theta, alpha, tau, J, Lr, m, l, Jp, g, side, arm=0, rod=0):
-    """An arm with J about its shaft, a rod m with the mass centre at l and Jp about it.
-
-    The angle alpha is from below; side: the way it leans.
-    """
-    N, O = ReferenceFrame("N"), Point("O")
-    shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=theta)
-    A = shaft.frame
-    axis = side * A.x
-    hinge = pin(
-        "hinge", "arm", "rod", at=shaft.point.locatenew("E", Lr * A.x), axis=axis, angle=alpha
-    )
-    B = hinge.frame
-    loads = [gravity(-g * N.z), torque("motor", (tau - arm) * N.z, on="arm")]
-    if rod != 0:
-        loads.append(torque("friction", -rod * axis, on="rod", by="arm"))
-    return Scene(
-        "rotary pendulum",
-        N,
-        O,
-        joints=(shaft, hinge),
-        inputs=(tau,),
-        loads=loads,
-        bodies=(
-            RigidBody("arm", O, A, 0, inertia(A, 0, 0, J)),
-            RigidBody("rod", hinge.point.locatenew("C", -l * B.z), B, m, inertia(B, Jp, Jp, 0)),
-        ),
-    )
+    return two_link_arm(dynamicsymbols("q1 q2"), l1, (m1, l1, 0), (m2, l2, 0), g, u, u)
 
 
 def rods():
     """Slender rods: an arm m_theta, r and a pendulum m_alpha, L; a torque tau."""
     theta, alpha, tau = dynamicsymbols("theta alpha tau")
     L, r, m1, m2, g = P("L:m r:m m_theta:kg m_alpha:kg g:m/s^2")
-    return _rotary(theta, alpha, tau, m1 * r**2 / 3, r, m2, L / 2, m2 * L**2 / 12, g, 1)
+    J = m2 * L**2 / 12
+    return rotary_pendulum(
+        theta, alpha, r, m1 * r**2 / 3, m2, L / 2, (J, J, 0), 1, -1, g, tau, 0, (tau,)
+    )
 
 
 def rip():
@@ -96,28 +47,9 @@ def rip():
     Jr, Lr, mp, lp, Jp, Br, Bp, g = P(
         "Jr:kg*m^2 Lr:m mp:kg lp:m Jp:kg*m^2 Br:N*m*s Bp:N*m*s g:m/s^2"
     )
-    N, O = ReferenceFrame("N"), Point("O")
-    shaft = pin("shaft", None, "arm", at=O, axis=N.z, angle=theta)
-    A = shaft.frame
-    hinge = pin(
-        "hinge", "arm", "rod", at=shaft.point.locatenew("E", Lr * A.x), axis=-A.x, angle=alpha
-    )
-    B = hinge.frame
-    return Scene(
-        "rotary pendulum",
-        N,
-        O,
-        joints=(shaft, hinge),
-        inputs=(tau,),
-        loads=(
-            gravity(-g * N.z),
-            torque("motor", (tau - Br * theta.diff()) * N.z, on="arm"),
-            torque("friction", -Bp * alpha.diff() * -A.x, on="rod", by="arm"),
-        ),
-        bodies=(
-            RigidBody("arm", O, A, 0, inertia(A, 0, 0, Jr)),
-            RigidBody("rod", hinge.point.locatenew("C", -lp * B.z), B, mp, inertia(B, Jp, 0, 0)),
-        ),
+    drive, brake = tau - Br * theta.diff(), -Bp * alpha.diff()
+    return rotary_pendulum(
+        theta, alpha, Lr, Jr, mp, lp, (Jp, 0, 0), -1, -1, g, drive, brake, (tau,)
     )
 
 
@@ -148,24 +80,14 @@ def _quad(names, m, J, g, thrust, turn, inputs, sense):
 
     Sense +1: the angle is clockwise.
     """
-    x, y, a = dynamicsymbols(names)
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (-sense * a, N.z))
-    C = O.locatenew("C", x * N.x + y * N.y)
-    return Scene(
-        "planar quadrotor",
-        N,
-        O,
-        coordinates=(x, y, a),
-        inputs=inputs,
-        plane=N.z,
-        bodies=(RigidBody("body", C, A, m, J),),
-        loads=(
-            gravity(-g * N.y),
-            force("thrust", C, thrust * A.y, on="body"),
-            torque("turn", -sense * turn * N.z, on="body"),
+    return craft(
+        names, m, J,
+        lambda N, A, C: (
+            force("thrust", C, thrust * A.y, on="craft"),
+            torque("turn", -sense * turn * N.z, on="craft"),
         ),
-    )
+        inputs, g=g, sense=-sense,
+    )  # fmt: skip
 
 
 def clockwise():
@@ -198,33 +120,13 @@ def thruster():
     A thrust Ft at the distance d behind its mass centre, along the x axis but turned by alpha
     and beta.
     """
-    a, b, c = dynamicsymbols("yaw pitch roll")
-    w = dynamicsymbols("omega_x omega_y omega_z")
     Ft, al, be = dynamicsymbols("Ft alpha beta")
-    I = P("Ixx:kg*m^2 Iyy:kg*m^2 Izz:kg*m^2", typical="10 15 20")
     (d,) = P("d:m", typical="0.5")
-    N, O = ReferenceFrame("N"), Point("O")
-    hold = ball("hold", None, "vehicle", at=O, frame=N, rotation=euler("zyx", a, b, c))
-    F = hold.frame
-    rates = (
-        c.diff() - a.diff() * sin(b),
-        b.diff() * cos(c) + a.diff() * cos(b) * sin(c),
-        -b.diff() * sin(c) + a.diff() * cos(b) * cos(c),
-    )
-    moment = (
-        -d * Ft * (sin(al) * F.y + cos(al) * sin(be) * F.z)
-    )  # of the thrust, about the mass centre, which stays where it is
-    return Scene(
-        "vehicle",
-        N,
-        O,
-        joints=(hold,),
-        bodies=(RigidBody("vehicle", O, F, 0, inertia(F, *I)),),
-        inputs=(Ft, al, be),
-        speeds=tuple(zip(w, rates, strict=True)),
-        loads=(torque("thrust", moment, on="vehicle"),),
-        example={"omega_x": 0.5},
-    )
+    # of the thrust, about the mass centre, which stays where it is
+    return turning_body(
+        "omega_x omega_y omega_z", "Ixx:kg*m^2 Iyy:kg*m^2 Izz:kg*m^2", (Ft, al, be), name="vehicle",
+        load=lambda F: -d * Ft * (sin(al) * F.y + cos(al) * sin(be) * F.z),
+    )  # fmt: skip
 
 
 def moments():
@@ -232,29 +134,10 @@ def moments():
 
     Its rates about them are omega_x, omega_y, omega_z, the moments Mx, My, Mz.
     """
-    a, b, c = dynamicsymbols("yaw pitch roll")
-    w = dynamicsymbols("omega_x omega_y omega_z")
-    M = dynamicsymbols("Mx My Mz")
-    I = P("Ixx:kg*m^2 Iyy:kg*m^2 Izz:kg*m^2", typical="10 15 20")
-    N, O = ReferenceFrame("N"), Point("O")
-    hold = ball("hold", None, "vehicle", at=O, frame=N, rotation=euler("zyx", a, b, c))
-    F = hold.frame
-    rates = (
-        c.diff() - a.diff() * sin(b),
-        b.diff() * cos(c) + a.diff() * cos(b) * sin(c),
-        -b.diff() * sin(c) + a.diff() * cos(b) * cos(c),
-    )
-    return Scene(
-        "vehicle",
-        N,
-        O,
-        joints=(hold,),
-        bodies=(RigidBody("vehicle", O, F, 0, inertia(F, *I)),),
-        inputs=M,
-        speeds=tuple(zip(w, rates, strict=True)),
-        loads=(torque("moment", M[0] * F.x + M[1] * F.y + M[2] * F.z, on="vehicle"),),
-        example={"omega_x": 0.5},
-    )
+    return turning_body(
+        "omega_x omega_y omega_z", "Ixx:kg*m^2 Iyy:kg*m^2 Izz:kg*m^2", dynamicsymbols("Mx My Mz"),
+        name="vehicle",
+    )  # fmt: skip
 
 
 def samara():
@@ -293,18 +176,6 @@ def samara():
 
 def orbit():
     """A mass m at r, theta from a fixed mass M."""
-    r, theta = dynamicsymbols("r theta")
     m, M, G = P("m:kg M:kg G:N*m^2/kg^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (theta, N.z))
-    C = O.locatenew("C", r * A.x)
-    return Scene(
-        "orbit",
-        N,
-        O,
-        coordinates=(r, theta),
-        bodies=(Particle("planet", C, m),),
-        loads=(force("gravitation", C, -G * M * m / r**2 * A.x, on="planet"),),
-        reactions=(reaction("side", at=C, on="planet", by=None, along=N.z),),
-        example={"r": 1.5, "theta_dot": 0.7},
-    )
+    r, theta = dynamicsymbols("r theta")
+    return central_force((r, theta), m, G * M * m / r**2)

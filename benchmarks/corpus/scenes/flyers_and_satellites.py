@@ -1,15 +1,14 @@
 """Rockets and a wing in a plane, a satellite, a mass on a table with another below it."""
 
 from sympy import cos, sin
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import P
+from benchmarks.corpus.free_bodies import craft, turning_body
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
-    ball,
-    euler,
     force,
     gravity,
     holonomic,
@@ -22,28 +21,14 @@ from mechanics.scene import (
 def _rocket(names, m, l, thrust, gimbal, g, inputs):
     """A uniform rod, its angle clockwise from upright; the thrust at its lower end, turned by the
     gimbal angle, clockwise, too."""
-    x, y, a = dynamicsymbols(names)
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (-a, N.z))
-    C = O.locatenew("C", x * N.x + y * N.y)
-    return Scene(
-        "rocket",
-        N,
-        O,
-        coordinates=(x, y, a),
-        inputs=inputs,
-        plane=N.z,
-        bodies=(RigidBody("rocket", C, A, m, m * l**2 / 12),),
-        loads=(
-            gravity(-g * N.y),
-            force(
-                "engine",
-                C.locatenew("E", -l / 2 * A.y),
-                thrust * (sin(gimbal) * A.x + cos(gimbal) * A.y),
-                on="rocket",
-            ),
+    return craft(
+        names, m, m * l**2 / 12,
+        lambda N, A, C: (
+            force("engine", C.locatenew("E", -l / 2 * A.y),
+                  thrust * (sin(gimbal) * A.x + cos(gimbal) * A.y), on="rocket"),
         ),
-    )
+        inputs, g=g, sense=-1, name="rocket",
+    )  # fmt: skip
 
 
 def myriad():
@@ -148,26 +133,6 @@ def hole():
 def satellite():
     """A rigid body that turns freely, rates wx, wy, wz about its principal axes, torques Mx, My,
     Mz."""
-    a, b, c = dynamicsymbols("yaw pitch roll")
-    w = dynamicsymbols("wx wy wz")
-    M = dynamicsymbols("Mx My Mz")
-    I = P("Ix:kg*m^2 Iy:kg*m^2 Iz:kg*m^2", typical="10 15 20")
-    N, O = ReferenceFrame("N"), Point("O")
-    hold = ball("hold", None, "satellite", at=O, frame=N, rotation=euler("zyx", a, b, c))
-    F = hold.frame
-    rates = (
-        c.diff() - a.diff() * sin(b),
-        b.diff() * cos(c) + a.diff() * cos(b) * sin(c),
-        -b.diff() * sin(c) + a.diff() * cos(b) * cos(c),
-    )
-    return Scene(
-        "satellite",
-        N,
-        O,
-        joints=(hold,),
-        bodies=(RigidBody("satellite", O, F, 0, inertia(F, *I)),),
-        inputs=M,
-        speeds=tuple(zip(w, rates, strict=True)),
-        loads=(torque("torque", M[0] * F.x + M[1] * F.y + M[2] * F.z, on="satellite"),),
-        example={"wx": 0.5},
+    return turning_body(
+        "wx wy wz", "Ix:kg*m^2 Iy:kg*m^2 Iz:kg*m^2", dynamicsymbols("Mx My Mz"), name="satellite"
     )

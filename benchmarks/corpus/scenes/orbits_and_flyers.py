@@ -4,6 +4,7 @@ from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import P
+from benchmarks.corpus.free_bodies import central_force, craft
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -19,30 +20,11 @@ from mechanics.scene import (
 t = dynamicsymbols._t
 
 
-def _craft(names, m, J, loads, inputs, *, g=None, sense=1, up="y"):
-    """A rigid body at two coordinates, turned by a third; loads of (N, A, C)."""
-    x, y, a = dynamicsymbols(names)
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (sense * a, N.z))
-    C = O.locatenew("C", x * N.x + y * N.y)
-    more = (gravity(-g * N.y),) if g is not None else ()
-    return Scene(
-        "craft",
-        N,
-        O,
-        coordinates=(x, y, a),
-        inputs=inputs,
-        plane=N.z,
-        bodies=(RigidBody("craft", C, A, m, J),),
-        loads=(*more, *loads(N, A, C)),
-    )
-
-
 def birotor():
     """Rotors at +-L; u2 on the right, u1 on the left."""
     u1, u2 = dynamicsymbols("u1 u2")
     L, m, I, g = P("L:m m:kg I:kg*m^2 g:m/s^2")
-    return _craft(
+    return craft(
         "x z theta",
         m,
         I,
@@ -59,7 +41,7 @@ def jet():
     """Thrust T at the mass centre, forces F at the wing tips l, tilted by alpha."""
     T, F = dynamicsymbols("T F")
     m, J, l, alpha, g = P("m:kg J:kg*m^2 l:m alpha:1 g:m/s^2")
-    return _craft(
+    return craft(
         "x y theta",
         m,
         J,
@@ -214,33 +196,11 @@ def pitch():
     )
 
 
-def _orbit(coordinates, m, pull, thrust=None, inputs=(), speeds=()):
-    r, theta = coordinates
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (theta, N.z))
-    C = O.locatenew("C", r * A.x)
-    loads = [force("gravity", C, -pull * A.x, on="craft")]
-    if thrust is not None:
-        loads.append(force("thrust", C, thrust[0] * A.x + thrust[1] * A.y, on="craft"))
-    return Scene(
-        "orbit",
-        N,
-        O,
-        coordinates=(r, theta),
-        bodies=(Particle("craft", C, m),),
-        loads=loads,
-        inputs=inputs,
-        speeds=speeds,
-        reactions=(reaction("side", at=C, on="craft", by=None, along=N.z),),
-        example={"r": 2.0},
-    )
-
-
 def transfer():
     """Speeds u outwards and v forwards, thrust T at the angle phi from the local horizontal."""
     r, theta, u, v, T, phi = dynamicsymbols("r theta u v T phi")
     m, mu = P("m:kg mu:m^3/s^2")
-    return _orbit(
+    return central_force(
         (r, theta),
         m,
         m * mu / r**2,
@@ -254,14 +214,14 @@ def lunar():
     """Thrusts u1 outwards and u2 forwards, in parts of u_bar."""
     r, theta, u1, u2 = dynamicsymbols("r theta u1 u2")
     m, mu, bar = P("m:kg mu:m^3/s^2 u_bar:N")
-    return _orbit((r, theta), m, m * mu / r**2, (u1 * bar, u2 * bar), (u1, u2))
+    return central_force((r, theta), m, m * mu / r**2, (u1 * bar, u2 * bar), (u1, u2))
 
 
 def central():
     """A potential -k/r."""
     r, theta = dynamicsymbols("r theta")
     m, k = P("m:kg k:N*m^2")
-    return _orbit((r, theta), m, k / r**2)
+    return central_force((r, theta), m, k / r**2)
 
 
 def _kepler(names, m, GM):

@@ -3,7 +3,7 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_masses
+from benchmarks.corpus.builders import P, on_walls, one_mass, two_masses
 from mechanics.scene import Particle, RigidBody, Scene, force, gravity, reaction, slide
 
 t = dynamicsymbols._t
@@ -31,17 +31,8 @@ def mck():
 
 def three():
     """Wall, spring, mass, spring, mass, spring, wall."""
-    x1, x2 = dynamicsymbols("x1 x2")
     m1, m2, k1, k2, k3 = P("m1:kg m2:kg k1:N/m k2:N/m k3:N/m")
-    return two_masses(
-        (x1, x2),
-        (m1, m2),
-        lambda N, A, B: (
-            force("left", A, -k1 * x1 * N.x, on="one"),
-            force("right", B, -k3 * x2 * N.x, on="two"),
-            force("between", B, -k2 * (x2 - x1) * N.x, on="two", by="one"),
-        ),
-    )
+    return on_walls("x1 x2", m1, m2, k1, k2, k3)
 
 
 def absorber():

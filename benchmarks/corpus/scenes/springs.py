@@ -2,14 +2,13 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, two_masses
+from benchmarks.corpus.builders import P, two_discs, two_masses
 from mechanics.scene import (
     Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    pin,
     slide,
     torque,
 )
@@ -101,21 +100,5 @@ def shafts():
     """Two discs on a shaft, the second on the ground."""
     a, b = dynamicsymbols("phi1 phi2")
     J1, J2, c1, c2, d1, d2 = P("J1:kg*m^2 J2:kg*m^2 c1:N*m c2:N*m d1:N*m*s d2:N*m*s")
-    N, O = ReferenceFrame("N"), Point("O")
-    one, two = (
-        pin(f"pin{i}", None, n, at=O, axis=N.z, angle=q)
-        for i, n, q in ((1, "one", a), (2, "two", b))
-    )
     between = c1 * (b - a) + d1 * (b - a).diff(t)
-    return Scene(
-        "two discs",
-        N,
-        O,
-        plane=N.z,
-        joints=(one, two),
-        bodies=(RigidBody("one", O, one.frame, 0, J1), RigidBody("two", O, two.frame, 0, J2)),
-        loads=(
-            torque("shaft", between * N.z, on="one", by="two"),
-            torque("ground", -(c2 * b + d2 * b.diff(t)) * N.z, on="two"),
-        ),
-    )
+    return two_discs((a, b), (J1, J2), between, (0, -(c2 * b + d2 * b.diff(t))))
