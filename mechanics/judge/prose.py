@@ -12,8 +12,9 @@ from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.judge.comparison import compared, senses
-from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise, described
+from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
+from mechanics.judge.modelica import is_model, model_words
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
@@ -63,8 +64,9 @@ def prose_of(
     facts = SceneFacts(scene, known)
     names = {*(match.name for match in known), *facts.names}
     written = {s.written.text: s.written.notation for s in statements if s.written is not None}
-    texts = [*sorted(written.items())]
-    texts += [(one, "comment") for text in written for one in described(text)]
+    models = [text for text in written if is_model(text)]
+    texts = [one for one in sorted(written.items()) if one[0] not in models]
+    texts += [(one, "comment") for text in models for one in model_words(text)]
     texts += [(words, "comment") for source in code for words in source.words()]
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}

@@ -15,7 +15,7 @@ from mechanics.claims.code.objects import methods_used, names_in
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.read import file_text
 
-PAGES = (".tex", ".md")
+PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
 MOST = 64
 """Functions that one calls."""

@@ -17,10 +17,12 @@ OF_MATLAB = (
     r"^[ \t]*[%#]\{[ \t]*$.*?(?:^[ \t]*[%#]\}[ \t]*$|\Z)|[%#][^\n]*|\.\.\.[^\n]*"
     r"|(?P<string>\"(?:\"\"|[^\"\n])*\"|(?<![\w)\]}'.])'(?:''|[^'\n])*')"
 )
+OF_MODELICA = r"//[^\n]*|/\*.*?(?:\*/|\Z)|(?P<string>\"(?:\\.|[^\"\\])*\")"
 LANGUAGES = {
     suffix: re.compile(pattern, re.DOTALL | re.MULTILINE)
     for suffixes, pattern in (
         (".py", OF_PYTHON), (".jl", OF_JULIA), (".m", OF_MATLAB),
+        (".mo", OF_MODELICA),
         (".c .h .cpp .cc .cxx .hpp .hh .ino", OF_C),
     )
     for suffix in suffixes.split()
@@ -29,6 +31,8 @@ LANGUAGES = {
 OPENS = re.compile(r"^[ \t]*(?:/[/*!<]+|\*+(?!/)|[#%][#%={!]*|\.\.\.|['\"]+)[ \t]?", re.MULTILINE)
 CLOSES = re.compile(r"[ \t]*(?:\*+/|=#|[#%]\}|['\"]+)[ \t]*$", re.MULTILINE)
 """Marks of comments, which are no words."""
+DESCRIBED = ".mo"
+"""Whose strings are documentation."""
 SENTENCE = re.compile(r"[^\W\d_]{2,}[,;:]?[ ]+[^\W\d_]{2,}")
 """What a string has that is read by people."""
 GOES_ON = re.compile(r"(?:(?<=[a-z]{2})|(?<=,))[ \t]*\n[ \t]*(?=[a-z])")
@@ -48,7 +52,7 @@ def comments(text: str, suffix: str) -> Iterator[str]:
         return
     last, block = -1, ""
     for found in LANGUAGES[suffix].finditer(text):
-        if found["string"] is not None and not SENTENCE.search(found[0]):
+        if found["string"] is not None and suffix != DESCRIBED and not SENTENCE.search(found[0]):
             continue
         if block and text[last : found.start()].strip(" \t") not in ("", "\n"):
             yield GOES_ON.sub(" ", block)
