@@ -10,7 +10,7 @@ from sympy.matrices import MatrixBase
 
 from mechanics.scene import Scene
 from mechanics.scene.rates import rate_table
-from mechanics.symbolic import is_zero
+from mechanics.symbolic import is_zero, operations
 
 LARGEST = 60
 """Operations of an expression that is compared."""
@@ -21,7 +21,7 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
 
     Empty where it is that of none.
     """
-    if isinstance(value, MatrixBase) or value.count_ops() > LARGEST:
+    if isinstance(value, MatrixBase) or operations(value) > LARGEST:
         return ""
     moving = {*scene.q, *scene.u}
     if not value.free_symbols & moving or value.free_symbols & {*scene.ud}:
