@@ -141,7 +141,7 @@ def _beside_unread(
     def doubt(found: Statement) -> str:
         if found.doubt or found.row is None or found.letter is not None or not unread:
             return found.doubt
-        if used := lost & _used(found.written):
+        if used := lost & used_names(found.written):
             return f"it uses {', '.join(sorted(used))}, defined in a line that could not be read"
         if isinstance(found.row.quantity, Identity):
             return "a relation without accelerations, beside lines that could not be read"
@@ -159,7 +159,7 @@ def _free_constant(unknown: Sequence[str], sides: Sequence[Value]) -> Symbol | N
     return held.pop() if alone else None
 
 
-def _used(written: Written | None) -> set[str]:
+def used_names(written: Written | None) -> set[str]:
     """Keys of all names that a statement uses, by its definitions, too."""
     found: set[str] = set()
     own = dict(written.definitions) if written is not None else {}
