@@ -7,7 +7,7 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -42,7 +42,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
 from mechanics.claims.place import Refused, line_and_column, located
-from mechanics.claims.positions import body_at
+from mechanics.claims.positions import body_at, places_of
 from mechanics.claims.prose import said_of
 from mechanics.claims.sides import (
     distinct,
@@ -118,13 +118,27 @@ def assemble(
         Naming(Vocabulary(scene), plain),
     )
     lines, told = told_once(without_unknown_rates(lines, naming))
+    places = places_of(lines, naming)
+    lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
     for line in lines:
         work.add(line)
     statements = _beside_unread(work.statements, lines, naming)
+    statements = tuple(_of_places(statement, places) for statement in statements)
     matches = naming.matches(name.name for name in used(lines))
     return Reading(statements, matches, (*work.remarks, *told), tuple(work.unjudged))
+
+
+def _of_places(found: Statement, places: Mapping[str, Line]) -> Statement:
+    """The statement; one with coordinates of bodies that nobody said is never REFUTED."""
+    written = found.written
+    if written is not None and found.letter is not None:  # V = ..., which another line says, too
+        written = replace(written, sides=written.sides[1:])
+    held = used_names(written) & {key(name) for name in places}
+    words = [f"{n} counts otherwise: say what it is" for n in places if key(n) in held]
+    notes = [note for n, line in places.items() if key(n) in held for note in line.notes]
+    return replace(found, unsure=(*found.unsure, *words), notes=(*found.notes, *notes))
 
 
 def _beside_unread(

@@ -6,6 +6,7 @@ They are read where the scene has x1, and no x that could be multiplied by a num
 from lark import Token, Tree
 from lark.tree import Meta
 
+from mechanics.claims.latex.item import letter_of
 from mechanics.claims.names import Naming
 
 
@@ -17,16 +18,18 @@ def numbered(pieces: list[Tree | Token], naming: Naming) -> list[Tree | Token]:
         if word is None or number is None or word.end_pos != number.start_pos:
             found.append(piece)
             continue
-        letter = word.value[-1]
+        spelled = word.type == "WORD"
+        letter = word.value[-1] if spelled else letter_of(word.value[1:])
         if naming.knows(letter) or not naming.knows(f"{letter}_{number.value}"):
             found.append(piece)
             continue
         found.pop()
-        at = int(word.end_pos or 1) - 1
-        if len(word.value) > 1:
+        at = int(word.end_pos or 1) - 1 if spelled else int(word.start_pos or 0)
+        if spelled and len(word.value) > 1:
             rest = Token(word.type, word.value[:-1], start_pos=word.start_pos, end_pos=at)
             found.append(Tree("scripted", [rest], _place(rest)))
-        base = Token(word.type, letter, start_pos=at, end_pos=word.end_pos)
+        last = letter if spelled else word.value
+        base = Token(word.type, last, start_pos=at, end_pos=word.end_pos)
         index = Token("SUB", f"_{number.value}", start_pos=word.end_pos, end_pos=number.end_pos)
         assert isinstance(piece, Tree)
         whole = Token(word.type, letter, start_pos=at, end_pos=int(piece.meta.end_pos))
@@ -47,7 +50,7 @@ def _alone(piece: Tree | Token) -> Token | None:
     if not isinstance(piece, Tree) or piece.data != "scripted" or len(piece.children) != 1:
         return None
     word = piece.children[0]
-    return word if isinstance(word, Token) and word.type == "WORD" else None
+    return word if isinstance(word, Token) and word.type in ("WORD", "COMMAND") else None
 
 
 def _first(piece: Tree | Token) -> Token | None:
