@@ -55,6 +55,7 @@ from mechanics.claims.sides import (
     shape,
 )
 from mechanics.claims.spelled_rates import key
+from mechanics.claims.state_space import with_state_space
 from mechanics.claims.statement import Letter, Reading, Statement
 from mechanics.claims.tree import Call, Name, Node, names
 from mechanics.claims.weight import Weight, weight
@@ -117,6 +118,7 @@ def assemble(
         lambda own: list(with_first_integrals(read(own), own, text)),
         Naming(Vocabulary(scene), plain),
     )
+    lines = with_state_space(lines, naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
     places = places_of(lines, naming)
     lines = [*places.values(), *lines]
