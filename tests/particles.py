@@ -6,7 +6,7 @@ from typing import Any
 from sympy import Expr, Symbol, cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
+from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction, spring
 
 Loads = Callable[[ReferenceFrame, Point, Point], Iterable[Any]]
 """Loads of the inertial frame, its origin and where the particle is."""
@@ -39,6 +39,20 @@ def pendulum(
     """A bob on a rod without mass; theta from the bottom, the tension pulls it inwards."""
     theta, (m, L, g) = dynamicsymbols("theta"), parameters(names, units=units, typical=typical)
     return hanging("pendulum", [theta], m, L, g, tension, **fields)
+
+
+def on_a_spring() -> Scene:
+    """A bob on a spring, by the length r and the angle: no typical state is declared."""
+    theta, r = dynamicsymbols("theta r")
+    units, typical = "kg N/m m m/s^2", "1 40 0.5 9.81"
+    m, k, l, g = parameters("m k l g", units=units, typical=typical)
+    N, O = ReferenceFrame("N"), Point("O")
+    arm = N.orientnew("A", "Axis", (theta, N.z))
+    place = O.locatenew("P", -r * arm.y)
+    return Scene(
+        "spring pendulum", N, O, coordinates=(theta, r), bodies=(Particle("bob", place, m),),
+        loads=(gravity(-g * N.y), spring("k", O, place, k, length=l, second_on="bob")),
+    )  # fmt: skip
 
 
 def hanging(

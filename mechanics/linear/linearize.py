@@ -21,7 +21,13 @@ from sympy import Expr, Integer, Symbol, sympify
 
 from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
-from mechanics.errors import ExpressionError, InputError, SingularError, wanted
+from mechanics.errors import (
+    ExpressionError,
+    InputError,
+    SingularError,
+    ZeroDivisorError,
+    wanted,
+)
 from mechanics.kernel import Finding, Statement, Verdict, decide
 from mechanics.kinematics.euler_angles import singular_angles
 from mechanics.kinematics.printer import symbols
@@ -103,7 +109,23 @@ def linearize(
     related = {**equations.fixed, **(parameters or {})}
     related = {symbol: sympify(value) for symbol, value in related.items()}
     point = operating_point(scene, at, inputs or {}, speeds or {}, related)
-    derived = as_rows(equations)
+    try:
+        expansion = _expansion(equations, point, related)
+        expansion.verify()
+        return expansion.linear()
+    except ZeroDivisorError as error:
+        turning = angular(scene)
+        where = point.words({q: q in turning for q in scene.q})
+        raise InputError(
+            f"{scene.name}: the equations divide by zero at {where}: take another place"
+        ) from error
+
+
+def _expansion(
+    equations: Equations, point: OperatingPoint, related: Mapping[Symbol, Expr]
+) -> "Expansion":
+    """The equations with the values of the operating point put in."""
+    scene, derived = equations.scene, as_rows(equations)
     builder = derived[0].builder
     # What is not given has no effect, or is refused below: it may have any value.
     table = {q.name: Integer(0) for q in scene.q}
@@ -118,9 +140,7 @@ def linearize(
     table |= {symbol.name: value for symbol, value in point.speeds.items()}
     kept = tuple(sorted(effective(moving, related))) if point.moves else tuple(range(len(scene.q)))
     whole = Place(builder, table, place.builder)
-    expansion = Expansion(equations, point, moving, whole, kept)
-    expansion.verify()
-    return expansion.linear()
+    return Expansion(equations, point, moving, whole, kept)
 
 
 @dataclass(frozen=True, eq=False)

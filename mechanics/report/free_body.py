@@ -69,7 +69,7 @@ def arrows(equations: Equations, view: View) -> tuple[tuple[Arrow, ...], ...]:
     ]
     every = [wrench for _, group, _ in groups for wrench in group]
     table = zip(_numbers(mechanism, view, every), _numbers(mechanism, near, every), strict=True)
-    numbers = iter([(view, here) if here[1:].any() else (near, there) for here, there in table])
+    numbers = iter([(view, here) if _drawable(here) else (near, there) for here, there in table])
 
     def arrow(name: str, wrench: Wrench, kind: str) -> Arrow:
         at, row = next(numbers)
@@ -77,6 +77,11 @@ def arrows(equations: Equations, view: View) -> tuple[tuple[Arrow, ...], ...]:
         return Arrow(name, words, wrench.body, row[0], row[1], row[2], kind)
 
     return tuple(tuple(arrow(name, w, kind) for w in group) for name, group, kind in groups)
+
+
+def _drawable(row: np.ndarray) -> bool:
+    """Whether a force or couple has a size there: that of a spring of no length has none."""
+    return bool(np.isfinite(row).all() and row[1:].any())
 
 
 def _beside(view: View) -> View:
@@ -91,7 +96,8 @@ def _numbers(mechanism: Mechanism, view: View, wrenches: Sequence[Wrench]) -> np
     nodes = [entry for w in wrenches for part in (w.at, w.force, w.couple) for entry in part]
     program = mechanism.builder.program({"entries": nodes})
     known = {symbol.name: value for symbol, value in view.values.items()}
-    values = interpret(program, Arrays(), known, release=False)["entries"] if nodes else []
+    with np.errstate(all="ignore"):
+        values = interpret(program, Arrays(), known, release=False)["entries"] if nodes else []
     return np.array([float(value) for value in values]).reshape(-1, 3, 3)
 
 

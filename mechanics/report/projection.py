@@ -201,7 +201,8 @@ class View:
     def numbers(self, matrix: Matrix, by: Symbol | None = None) -> np.ndarray:
         """Values of a matrix in plain symbols, or of its derivative by one of them."""
         program = self.program(tuple(matrix), by)
-        entries = interpret(program, ARRAYS, self.inputs, release=False)["entries"]
+        with np.errstate(all="ignore"):  # a quotient may have no value at this state
+            entries = interpret(program, ARRAYS, self.inputs, release=False)["entries"]
         return np.array(entries, dtype=float).reshape(matrix.shape)
 
     def project(self, position: np.ndarray) -> np.ndarray:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from textwrap import shorten
 from typing import Any
 
 import numpy as np
@@ -153,9 +154,13 @@ def _why_none(start: Begin, ending: Ending) -> str:
     zeros = [entry.name for entry, value in named if value == 0 and entry.name in masses]
     if zeros:
         return f"{', '.join(zeros)} = 0, so that nothing resists: give it another value"
-    values = zip((q.name for q in start.model.quantities.q), start.state, strict=False)
-    angles = singular_angles(start.model.equations.scene, dict(values))
-    return angles or f"{ending.value}: start from others"
+    values = dict(zip((q.name for q in start.model.quantities.q), start.state, strict=False))
+    angles = singular_angles(start.model.equations.scene, values)
+    place = ", ".join(f"{name} = {value:.6g}" for name, value in values.items())
+    return angles or (
+        f"at {shorten(place, 120, placeholder=' ...')} {ending.value}: start from others"
+        " (--set NAME=VALUE, initial= or the scene's example=)"
+    )
 
 
 def trajectory(start: Begin, times: Array, found: Samples) -> Trajectory:

@@ -4,6 +4,7 @@ from functools import cache
 from types import ModuleType
 
 import pytest
+from particles import on_a_spring
 from sympy import Matrix, Symbol, pi, sqrt
 
 from mechanics.equations import Equations
@@ -100,6 +101,15 @@ def test_point_out_of_balance_is_refused_with_the_force_that_is_left() -> None:
         InputError, match=r"x1 = 1 m, x2 = 0 m is no equilibrium.*x1 at rest is -2\*k N"
     ):
         linearize(derived(two_mass_chain, "lagrange"), {"x1": 1, "x2": 0})
+
+
+def test_a_place_where_the_equations_divide_by_zero_is_named() -> None:
+    equations = by_route("kane", on_a_spring())
+    with pytest.raises(InputError, match=r"divide by zero at theta = 0 rad, r = 0 m: take another"):
+        linearize(equations, {"theta": 0, "r": 0})
+    m, g, l, k = (Symbol(name, positive=True) for name in "mglk")
+    hanging = linearize(equations, {"theta": 0, "r": l + m * g / k})
+    assert str(hanging.stiffness[1, 1]) == "k"
 
 
 def test_broken_constraint_is_refused() -> None:

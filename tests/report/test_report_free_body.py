@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from particles import on_a_spring
 from sympy import Symbol
 
 from mechanics.equations import Diagram, Equations
@@ -117,3 +118,9 @@ def test_arrows_on_a_body_that_is_drawn_aside_are_on_it(body: int) -> None:
     for arrow in arrows:
         start, end = np.array(arrow, dtype=float).reshape(2, 2)
         assert min(np.hypot(*(start - centre)), np.hypot(*(end - centre))) < 1
+
+
+def test_a_spring_without_length_has_an_arrow_where_it_has_some() -> None:
+    equations = by_route("free_body", on_a_spring())
+    for group in arrows(equations, View(equations.scene, equations.scene.example)):
+        assert all(np.isfinite(arrow.force).all() and arrow.force.any() for arrow in group)

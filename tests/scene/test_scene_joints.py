@@ -61,7 +61,7 @@ def test_a_scene_has_what_its_joints_declare_once() -> None:
 def test_a_body_that_no_joint_carries_is_named() -> None:
     scene = arm()
     loose = Particle("bob", O.locatenew("P", q3 * N.y), m)
-    with pytest.raises(SceneError, match=r"body bob: no joint carries it: add one, as in free"):
+    with pytest.raises(SceneError, match=r"body bob: no joint carries it: add one, as in weld"):
         replace(scene, bodies=(*scene.bodies, loose), coordinates=(q3,))
 
 

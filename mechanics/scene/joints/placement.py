@@ -49,7 +49,7 @@ def check_joints(scene: Declaration) -> None:
                 f" closes a loop says onto which point of it, as in pin({joint.name!r}, ...,"
                 " onto=P) without an angle"
             )
-        _placed(joint, bodies[joint.child])
+        _placed(scene, joint, bodies[joint.child])
     for joint in joints:
         _attached(scene, f"joint {joint.name}", joint.at, joint.parent)
         if not joint.carries:
@@ -72,7 +72,8 @@ def check_joints(scene: Declaration) -> None:
         if name not in carrier and name not in tied:
             raise SceneError(
                 f"body {name}: no joint carries it: add one, as in"
-                f' free("{name}", {name!r}, ...) where nothing holds it'
+                f' weld("hold", "BODY", "{name}", at=P, frame=F) where it moves with BODY,'
+                f' free("move", "{name}", at=P, frame=F) where nothing holds it'
             )
 
 
@@ -97,13 +98,15 @@ def _attached(scene: Declaration, what: str, point: Point, body: str | None) -> 
         )
 
 
-def _placed(joint: Joint, body: Body) -> None:
+def _placed(scene: Declaration, joint: Joint, body: Body) -> None:
     """The body does not move against what the joint carries."""
     what = f"joint {joint.name} carries {body.name}"
     if isinstance(body, Particle) and joint.reactions:
+        frame = f"{joint.name}.frame"
+        none = "0" if scene.plane is not None else f"inertia({frame}, 0, 0, 0)"
         raise SceneError(
-            f"{what}, a particle, which no couple holds: declare RigidBody({body.name!r}, centre,"
-            f" {joint.name}.frame, m, inertia({joint.name}.frame, 0, 0, 0))"
+            f"{what}, a particle, which no couple holds: declare a body without inertia,"
+            f' RigidBody("{body.name}", {body.centre.name}, {frame}, {body.mass}, {none})'
         )
     if isinstance(body, RigidBody):
         turns = turning(joint.frame, body.frame)
