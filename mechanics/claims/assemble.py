@@ -171,6 +171,11 @@ def _used(written: Written | None) -> set[str]:
     return {key(name) for name in found}
 
 
+def _names_a_rate(line: Line) -> bool:
+    """Whether a line only calls the rate of something by another name: a = v', omega = theta'."""
+    return all(isinstance(side, Name) and side.order > 0 for side in line.sides[1:])
+
+
 class _Assembly:
     """Learns all definitions, then goes through the lines in order."""
 
@@ -335,6 +340,9 @@ class _Assembly:
         if len(sides) == 1 and (body := body_at(self.scene, sides[0])):
             self.remarks.append(f"{name} is a coordinate of {body} or its rate: {line.source}")
             return
+        if self.claims and letter is None and _names_a_rate(line):
+            self.remarks.append(f"{name} is taken as defined by: {line.source}")
+            return
         if self.claims and scalar(sides) and self._is_abbreviation(line, name, sides[0]):
             self.unjudged.append(line.source)
             return
@@ -387,6 +395,13 @@ class _Assembly:
     ) -> None:  # fmt: skip
         if self.about is not None:
             self._asked(line, tag, place, sides, builder)
+            return
+        momenta = self.naming.vocabulary.momenta
+        every = [n.name for side in line.sides for n in names(side)]
+        if every and all(name in momenta for name in every) and len({*sides}) == 1:
+            self.remarks.append(
+                f"{line.source[:60]}: Lagrange's equations, which hold in any scene"
+            )
             return
         alike = all(isinstance(n, Name) for n in line.sides) and len({*sides}) == 1
         quantity, sides, note = kind_of(self.scene, distinct(sides))

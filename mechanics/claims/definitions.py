@@ -44,7 +44,7 @@ def used(lines: Sequence[Entry]) -> list[Name]:
 def own(lines: Sequence[Entry], naming: Naming) -> list[str]:
     """Names that lines define; those of momenta are the scene's."""
     defined = definitions(lines, naming)
-    counts = Counter(name.name for name in used(lines))
+    counts = Counter(name.name for name in used(lines) if name.at != COMPOSED)
     again = {name for name, count in counts.items() if count > 1}
     return [name for name, line in defined.items() if not _momentum(line, defined, again, naming)]
 
@@ -149,11 +149,17 @@ def with_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
 
 
 def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence[Entry]) -> Entry:
-    """``2 zeta w = c/m``, where w is known and zeta used elsewhere, as what zeta is."""
-    if not isinstance(line, Line) or len(line.sides) != 2 or not isinstance(line.sides[0], Product):
+    """``2 zeta w = c/m``, where w is known and zeta used elsewhere, as what zeta is.
+
+    So is ``2 pi = omega T``: a frequency is a claim by its letter, and need not be used.
+    """
+    if not isinstance(line, Line) or len(line.sides) != 2:
         return line
     left, right = line.sides
-    assert isinstance(left, Product)
+    if isinstance(right, Product) and not names(left):
+        left, right = right, left
+    if not isinstance(left, Product):
+        return line
 
     def free(node: Node) -> bool:
         base = node.base if isinstance(node, Power) else node
@@ -169,7 +175,8 @@ def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence
         return line
     name = names(wanted[0])[0].name
     elsewhere = [other for other in lines if isinstance(other, Line) and other is not line]
-    if name not in {n.name for n in used(elsewhere)} or name in {n.name for n in names(right)}:
+    told = _of_constants(name) or name in {n.name for n in used(elsewhere)}
+    if not told or name in {n.name for n in names(right)}:
         return line
     sides = (wanted[0], Product(right.at, (right, *map(inverse, rest))))
     return replace(line, sides=sides, notes=(*line.notes, f"{name} is defined by this"))
@@ -230,10 +237,12 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
             line = Aside(words, line.at)
         if isinstance(line, Line) and len(line.sides) > 2:
             first, *rest = line.sides
+            told = _told_in_turn(line, counts, naming, known)
             kept = tuple(
                 side for side in rest
                 if not _unknown_rate(side, naming, known)
-                and not _named(first, side, naming, once, known)
+                and not _named(first, side, naming, once | told.get(id(side), set()), known)
+                and not _is_hamiltonian(first, side, naming)
             )  # fmt: skip
             kept = (first, *kept) if not _unknown_rate(first, naming, known) else kept
             if 1 < len(kept) < len(line.sides):
@@ -241,6 +250,48 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
                 line = replace(line, sides=kept, notes=(*line.notes, note))
         found.append(line)
     return found
+
+
+def _told_in_turn(
+    line: Line, counts: Mapping[str, int], naming: Naming, known: Container[str]
+) -> dict[int, set[str]]:
+    """Names of each side that stand in this line only, where each side has one of its own.
+
+    K = I w^2 + m v^2/2 = a + m (l w)^2/2 = b: the last side but one says what w is, the one before
+    what I and v are. Two sides in one name only say something of it that may be wrong.
+    """
+    sides = [{n.name for n in names(side)} for side in line.sides]
+    here = Counter(n.name for side in line.sides for n in names(side))
+    only = {n for n, count in here.items() if counts[n] == count and naming.target(n) is None}
+    found: dict[int, set[str]] = {}
+    told: set[str] = set()
+    for side, held in zip(reversed(line.sides[1:]), reversed(sides[1:]), strict=True):
+        free = {name for name in held & only if name not in known}
+        if free - told:
+            found[id(side)] = free
+            told |= free
+    return found
+
+
+def _is_hamiltonian(first: Node, side: Node, naming: Naming) -> bool:
+    """Whether a side is p q' - L for the Hamiltonian on the left, by names of any motion."""
+    if not isinstance(first, Name) or ENERGY_NAMES.get(first.name) != "Hamiltonian":
+        return False
+    if not isinstance(side, Sum) or len(side.terms) != 2:
+        return False
+    power, minus = side.terms
+    factors = power.factors if isinstance(power, Product) else ()
+    names_of = [(f.name.partition("_")[0], f.order) for f in factors if isinstance(f, Name)]
+    last = minus.factors[-1] if isinstance(minus, Product) else None
+    return (
+        len(factors) == 2
+        and sorted(names_of) == [("p", 0), ("q", 1)]
+        and isinstance(minus, Product)
+        and [constant(f) for f in minus.factors[:-1]] == [-1]
+        and isinstance(last, Name)
+        and ENERGY_NAMES.get(last.name) == "Lagrangian"
+        and all(naming.lookup(n.name) is None or n.name == "p" for n in names(side))
+    )
 
 
 def _only_names(line: Line, lines: Sequence[Entry], naming: Naming, once: Container[str]) -> bool:
@@ -364,7 +415,7 @@ def _order(name: Name, naming: Naming) -> int:
 def momenta(lines: Sequence[Entry], naming: Naming) -> dict[str, tuple[str, int]]:
     """Momenta that lines define by another name than the scene's: p_1, p_theta."""
     defined = definitions(lines, naming)
-    counts = Counter(name.name for name in used(lines))
+    counts = Counter(name.name for name in used(lines) if name.at != COMPOSED)
     again = {name for name, count in counts.items() if count > 1}
     return {
         name: meant for name, line in defined.items()
@@ -442,8 +493,8 @@ def reached(
 ) -> frozenset[str]:
     """Names that judged lines hold, and that the definitions of these use in turn.
 
-    A definition is no judged line, but for that of an energy or mass matrix, and where further
-    sides are equal to it: these are judged by their right.
+    A definition is no judged line, but for that of a letter with a meaning or a mass matrix, and
+    where further sides are equal to it: these are judged by their right.
     """
     names_of = {id(line): name for name, line in defined.items()}
     todo: list[str] = []
@@ -456,7 +507,7 @@ def reached(
                 todo += held(line.sides[again:])
             elif len(line.sides) > 2:
                 todo += held(line.sides[1:])
-            elif (name in ENERGY_NAMES and name not in needed) or name in MATRIX_NAMES:
+            elif (name in LETTERS and name not in needed) or name in MATRIX_NAMES:
                 todo += [n.name for side in line.sides[1:] for n in names(side)]
     found: set[str] = set()
     while todo:

@@ -10,8 +10,8 @@ from sympy.matrices import MatrixBase
 
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused
-from mechanics.claims.tree import Call, Name, Node, ended, negative, parts, with_parts
-from mechanics.scene import Gravity, Spring
+from mechanics.claims.tree import COMPOSED, Call, Name, Node, ended, negative, parts, with_parts
+from mechanics.scene.generalized_forces import from_potential
 
 PARTIAL = "partial"
 
@@ -79,16 +79,15 @@ def _conjugate(letter: str, by: Name, naming: Naming) -> Node | None:
         return None
     name, order = target[0], target[1] + by.order
     if letter == "H" and name in naming.vocabulary.momenta and order == 0:
-        return Name(by.at, name.removeprefix("p_"), 1)
+        return Name(COMPOSED, name.removeprefix("p_"), 1)
     if name not in {q.name for q in scene.q}:
         return None
     momentum = f"p_{name}"
     if letter == "L" and order == 1:
-        return Name(by.at, momentum)
-    alone = not scene.inputs and all(isinstance(x, Gravity | Spring) for x in scene.loads)
-    if order != 0 or not alone or scene.constraints:
+        return Name(COMPOSED, momentum)
+    if order != 0 or scene.constraints or not from_potential(scene):
         return None
-    rate = Name(by.at, momentum, 1)
+    rate = Name(COMPOSED, momentum, 1)
     return rate if letter == "L" else negative(rate)
 
 

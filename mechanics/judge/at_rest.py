@@ -71,7 +71,11 @@ def _of_several(
     scene = truth.scene
     name, *others = (scene.plain(side) for side in row.sides)
     held = set().union(*(side.free_symbols for side in others))
-    if statement.doubt or name not in scene.q or held - {*scene.parameters, *scene.definitions}:
+    if held - {*scene.parameters, *scene.definitions}:
+        return statement
+    if statement.doubt and name.is_Symbol:
+        return _beside_others(truth, statement, row, written)
+    if statement.doubt or name not in scene.q:
         return statement
     if not of_equilibrium(written.text, written.start):
         return statement
@@ -83,6 +87,29 @@ def _of_several(
         return _said(statement, found, words)
     doubt = f"{words}, of which it is one coordinate of several"
     return replace(statement, doubt=f"{doubt}: leave it out, or give the equations of motion")
+
+
+def _beside_others(
+    truth: Equations, statement: Statement, row: Published, written: Written
+) -> Statement:
+    """``theta_0 = 0`` beside ``x_0 = l + m g/k``: a coordinate of the equilibrium that has both."""
+    scene = truth.scene
+    name, value = (scene.plain(side) for side in row.sides)
+    own = {n: equilibrium_of(written.naming, n) for n, _ in written.definitions}
+    own[name.name] = equilibrium_of(written.naming, name.name)
+    if own[name.name] is None or denies_equilibrium(written.text, written.start):
+        return statement
+    built = written.builder().defined
+    said = {q: scene.plain(built[n]) for n, q in own.items() if q is not None and n in built}
+    if {*said} != {q.name for q in scene.q} or len([q for q in own.values() if q]) != len(said):
+        return statement
+    note = f"{name} is read as {own[name.name]} at an equilibrium"
+    for place in equilibria(truth):
+        others = [place[q] - said[q] for q in said if q != own[name.name]]
+        if all(map(_vanishes, others)):
+            found = replace(row, sides=(scene.pressed(place[str(own[name.name])]), value))
+            return _said(statement, found, note)
+    return statement
 
 
 def _said_so(sentence: str, place: Mapping[str, Expr], name: Symbol) -> bool:

@@ -18,14 +18,14 @@ from mechanics.errors import InputError
 from mechanics.judge import phrases as p
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentences import bare
-from mechanics.scene import Gravity, RigidBody
+from mechanics.scene import Gravity, Particle, RigidBody
 from mechanics.scene.loads import Force, Spring
 from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.symbolic import is_zero
 
 RATIOS = (Rational(1), Rational(1, 2))
 HEADS = (
-    (r"(?:moment of )?inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness", "N/m"),
+    (r"inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness", "N/m"),
     (r"length|radius|diameter|distance|height|width", "m"), (r"torque|moment|couple", "N*m"),
     (r"force|weight", "N"), (r"acceleration|gravity", "m/s^2"),
     (r"(?<!angular )(?:speed|velocity)", "m/s"),
@@ -254,7 +254,7 @@ def _of_another_body(facts: SceneFacts, own: str, words: str) -> bool:
 
 def _other_kind(unit: str, words: str) -> bool:
     """Whether the first noun of what a name is said to be has another unit."""
-    head = BEHIND_HEAD.split(words)[0]
+    head = BEHIND_HEAD.split(p.OF_INERTIA.sub("inertia", words))[0]
     if not unit or SCALE.search(words):
         return False
     for noun, of in HEADS:
@@ -368,7 +368,7 @@ def _massless(facts: SceneFacts, said: Said) -> Found:
     if not bodies and link:
         rods = p.ALIKE[0]
         bodies = [b for b in facts.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
-    if link and not any(isinstance(b, RigidBody) for b in facts.scene.bodies):
+    if link and not any(isinstance(b, RigidBody) and b.inertia != 0 for b in facts.scene.bodies):
         return ""  # points on what has no mass
     heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
     if not heavy or len(heavy) < len(bodies):
@@ -413,6 +413,27 @@ def _still(facts: SceneFacts, said: Said) -> Found:
     if not some or (any(some) and not all(some)):
         return None
     return f"the text says {said[0]!r}, the scene's moves" if all(some) else ""
+
+
+def _only_one(facts: SceneFacts, said: Said) -> Found:
+    """One body alone rises and falls, or moves; by whatever name, where the scene has one such."""
+    scene, some = facts.scene, facts.bodies(said["body"])
+    fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
+    if (
+        len(some) > 1
+        or not p.THINGS.fullmatch(said["body"])
+        or (said["energy"] and (len(fields) != 1 or facts.has["springs"]))
+    ):
+        return None
+    moving = {*scene.q}
+
+    def changes(body: Particle | RigidBody) -> bool:
+        place = scene.position(body.centre)
+        return bool(fields[0].dot(place).free_symbols & moving)
+
+    have = [b for b in scene.bodies if (changes(b) if said["energy"] else facts.moves(b))]
+    same = have == some if some else len(have) == 1
+    return "" if same else f"the text says {bare(said[0])!r}, which the scene has not"
 
 
 def _driven(facts: SceneFacts, said: Said) -> Found:
@@ -462,6 +483,7 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = 
     (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
-    (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.DRIVEN, _driven), (p.FLAT, _flat),
+    (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.ONLY_ONE, _only_one),
+    (p.DRIVEN, _driven), (p.FLAT, _flat),
 )  # fmt: skip
 """What a sentence may say, and how it is compared."""

@@ -11,12 +11,13 @@ k (q - u)^2 / 2, which vanishes with the force.
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Expr, Integral, Matrix, S, integrate, linsolve, zeros
+from sympy import Expr, Integral, S, integrate, linsolve
 from sympy.matrices import MatrixBase
 from sympy.solvers.solveset import NonlinearError
 
 from mechanics.kernel import Finding
-from mechanics.scene import Force, RigidBody, Scene, Torque
+from mechanics.scene import Force, Scene, Torque
+from mechanics.scene.generalized_forces import arms
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
 from mechanics.scene.symbols import plain_symbol
@@ -78,7 +79,7 @@ def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
         if not isinstance(load, Force | Torque):
             continue
         vector = scene.vector(load.vector, load.name).subs(rest)
-        forces = [canonical(vector.dot(arm)) for arm in _arms(scene, load)]
+        forces = [canonical(vector.dot(arm)) for arm in arms(scene, load)]
         if all(Q.count_ops() <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
@@ -93,37 +94,6 @@ def _from_rest(scene: Scene, potential: Expr, forces: list[Expr]) -> Expr:
         return potential
     there = [potential.subs(zip(scene.q, place, strict=True)) for place in places]
     return potential - there[0] if there else potential
-
-
-def _arms(scene: Scene, load: Force | Torque) -> list[Matrix]:
-    """What times the load is its generalized force, for each coordinate."""
-    if isinstance(load, Torque):
-        on, by = _turns(scene, load.on), _turns(scene, load.by)
-    else:
-        place = scene.position(load.at)
-        moving = [place.diff(q) for q in scene.q]
-        on = _carried(scene, load.on, place) if load.on else moving
-        by = _carried(scene, load.by, place)
-    return [one - other for one, other in zip(on, by, strict=True)]
-
-
-def _turns(scene: Scene, name: str | None) -> list[Matrix]:
-    """Partial angular velocities of a body, of W = dR/dq R^T; zero for the ground."""
-    body = None if name is None else scene.body(name)
-    if not isinstance(body, RigidBody):
-        return [zeros(3, 1)] * len(scene.q)
-    rotation = scene.rotation(body.frame)
-    turns = [rotation.diff(q) * rotation.T for q in scene.q]
-    return [Matrix([W[2, 1], W[0, 2], W[1, 0]]) for W in turns]
-
-
-def _carried(scene: Scene, name: str | None, place: Matrix) -> list[Matrix]:
-    """Partial velocities of the point of a body that is at a place; zero for the ground."""
-    if name is None:
-        return [zeros(3, 1)] * len(scene.q)
-    centre = scene.position(scene.body(name).centre)
-    turns = zip(scene.q, _turns(scene, name), strict=True)
-    return [centre.diff(q) + turn.cross(place - centre) for q, turn in turns]
 
 
 def _potential(scene: Scene, forces: list[Expr]) -> Expr | None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice, permutations, product
 
-from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Symbol
+from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Rational, Symbol
 from sympy.core.relational import Relational
 
 from mechanics.checks.ledger_compare import define
@@ -24,6 +24,8 @@ from mechanics.symbolic import Arithmetic, Number, decide
 
 MOST = 8
 """Choices of limits and of their order that are tried."""
+LEAST = Rational(1, 10**6)
+"""A limit below this leaves next to nothing of an input."""
 MOST_MODULI = 3
 """In one another."""
 
@@ -96,7 +98,10 @@ def _limits(sides: Sequence[Expr], u: Symbol) -> list[Limits]:
 
 def _holds_rest(low: Expr | None, high: Expr | None) -> bool:
     """Whether nothing is limited at rest, where inputs are 0."""
-    if low is not None and high is not None and (high - low).is_negative:
+    bounds = [bound for bound in (low, high) if bound is not None]
+    if len(bounds) == 2 and (bounds[1] - bounds[0]).is_positive is False:
+        return False
+    if any(b.is_number and not b.is_zero and abs(b) < LEAST for b in bounds):
         return False
     return (low is None or not low.is_positive) and (high is None or not high.is_negative)
 

@@ -152,6 +152,12 @@ VALUE = phrase(
 SORT = phrase(r"\b(?P<sort>physical|compound|simple|mathematical) pendulum\b")
 FLAT = phrase(r"\b(?:in|on) a horizontal (?:plane|table)\b")
 STILL = phrase(r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?(?:fixed|clamped|locked|at rest)\b")
+ONLY_ONE = phrase(
+    r"\bonly (?:the )?(?P<body>\w+) (?:moves|(?:has|have|possesses|contributes)"
+    r"(?: to)? (?:any |a )?(?:changing |varying |variable )?"
+    r"(?P<energy>(?:the )?potential energy))\b"
+)
+OF_INERTIA = re.compile(r"\bmoments? of inertia\b")
 DRIVEN = phrase(
     r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]{0,80}?"
     r" (?:moves|oscillates|vibrates|accelerates|(?:is|being) (?:moved|accelerated|shaken|driven))\b"
@@ -258,6 +264,9 @@ IDIOMS = re.compile(
     r"\bnot (?:hard|difficult|surprising)\b|\bnon[- ]?linear\w*|\bwithout loss of generality\b"
     r"|\b(?:without|no) (?:slip(?:ping|page)?|sliding)\b|\b(?:sin|sem) desli[sz]a\w*"
     r"|\bsans gliss\w*|\bohne (?:zu )?(?:gleiten|rutschen)|\bsenza stris\w*"
+    r"|\b(?:ignor|neglect|drop|discard|omit)\w* (?:all |any |the )?"
+    r"(?:(?:(?:higher|second)[- ]order|quadratic) terms"
+    r"|terms (?:of (?:higher|second) order|that (?:include|contain) this factor))"
     r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
     r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b",
     re.IGNORECASE,

@@ -46,7 +46,7 @@ def by_dimension(subject: str, mixed: MixedDimensions) -> Finding:
 
 def identity(truth: Equations, statement: Statement, values: Values) -> Finding:
     """The finding of a statement as far as what was written has values."""
-    statement = as_step(statement)
+    statement = as_step(truth, statement)
     subject = subject_of(statement)
     if statement.doubt or statement.row is None:
         return undecided(subject, statement.doubt)

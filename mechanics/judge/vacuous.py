@@ -12,7 +12,11 @@ from mechanics.claims.about import ENERGY_NAMES
 from mechanics.claims.partials import PARTIAL
 from mechanics.claims.statement import Statement
 from mechanics.claims.tree import Call, Name, Node, Product, Rate, Table
+from mechanics.equations import Equations
+from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.kernel import Finding, undecided
+from mechanics.scene.momenta import momentum_symbols, rate_symbol
+from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 from mechanics.symbolic import is_zero
 
@@ -57,15 +61,29 @@ def _of_energy(node: Node, own: Container[str]) -> bool:
     return False
 
 
-def as_step(statement: Statement) -> Statement:
-    """A step that holds whatever moves, as the identity that it is: d/dt dL/dq' = m q''."""
+def as_step(truth: Equations, statement: Statement) -> Statement:
+    """A step that holds whatever moves, as the identity that it is: d/dt dL/dq' = m q''.
+
+    So is the rate of a momentum as its definition has it, p' = d/dt (m q') = m q''.
+    """
     row = statement.row
-    if row is None or not isinstance(row.quantity, EquationOfMotion) or not derives(statement):
+    if row is None or not isinstance(row.quantity, EquationOfMotion):
+        return statement
+    rates = {rate_symbol(p) for p in momentum_symbols(truth.scene)}
+    if any(side.free_symbols & rates for side in row.sides):
+        row = in_plain_symbols(truth.kinematics, row)
+    elif not derives(statement):
         return statement
     first, *others = row.sides
     if not others or not all(is_zero(first - side) for side in others):
         return statement
-    return replace(statement, row=replace(row, quantity=Identity()))
+    return replace(statement, row=replace(row_of(statement), quantity=Identity()))
+
+
+def row_of(statement: Statement) -> Published:
+    """The row of a statement that has one."""
+    assert statement.row is not None
+    return statement.row
 
 
 def _column(side: Node) -> bool:

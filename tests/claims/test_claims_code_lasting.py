@@ -3,6 +3,8 @@
 import itertools
 import time
 from collections.abc import Callable
+from contextlib import suppress
+from functools import lru_cache
 from random import random
 
 import numpy as np
@@ -206,20 +208,64 @@ def kept(x):
     return words.getvalue()
 def f(y, u, m, l, g):
     print(u)
-    try:
-        sign = -1 if {} else 1
-    except Exception:
-        sign = 1
+    sign = -1 if {} else 1
     return law(y, sign * u, m, l, g)
 """
 
 
 @pytest.mark.parametrize("condition", HIDDEN)
-def test_text_of_numbers_and_the_caller_are_refused_whatever_the_code_catches(condition) -> None:
+def test_text_of_numbers_and_the_caller_are_refused(condition) -> None:
     names = {"law": law, "__name__": "mine"}
     exec(HELD.format(condition), names)
     with pytest.raises(InputError, match=r"^function f.*(hid|depends on|which class)"):
         check(SCENE, names["f"])
+
+
+@pytest.mark.parametrize(
+    ("lines", "read"),
+    [
+        ("try:\n  1/u\nexcept ZeroDivisionError:\n  u = 1", False),
+        ("try:\n  1/u\nexcept (KeyError, Exception):\n  u = 1", False),
+        ("try:\n  1/u\nexcept:\n  u = 1", False),
+        ("try:\n  1/u\nfinally:\n  return law(y, 0, m, l, g)", False),
+        ("with suppress(ZeroDivisionError):\n  1/u", False),
+        ("with Quiet():\n  1/u", False),
+        ("try:\n  k = {}['k']\nexcept KeyError:\n  k = 1", True),
+        ("try:\n  k = 1\nfinally:\n  k = 2", True),
+        ("with np.errstate(all='ignore'):\n  k = 1", True),
+    ],
+)
+def test_what_numbers_raise_is_not_caught_unseen(lines: str, read: bool) -> None:
+    body = "".join(f"    {line}\n" for line in lines.splitlines())
+    text = f"def f(y, u, m, l, g):\n{body}    return law(y, u, m, l, g)"
+    names = {"law": law, "np": np, "suppress": suppress, "Quiet": Quiet, "__name__": "mine"}
+    exec(text, names)
+    if read:
+        assert check(SCENE, names["f"], blame=False).verdict is Verdict.PROVED
+        return
+    with pytest.raises(InputError, match="catches"):
+        check(SCENE, names["f"])
+
+
+class Quiet:
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_: object) -> bool:
+        return True
+
+
+def test_a_result_that_is_kept_and_changed_is_refused() -> None:
+    @lru_cache
+    def made(k: int) -> list[int]:
+        return []
+
+    def counts(y, u, m, l, g):  # type: ignore[no-untyped-def]
+        made(0).append(1)
+        return law(y, u, m, l, g, later(len(made(0))))
+
+    with pytest.raises(InputError, match="keeps a result"):
+        check(SCENE, counts)
 
 
 def test_conditions_decide_wherever_they_are_looked_at() -> None:

@@ -77,6 +77,8 @@ class Simulator:
 class Compiled:
     """As numba has it: the function stands in an attribute, and is called with numbers."""
 
+    __module__ = "numba.core.registry"
+
     def __init__(self, function: Callable) -> None:
         self.py_func = function
 
@@ -112,6 +114,16 @@ RIGHT = [
 def test_what_is_inside_is_proved(function: Callable) -> None:
     assert check(SCENE, function, blame=False).verdict is Verdict.PROVED
     assert (OBJECT, TABLE, Numbers.m) == (Parameters(), {"m": 1.0, "l": 2.0, "g": 9.81}, 1.0)
+
+
+def test_an_attribute_of_numba_s_name_is_none_of_numba_s() -> None:
+    class Own(Compiled):
+        __module__ = "mine"
+
+        def __call__(self, *numbers: float) -> Any:
+            return [0.0, 0.0]
+
+    assert check(SCENE, Own(plain), blame=False).verdict is Verdict.REFUTED
 
 
 def test_numbers_that_are_found_are_told() -> None:

@@ -187,6 +187,9 @@ NOT_LIMITS = {
     "another value beyond": lambda: of_python(torque=lambda u: u if abs(u) < 2 else 0),
     "used before": lambda: of_python(torque=lambda u: np.clip(u, -2, 2) / 2 + u / 2),
     "rest is beyond": lambda: of_python(torque=lambda u: max(u, 1)),
+    "next to nothing is left below": lambda: of_python(torque=lambda u: np.clip(u, -1e-300, 2)),
+    "next to nothing is left": lambda: of_python(torque=lambda u: np.clip(u, -1e-9, 1e-9)),
+    "nothing is left": lambda: of_python(torque=lambda u: np.clip(u, 0, 0)),
     "a wrong factor": lambda: of_python(torque=lambda u: 2 * np.clip(u, -2, 2)),
     "exchanged limits": lambda: of_c(torque="(u > 2 ? -2 : (u < -2 ? 2 : u))"),
 }

@@ -6,6 +6,7 @@ A function is not changed: a copy of it is made whose names mean these.
 """
 
 import builtins
+import functools
 import math
 import operator
 import random
@@ -219,6 +220,11 @@ FRAMES = frozenset((
 ))  # fmt: skip
 """Attributes that lead to the caller, out of what a function is given, or tell who traces it."""
 OF_OBJECTS = ("__init__", "__post_init__", "__name__", "__call__", "__len__", "__version__")
+OF_NAMES = frozenset((
+    "AttributeError", "ImportError", "IndexError", "KeyError", "ModuleNotFoundError", "NameError",
+    "StopIteration", "TypeError",
+))  # fmt: skip
+"""Errors that depend on names and places, and not on numbers."""
 OF_ITSELF = ("__class__", "__dict__")
 """Attributes with two underscores that code may ask for: of anything, of its own object."""
 
@@ -331,6 +337,8 @@ Made = dict[int, Any]
 
 def stand_in(value: Any, made: Made) -> Any:
     """What a name of a traced function means."""
+    if isinstance(value, functools._lru_cache_wrapper):
+        return _cached(stand_in(value.__wrapped__, made))
     value = unwrapped(value)
     if id(value) in made:
         return made[id(value)]
@@ -361,6 +369,19 @@ def stand_in(value: Any, made: Made) -> Any:
     return _class_copy(value, made) if kind is value else _object_copy(value, made)
 
 
+def _cached(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function whose results are kept: one that can be changed is another one in later calls."""
+
+    def call(*arguments: Any, **options: Any) -> Any:
+        result = function(*arguments, **options)
+        if isinstance(result, list | dict | set | np.ndarray):
+            words = "keeps a result that can be changed: return a tuple, or do not cache it"
+            raise InputError(f"{getattr(function, '__name__', 'a cached function')} {words}")
+        return result
+
+    return call
+
+
 def _object_copy(value: Any, made: Made) -> Any:
     """An object of a person's class whose methods are copies."""
     if id(value) not in made:
@@ -380,6 +401,8 @@ def _copies(kind: type, made: Made) -> dict[str, Callable[..., Any]]:
     """Copies of the methods of a person's class; what cannot be copied is refused when it runs."""
     found: dict[str, Callable[..., Any]] = {}
     for name, function in methods_of(kind).items():
+        if name == "__exit__":
+            raise InputError(f"{kind.__name__} catches what a block raises: leave it out")
         if not library(function.__module__ or ""):
             with suppress(InputError):
                 found[name] = copy_of(function, made)
@@ -417,6 +440,9 @@ def copy_of(function: Callable[..., Any], made: Made | None = None) -> Callable[
     around = [n for n in named(function.__code__) if n[:2] == "__" and n in function.__globals__]
     if outside := sorted({*around, *_telling(function.__code__)}):
         raise InputError(f"function {function.__name__}: {_refused(outside[0])}")
+    if caught := _catching(function.__code__):
+        words = f"it catches {caught}, which may depend on numbers: write a condition"
+        raise InputError(f"function {function.__name__}: {words}")
     table = {**function.__globals__, "float": Float}
     table["__builtins__"] = {**vars(builtins), **BUILTINS}  # a function takes them when it is made
     table.setdefault("print", _printed)
@@ -483,6 +509,30 @@ def _telling(code: types.CodeType) -> set[str]:
         before, kind = name, one.opname
     inner = (c for c in code.co_consts if isinstance(c, types.CodeType))
     return found.union(*map(_telling, inner))
+
+
+def _catching(code: types.CodeType) -> str:
+    """What code catches that numbers may raise: a traced division raises nothing."""
+    every = list(get_instructions(code))
+    for place, start in enumerate(every):
+        if start.opname != "PUSH_EXC_INFO":
+            continue
+        names = []
+        for one in every[place:]:
+            if one.opname in ("RERAISE", "WITH_EXCEPT_START"):
+                break
+            if one.opname == "POP_EXCEPT":
+                return "everything"
+            if one.opname in ("LOAD_GLOBAL", "LOAD_NAME", "LOAD_ATTR"):
+                names.append(str(one.argval))
+            if one.opname == "CHECK_EXC_MATCH":
+                if not {*names} <= OF_NAMES:
+                    return ", ".join(names)
+                break
+    if "suppress" in code.co_names:
+        return "what suppress is told"
+    inner = (_catching(c) for c in code.co_consts if isinstance(c, types.CodeType))
+    return next(filter(None, inner), "")
 
 
 def _used(code: types.CodeType) -> set[str]:

@@ -24,8 +24,8 @@ def unwrapped(value: Any) -> Any:
             value = value.__wrapped__
         elif isinstance(
             inner := inspect.getattr_static(value, "py_func", None), types.FunctionType
-        ):
-            value = inner  # numba compiles this
+        ) and type(value).__module__.startswith("numba."):
+            value = inner  # it is compiled
         else:
             return value
     return value

@@ -1,0 +1,68 @@
+"""Lecture notes: laws, names of rates, steps and limits beside what is claimed."""
+
+import pytest
+
+from tests.notation_scenes import judged, verdicts
+
+MOTION = r"$$l\ddot\theta = -SIGN g\sin\theta$$"
+RIGHT, WRONG = MOTION.replace("SIGN", ""), MOTION.replace("SIGN", "2")
+
+
+def verdict(text: str, name: str = "pendulum") -> str:
+    return judged(name, text).verdict.name
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "A bob of mass $m$ hangs on a string of fixed length $l$ and negligible mass.",
+        "Only the bob has any potential energy.",
+        "We ignore terms of higher order.",
+        r"The angular speed is $\omega = \dot\theta$.",
+        r"$\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}-\frac{\partial L}{\partial\theta}=0$ gives",
+        r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{l/g}$.",
+    ],
+)
+def test_what_the_scene_says_too_does_not_stop_a_page(words: str) -> None:
+    assert verdict(f"{words}\n{RIGHT}") == "PROVED"
+    assert verdict(f"{words}\n{WRONG}") == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Only the cart moves, and the bob is at rest.",
+        "We ignore gravity.",
+        "We neglect terms that are not small.",
+        r"The force is $R = 3 m g$.",
+        r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{g/l}$.",
+    ],
+)
+def test_what_it_does_not_say_does(words: str) -> None:
+    assert verdict(f"{words}\n{RIGHT}") != "PROVED"
+
+
+def test_each_side_of_a_chain_says_what_one_name_of_its_own_is() -> None:
+    chain = r"$$T = \frac12 I w^2 + \frac12 m v^2 = \frac12 m (l w)^2 = \frac12 m l^2\dot\theta^2$$"
+    assert verdict(chain) == "PROVED"
+    assert verdict(chain.replace(r"\frac12 m l^2\dot", r"m l^2\dot")) == "REFUTED"
+    assert verdict(r"$$T = \frac12 w^2 = \frac13 w^2 = \frac12 m l^2\dot\theta^2$$") == "UNDECIDED"
+
+
+def test_the_hamiltonian_of_any_motion_is_named_by_p_q_and_l() -> None:
+    law = r"$$H = p\dot q - L = \frac12 m l^2\dot\theta^2 - m g l\cos\theta$$"
+    assert verdict(law) == "PROVED"
+    assert verdict(law.replace(r"\frac12", "")) == "REFUTED"
+    assert verdict(law.replace("- L", "+ L")) == "UNDECIDED"
+
+
+STEP = r"""
+$$\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = \frac{d}{dt}(FACTOR m l^2\dot\theta)
+  = FACTOR m l^2\ddot\theta$$
+$$p_\theta = FACTOR m l^2\dot\theta$$
+"""
+
+
+def test_a_momentum_is_judged_beside_the_step_that_has_its_rate() -> None:
+    assert verdicts("pendulum", STEP.replace("FACTOR", "")) == ["PROVED", "PROVED"]
+    assert verdicts("pendulum", STEP.replace("FACTOR", "2")) == ["REFUTED", "REFUTED"]
