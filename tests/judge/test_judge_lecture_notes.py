@@ -19,7 +19,8 @@ def verdict(text: str, name: str = "pendulum") -> str:
         "Only the bob has any potential energy.",
         "We ignore terms of higher order.",
         r"The angular speed is $\omega = \dot\theta$.",
-        r"$\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}-\frac{\partial L}{\partial\theta}=0$ gives",
+        r"$\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}"
+        r"-\frac{\partial L}{\partial\theta}=0$ gives",
         r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{l/g}$.",
     ],
 )
