@@ -197,3 +197,10 @@ def test_a_method_whose_equations_nobody_formed_is_told_in_one_line() -> None:
     method = KanesMethod(ReferenceFrame("N"), [theta], [omega], [theta.diff() - omega])
     with pytest.raises(InputError, match=r"not formed: call kanes_equations"):
         check(rod(), method)
+
+
+def test_an_equation_that_stands_twice_is_counted_once() -> None:
+    text = "(mc + mp)*x'' + mp*l*(cos(theta)*theta'' - theta'^2*sin(theta)) = F"
+    found = check(pole(), [text, f"2*({text.replace(' = F', '')}) = 2*F"])
+    assert found.verdict is Verdict.PROVED
+    assert "independent equations of motion: 1 of these 2; the motion needs 2" in str(found)
