@@ -6,7 +6,7 @@ x = L sin(phi)    y = -L cos(phi)    dx = der(x)    V = m g y, where nothing say
 import re
 from collections.abc import Iterator, Sequence
 
-from sympy import Expr
+from sympy import Expr, zeros
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.definitions import definitions, used
@@ -14,7 +14,8 @@ from mechanics.claims.from_sympy import Untreeable, tree_of
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import COMPOSED, Name
-from mechanics.scene import Scene
+from mechanics.scene import Force, Scene, Torque
+from mechanics.scene.generalized_forces import turning
 from mechanics.scene.rates import rate_table
 from mechanics.symbolic import is_zero
 
@@ -69,6 +70,34 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
             if all(is_zero((value - other).diff(symbol)) for symbol in moving):
                 return name
     return ""
+
+
+def as_scene_has(scene: Scene, value: Expr | MatrixBase) -> str:
+    """What a value is up to its sign, in words: a speed of a body, or a load; empty for neither."""
+    if isinstance(value, MatrixBase) or value.count_ops() > LARGEST:
+        return ""
+    if not scene.plain(value).free_symbols & {*scene.q, *scene.u, *scene.qd}:
+        return ""
+    for words, square in _squares(scene):
+        if square != 0 and is_zero(scene.plain(value) ** 2 - square):
+            return words
+    return ""
+
+
+def _squares(scene: Scene) -> Iterator[tuple[str, Expr]]:
+    """Squares of speeds and of declared loads, and what they are of."""
+    rates = rate_table(scene)
+    for load in scene.loads:
+        if isinstance(load, Force | Torque):
+            vector = scene.vector(load.vector, load.name)
+            yield f"the load {load.name!r}", vector.dot(vector)
+    for body in scene.bodies:
+        place = scene.position(body.centre)
+        v = sum((place.diff(q) * rates[q] for q in scene.q), zeros(3, 1))
+        yield f"the speed of {body.name}", v.dot(v)
+        turns = turning(scene, body.name)
+        w = sum((turn * rates[q] for q, turn in zip(scene.q, turns, strict=True)), zeros(3, 1))
+        yield f"the angular speed of {body.name}", w.dot(w)
 
 
 def _components(scene: Scene) -> Iterator[tuple[str, Expr]]:
