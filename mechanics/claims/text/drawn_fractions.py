@@ -21,29 +21,32 @@ Read = Callable[[str, int], list[Entry]]
 """Lines of a part of a text, which begins at a place."""
 
 
-def without_drawn(clean: str, read: Read) -> tuple[str, list[Entry]]:
-    """The text with blanks for drawn fractions, and these as equations.
+def without_drawn(text: str, clean: str, read: Read) -> tuple[str, list[Entry]]:
+    """The clean text with blanks for drawn fractions, and these as equations.
 
     Parameters
     ----------
+    text : str
+        As it was typed: a line of dashes ends no line that goes on.
     clean : str
+        The same, place by place, without comments.
     read : callable
     """
     found: list[Entry] = []
-
-    def taken(match: re.Match[str]) -> str:
-        parts = [read(match[name], match.start(name)) for name in ("left", "above", "below")]
+    for match in DRAWN.finditer(text):
+        spans = [match.span(name) for name in ("left", "above", "below")]
+        parts = [read(clean[start:end], start) for start, end in spans]
         sides = [
             one[0].sides[0] for one in parts
             if len(one) == 1 and isinstance(one[0], Line) and len(one[0].sides) == 1
         ]  # fmt: skip
         if len(sides) < len(parts):
-            return match[0]
+            continue
         left, above, below = sides
         notes = tuple(n for one in parts for e in one if isinstance(e, Line) for n in e.notes)
         source = " ".join(f"{match['left']} = ({match['above']}) / ({match['below']})".split())
         right = product(above.at, [above, inverse(below)])
         found.append(Line((left, right), "", match.start("left"), source, notes))
-        return re.sub(r"[^\n]", " ", match[0])
-
-    return DRAWN.sub(taken, clean), found
+        start, end = match.span()
+        clean = clean[:start] + re.sub(r"[^\n]", " ", clean[start:end]) + clean[end:]
+    return clean, found

@@ -68,7 +68,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
         Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
         for at, words in without_effect(text)
     ]
-    rest, drawn = without_drawn(clean, lambda part, at: _part(part, text, at, naming, origin))
+    rest, drawn = without_drawn(text, clean, lambda part, at: _part(part, text, at, naming, origin))
     if drawn and not rest.strip():
         return [*drawn, *lost]
     return [*_entries(rest, text, naming, origin), *drawn, *lost]
