@@ -120,7 +120,7 @@ def assemble(
     )
     lines = with_state_space(lines, naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
-    places = places_of(lines, naming)
+    places = places_of(lines, naming, text)
     lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)

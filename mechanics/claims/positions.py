@@ -24,10 +24,10 @@ LARGEST = 60
 CARTESIAN = re.compile(r"([xyz])_?([1-9]?)")
 
 
-def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
+def places_of(lines: Sequence[Entry], naming: Naming, text: str) -> dict[str, Line]:
     """What x, y_1, ... are that nothing explains: coordinates of the only body, or the first one.
 
-    It is a guess, as nobody says from where they count.
+    It is a guess, as nobody says from where they count; where the text speaks of one there is none.
     """
     defined = definitions(lines, naming)
     scene = naming.vocabulary.scene
@@ -35,7 +35,7 @@ def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
         n.name for n in used(lines)
         if n.name not in defined and naming.target(n.name) is None and CARTESIAN.fullmatch(n.name)
     )  # fmt: skip
-    if not unknown:
+    if not unknown or any(_is_told(name, text) for name in unknown):
         return {}
     places = [(body.name, scene.position(body.centre)) for body in scene.bodies]
     moving = [(n, place) for n, place in places if any(e.free_symbols & {*scene.q} for e in place)]
@@ -53,6 +53,14 @@ def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
         words = f"{name} is read as a coordinate of {body}"
         found[name] = Line((Name(COMPOSED, name), tree), "", 0, f"{name} = {value}", (words,))
     return found
+
+
+def _is_told(name: str, text: str) -> bool:
+    """Whether prose speaks of a name, or of an axis of its letter: it may count from anywhere."""
+    alone = rf"{name[0]}[_{{}} ]*{name[1:].strip('_')}[ }}]*"
+    said = rf"(?:\$|\\\(|`){alone}(?:\$|\\\)|`)|(?<![^\s.,;(]){alone}(?::| is\b| denotes\b)"
+    axis = rf"(?<!\w){name[0]}\$?[ -]?(?:axis|direction|coordinate)|\baxes\b"
+    return re.search(f"{said}|{axis}", text, re.MULTILINE) is not None
 
 
 def body_at(scene: Scene, value: Expr | MatrixBase) -> str:

@@ -122,3 +122,10 @@ def test_an_energy_by_any_name_is_what_is_said_to_be_constant() -> None:
 )
 def test_a_speed_that_prose_names_is_the_scenes(said: str, expected: str) -> None:
     assert verdict(f"{said}\n{RIGHT}") == expected
+
+
+@pytest.mark.parametrize(
+    "said", ["where $y$ is the depth of the bob", "The y axis points downwards.", "y is the depth."]
+)
+def test_a_height_of_which_the_text_speaks_is_no_guess(said: str) -> None:
+    assert verdict(f"$$V = m g y$$ {said}") == "UNDECIDED"
