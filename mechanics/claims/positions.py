@@ -17,7 +17,7 @@ from mechanics.claims.tree import COMPOSED, Name
 from mechanics.scene import Force, Scene, Torque
 from mechanics.scene.generalized_forces import turning
 from mechanics.scene.rates import rate_table
-from mechanics.symbolic import is_zero
+from mechanics.symbolic import is_zero, operations
 
 LARGEST = 60
 """Operations of an expression that is compared."""
@@ -68,7 +68,7 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
 
     Empty where it is that of none.
     """
-    if isinstance(value, MatrixBase) or value.count_ops() > LARGEST:
+    if isinstance(value, MatrixBase) or operations(value) > LARGEST:
         return ""
     moving = {*scene.q, *scene.u}
     if not value.free_symbols & moving or value.free_symbols & {*scene.ud}:

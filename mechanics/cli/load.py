@@ -143,7 +143,7 @@ def _functions(module: ModuleType, path: Path, name: str) -> str:
         and not any(p.default is p.empty for p in inspect.signature(value).parameters.values())
     ]
     if names:
-        return f": write {path}:{names[0]} for one of its own, which are {', '.join(names)}"
+        return f": name the function that does, {' or '.join(f'{path}:{own}' for own in names)}"
     return (
         f": write def {name}(): above the lines that make it, indent them, and end with"
         " return Scene(...)"

@@ -48,10 +48,7 @@ def redundancy(truth: Equations, judged: Sequence[Judged]) -> str:
     rows, rank, freedoms = determined(truth, judged)
     if rank == rows or rows < 2:
         return ""  # one alone, with a reaction that nothing gives, follows from no other
-    return (
-        f"{rows} equations of motion, but together they say no more than {rank} of {freedoms}: the"
-        " others follow from these"
-    )
+    return f"independent equations of motion: {rank} of these {rows}; the motion needs {freedoms}"
 
 
 def complete_residuals(truth: Equations, judged: Sequence[Judged]) -> tuple[Judged, ...]:
@@ -68,10 +65,13 @@ def complete_residuals(truth: Equations, judged: Sequence[Judged]) -> tuple[Judg
             continue
         rows, rank, freedoms = determined(truth, group)
         if rank < rows:
-            words = f"each of {rows} residuals is right, but together they say no more than {rank}"
+            words = (
+                f"it is right, but of these {rows} residuals only {rank} are independent; the"
+                f" motion needs {freedoms}"
+            )
             for k in places:
                 subject = judged[k].finding.subject
-                found[k] = replace(found[k], finding=undecided(subject, f"{words} of {freedoms}"))
+                found[k] = replace(found[k], finding=undecided(subject, words))
     return tuple(found)
 
 

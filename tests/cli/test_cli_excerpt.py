@@ -213,7 +213,7 @@ def test_what_no_file_has_is_not_shown() -> None:
 def test_what_a_file_has_instead_of_a_scene_is_listed(run: Any, tmp_path: Path) -> None:
     path = tmp_path / "own.py"
     path.write_text("def swing(): pass\ndef of(size): pass\n", encoding="utf-8")
-    assert f"write {path}:swing for one of its own, which are swing" in run("derive", path).err
+    assert f"name the function that does, {path}:swing" in run("derive", path).err
     path.write_text("scene = 3\n", encoding="utf-8")
     assert "write def scene(): above the lines that make it" in run("derive", path).err
     assert "did you mean 'rocker'? Or give" in run("derive", "rockr").err

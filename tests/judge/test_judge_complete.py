@@ -150,3 +150,10 @@ def test_equations_that_say_the_same_at_some_state_are_not_all(second: str) -> N
     with pytest.raises(AssertionError, match="only 1 of 2"):
         assert_equivalent([f"{CARRIAGE} = 0", second], scene)
     assert_equivalent([f"{CARRIAGE} + ({ROD})/L = 0", f"{ROD} = 0"], scene)
+
+
+def test_an_equation_that_stands_twice_is_counted_once() -> None:
+    text = "(mc + mp)*x'' + mp*l*(cos(theta)*theta'' - theta'^2*sin(theta)) = F"
+    found = check(pole(), [text, f"2*({text.replace(' = F', '')}) = 2*F"])
+    assert found.verdict is Verdict.PROVED
+    assert "independent equations of motion: 1 of these 2; the motion needs 2" in str(found)
