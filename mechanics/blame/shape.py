@@ -11,6 +11,7 @@ from math import comb
 from sympy import Add, Expr, Symbol, cos, factor, factor_terms, sin
 
 from mechanics.blame.terms import Monomial, Terms, written
+from mechanics.symbolic import operations
 
 MOST_TERMS = 60
 """Beyond, shapes are not tried: nobody reads them."""
@@ -57,7 +58,7 @@ def _factored(side: Expr) -> Expr:
     if not 1 < count <= MOST_TERMS:
         return side
     product = factor(side) if 2 < count <= MOST_FACTORED else factor_terms(side)
-    return product if product.count_ops() < side.count_ops() else side
+    return product if operations(product) < operations(side) else side
 
 
 def _length(sides: tuple[Expr, Expr]) -> int:

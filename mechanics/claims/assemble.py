@@ -7,7 +7,7 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -42,7 +42,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
 from mechanics.claims.place import Refused, line_and_column, located
-from mechanics.claims.positions import body_at
+from mechanics.claims.positions import body_at, places_of
 from mechanics.claims.prose import said_of
 from mechanics.claims.sides import (
     distinct,
@@ -55,6 +55,7 @@ from mechanics.claims.sides import (
     shape,
 )
 from mechanics.claims.spelled_rates import key
+from mechanics.claims.state_space import with_state_space
 from mechanics.claims.statement import Letter, Reading, Statement
 from mechanics.claims.tree import Call, Name, Node, names
 from mechanics.claims.weight import Weight, weight
@@ -117,14 +118,29 @@ def assemble(
         lambda own: list(with_first_integrals(read(own), own, text)),
         Naming(Vocabulary(scene), plain),
     )
+    lines = with_state_space(lines, naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
+    places = places_of(lines, naming)
+    lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
     for line in lines:
         work.add(line)
     statements = _beside_unread(work.statements, lines, naming)
+    statements = tuple(_of_places(statement, places) for statement in statements)
     matches = naming.matches(name.name for name in used(lines))
     return Reading(statements, matches, (*work.remarks, *told), tuple(work.unjudged))
+
+
+def _of_places(found: Statement, places: Mapping[str, Line]) -> Statement:
+    """The statement; one with coordinates of bodies that nobody said is never REFUTED."""
+    written = found.written
+    if written is not None and found.letter is not None:  # V = ..., which another line says, too
+        written = replace(written, sides=written.sides[1:])
+    held = used_names(written) & {key(name) for name in places}
+    words = [f"{n} counts otherwise: say what it is" for n in places if key(n) in held]
+    notes = [note for n, line in places.items() if key(n) in held for note in line.notes]
+    return replace(found, unsure=(*found.unsure, *words), notes=(*found.notes, *notes))
 
 
 def _beside_unread(
@@ -141,7 +157,7 @@ def _beside_unread(
     def doubt(found: Statement) -> str:
         if found.doubt or found.row is None or found.letter is not None or not unread:
             return found.doubt
-        if used := lost & _used(found.written):
+        if used := lost & used_names(found.written):
             return f"it uses {', '.join(sorted(used))}, defined in a line that could not be read"
         if isinstance(found.row.quantity, Identity):
             return "a relation without accelerations, beside lines that could not be read"
@@ -159,7 +175,7 @@ def _free_constant(unknown: Sequence[str], sides: Sequence[Value]) -> Symbol | N
     return held.pop() if alone else None
 
 
-def _used(written: Written | None) -> set[str]:
+def used_names(written: Written | None) -> set[str]:
     """Keys of all names that a statement uses, by its definitions, too."""
     found: set[str] = set()
     own = dict(written.definitions) if written is not None else {}

@@ -111,7 +111,10 @@ def turned(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
             known.add(amid.name)
             rest = tuple(side for side in line.sides if side is not amid)
             line = replace(line, sides=(amid, *rest))
-        elif isinstance(line, Line) and (name := _named_rate(line, naming)) not in (None, *known):
+        elif isinstance(line, Line) and (name := _named_rate(line, naming, known)) not in (
+            None,
+            *known,
+        ):
             known.add(str(name))
             line = replace(line, sides=line.sides[::-1])
         found.append(line)
@@ -394,14 +397,15 @@ def _named_amid(line: Line, naming: Naming, known: Container[str]) -> Name | Non
     return None
 
 
-def _named_rate(line: Line, naming: Naming) -> str | None:
-    """The unknown name on the right of a rate of the scene."""
+def _named_rate(line: Line, naming: Naming, known: Container[str]) -> str | None:
+    """The unknown name on the right of a rate of the scene, or of what a line defines."""
     if len(line.sides) != 2:
         return None
     left, right = line.sides
     if not (isinstance(left, Name) and isinstance(right, Name)) or right.order:
         return None
-    if _order(left, naming) != 1 or naming.target(right.name) is not None:
+    own = left.order == 1 and left.name in known and naming.target(left.name) is None
+    if not (own or _order(left, naming) == 1) or naming.target(right.name) is not None:
         return None
     return right.name
 

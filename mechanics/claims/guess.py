@@ -40,6 +40,9 @@ CAPITALS = "the same but for capitals"
 SHORT = "short for "
 ONLY_MOMENTUM = "the only momentum"
 FIRST_LETTER = "the same first letter"
+TWIN = "another way to write what is used, too"
+TWINS = (("w", ("omega", "Omega")), ("W", ("Omega", "omega")))
+"""Letters for one thing in the hand of one author."""
 
 REASONS = (
     *SURE[:3], CAPITALS, FIRST_LETTER, "its first letters, the same number",
@@ -100,7 +103,20 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
         [n for n in free if n in inputs and n not in {m.meaning for m in found_still}],
         [(lambda name, other: True, "the only input that is left")],
     )
-    return (*short, *momenta, *found_moving, *found_still, *found_inputs)
+    every = (*short, *momenta, *found_moving, *found_still, *found_inputs)
+    left_over = (moving | still) - {match.name for match in every}
+    return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
+
+
+def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> list[Match]:
+    """Th beside th, w beside omega: slips of a pen, where nothing else is left for the name."""
+    found = []
+    for name in names:
+        moving = [t for t in taken & {*functions} if _same_letters(name, t) and len(key(t)) > 1]
+        letters = [t for one, some in TWINS for t in some if one == name and t in taken]
+        if len(fits := moving or letters) == 1:
+            found.append(Match(name, fits[0], TWIN))
+    return found
 
 
 def equilibrium_of(naming: Naming, name: str) -> str | None:

@@ -22,13 +22,14 @@ import sympy
 from sympy import Basic, Eq
 from sympy.matrices import MatrixBase
 
+from mechanics.claims.code.comments import comments
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
 from mechanics.grading.script_formulas import is_name, lines_of
-from mechanics.judge.readers import Beside
+from mechanics.judge.sources import Beside
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -90,7 +91,8 @@ def _parts(
     """The prose of pages together, and the function of their code; `beside` is neither."""
     shown = (GONE.sub("", text) for text in pages)
     prose = "\n\n".join(text for text in shown if text.strip())
-    beside += [words.lstrip("# ") for text in code for words in COMMENT.findall(text)]
+    blocks = [words for text in code for words in comments(text, ".py")]
+    beside += [line for words in blocks for line in words.splitlines()]
     # Commented code is no equation that is handed in.
     said = (text for text in beside if "=" not in text)
     found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
@@ -103,7 +105,6 @@ def _parts(
     return found
 
 
-COMMENT = re.compile(r"#[^\n]*")
 MAGIC = re.compile(
     r"^[ \t]*(?:%(?:matplotlib|config|load_ext|autoreload|pip)|!pip)\b[^\n]*", re.MULTILINE
 )
@@ -141,7 +142,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         if not claims and (lines := lines_of(code, _own(whole))):
             claims = ["\n".join(lines)]
         if claims:
-            return [*claims, Beside("\n".join(COMMENT.findall(code)))]
+            return [*claims, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
@@ -153,7 +154,17 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         raise InputError(
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
-    return [names[chosen]]
+    return [names[chosen], *_on_the_file(code)]
+
+
+def _on_the_file(code: str) -> list[Beside]:
+    """What a file says outside of its functions."""
+    words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
+    return [Beside("\n\n".join(words))] if any(words) else []
+
+
+INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
+"""Lines of a file that are no comments of their own."""
 
 
 def _own(names: Mapping[str, Any]) -> dict[str, Any]:

@@ -36,7 +36,7 @@ from mechanics.scene.geometry import (
     step_vector,
 )
 from mechanics.scene.symbols import plain_table, to_plain
-from mechanics.symbolic import tidy
+from mechanics.symbolic import operations, tidy
 
 AXES = "xyz"
 QUATERNION = 4
@@ -399,7 +399,7 @@ def _integral(slopes: Mapping[Expr, Expr]) -> Expr | None:
     total = S.Zero
     for q, slope in left.items():
         rest = expand_mul(slope - total.diff(q))
-        if rest.count_ops() > LARGEST_INTEGRAND:
+        if operations(rest) > LARGEST_INTEGRAND:
             return None
         total += integrate(rest, q) if rest.has(q) else rest * q
     if total.has(Integral) or any(tidy(total.diff(q) - slope) for q, slope in left.items()):

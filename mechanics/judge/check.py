@@ -34,11 +34,12 @@ from mechanics.judge.other_reading import of_one_dimension, read_otherwise
 from mechanics.judge.outputs import of_one_order, right_otherwise
 from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
-from mechanics.judge.readers import read, source_of, spread
+from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
+from mechanics.judge.sources import source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.unsaid import left_open
 from mechanics.judge.where import Where, judge_where, read_where, right_where

@@ -3,7 +3,6 @@
 #define G -9.81              the scene's g is positive
 parameter Real l = m;        the scene's l and m have different units
 double f(int theta)          the scene's theta is a real number
-constant Real theta = 0;     the scene's theta moves
 """
 
 import re
@@ -13,19 +12,16 @@ from sympy import Pow, Symbol
 
 from mechanics.claims.code.cpp_functions import with_plain_integers
 from mechanics.claims.statement import Statement
-from mechanics.errors import SceneError
+from mechanics.judge.modelica import is_model, model_otherwise
 from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.scene.unit_names import Dimension, dimension_of_unit
 
-UNITS = re.compile(r"\b(?P<name>\w+)\s*\([^()\n]*\bunit\s*=\s*\"(?P<unit>[^\"\n]+)\"")
-"""A unit in a declaration of Modelica's."""
 DEFINED = re.compile(
     r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+\(?([^\n()]*)\)?[ \t\r]*$", re.MULTILINE
 )
 INITIAL = re.compile(r"(?<=[\s,:])(\w+)[({]\s*(-[\d.]+(?:[eE][-+]?\d+)?)\s*[)}]")
 """What a constructor begins with: P() : g(-9.81)."""
-COMMENT = re.compile(r"(?://|/\*|[%#])[^\n]*|\"\"\".*?\"\"\"|\'\'\'.*?\'\'\'", re.DOTALL)
 ALIAS = re.compile(
     r"(?:^|[\n,;:$]|\b(?:with|where|and|let|if|set|double|float|Real)\b)[ \t]*"
     r"\\?(?P<name>[A-Za-z]\w*)[ \t]*:?=[ \t]*\\?(?P<other>[A-Za-z]\w*)[ \t]*(?=$|[\n,;.$])"
@@ -33,26 +29,18 @@ ALIAS = re.compile(
 """A name that is another one."""
 LASTING = re.compile(r"\b(?:const|constexpr)\b[^;{}()]*;")
 """Of C++: what no line changes."""
-KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|Integer|Boolean|u?int\w*_t)"
+KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|u?int\w*_t)"
 INTEGER = re.compile(rf"\b{KINDS}[ \t]+(?P<name>\w+)[ \t]*(?=[,;)\[])")
 COUNTER = r"\bfor\s*\(\s*(?:\w+\s+)?{0}\s*=|\[\s*{0}\b"
 """Of a loop, or the place of an entry."""
-FIXED = re.compile(r"\b(?P<kind>constant|discrete|parameter)\b(?P<names>[^;]*);")
-"""Of Modelica: what does not move, or in steps."""
-DESCRIBED = re.compile(r"\bReal\b[^;\"]*?(?P<name>\w+)[ \t]*(?:=[^;,\"]*)?\"(?P<words>[^\"\n]+)\"")
-STRING = re.compile(r"\"[^\"\n]*\"")
-MODEL = re.compile(r"^[ \t]*(?:partial[ \t]+)?(?:model|block|class)\b", re.MULTILINE)
 
 
 def declared_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
     """What a text declares otherwise, in words."""
     yield from _outside(facts, text)
-    yield from _units(facts, text)
     yield from _aliases(facts, text)
-    if MODEL.search(text):
-        plain = STRING.sub("", text)
-        yield from _integers(facts, plain)
-        yield from _fixed(facts, plain)
+    if is_model(text):
+        yield from model_otherwise(facts, text)
 
 
 def declared_in_code(
@@ -65,12 +53,6 @@ def declared_in_code(
     yield from _outside(facts, _assignments(source), lambda symbol: _divide(statements, symbol))
     yield from _integers(facts, source)
     yield from _aliases(facts, "\n".join(m[0] for m in LASTING.finditer(source)))
-
-
-def described(text: str) -> Iterator[str]:
-    """What a model of Modelica says that its names are, as comments say it."""
-    for one in DESCRIBED.finditer(text) if MODEL.search(text) else ():
-        yield f"// {one['name']} is the {one['words'].removeprefix('the ')}"
 
 
 def _aliases(facts: SceneFacts, text: str) -> Iterator[str]:
@@ -96,17 +78,9 @@ def _integers(facts: SceneFacts, text: str) -> Iterator[str]:
             yield f"{said['name']} is declared as an integer, the scene's is a real number"
 
 
-def _fixed(facts: SceneFacts, text: str) -> Iterator[str]:
-    """Coordinates that are declared as what does not move."""
-    for said in FIXED.finditer(text):
-        for name in re.findall(r"(\w+)[ \t]*(?=[(,=]|$)", said["names"]):
-            if facts.own_name(name) in facts.coordinates:
-                yield f"the text declares {name} as {said['kind']}, the scene's moves"
-
-
 def _assignments(source: str) -> str:
-    """Code without comments; a name that changes, as that of a sum, is no parameter in it."""
-    text = INITIAL.sub(r"; \1 = \2 ;", COMMENT.sub("", DEFINED.sub(r"\1 = \2", source)))
+    """Code; a name that changes, as that of a sum, is no parameter in it."""
+    text = INITIAL.sub(r"; \1 = \2 ;", DEFINED.sub(r"\1 = \2", source))
     every = re.findall(r"(?<![\w.])(\w+)[ \t]*(?:[-+*/.]?=(?!=)|\+\+|--)", text)
     changed = {name for name in every if every.count(name) > 1}
     return re.sub(r"(?<![\w.])(\w+)(?=[ \t]*=)", lambda m: "" if m[1] in changed else m[0], text)
@@ -133,19 +107,3 @@ def _outside(
         if symbol.is_positive or symbol.is_nonnegative:
             value = f"{said['name']} = {said['number']}"
             yield f"the text has {value}, the scene's {symbol.name} is positive"
-
-
-def _units(facts: SceneFacts, text: str) -> Iterator[str]:
-    """Declared units that are not coherent ones of the SI, or not those of the scene."""
-    for said in UNITS.finditer(text):
-        name, unit = said["name"], said["unit"]
-        powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
-        below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
-        own = facts.unit(facts.own_name(name))
-        try:
-            dimension = dimension_of_unit(below, "")
-        except SceneError:
-            yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
-            continue
-        if own and dimension != dimension_of_unit(own, ""):
-            yield f"the text declares {name} in {unit}, the scene's is in {own}"

@@ -21,7 +21,7 @@ from mechanics.scene.generalized_forces import arms
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, PotentialEnergy, TotalEnergy
 from mechanics.scene.symbols import plain_symbol
-from mechanics.symbolic import canonical, is_zero
+from mechanics.symbolic import canonical, is_zero, operations
 
 SIGNS = {PotentialEnergy: -1, TotalEnergy: -1, Hamiltonian: -1, Lagrangian: 1}
 """What makes of an energy with a potential the one without it."""
@@ -80,7 +80,7 @@ def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
             continue
         vector = scene.vector(load.vector, load.name).subs(rest)
         forces = [canonical(vector.dot(arm)) for arm in arms(scene, load)]
-        if all(Q.count_ops() <= LARGEST and Q.free_symbols <= constants for Q in forces):
+        if all(operations(Q) <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
                 yield load.name, _from_rest(scene, potential, forces) if inputs else potential

@@ -13,6 +13,7 @@ from mechanics.claims.claim import Written
 from mechanics.claims.directions import Counted, counted
 from mechanics.claims.kinds import angular
 from mechanics.claims.prose import ENDS
+from mechanics.claims.tree import Table
 from mechanics.scene import Scene
 
 ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
@@ -97,12 +98,14 @@ def _sentences(written: Written) -> list[str]:
 
 def _place(scene: Scene, written: Written, sentence: str) -> tuple[dict[Symbol, Expr] | None, str]:
     zero: dict[Symbol, Expr] = {q: S.Zero for q in scene.q if q in angular(scene)}
-    plain = " ".join(sentence.split())
+    plain, own = " ".join(sentence.split()), dict(written.definitions)
     for found in PLACE.finditer(plain):
         words = found["place"].partition("$$")[0].partition("\\[")[0].strip()
         if equal := EQUALS.match(words.lstrip("$ (")):
             name = written.naming.lookup(equal["name"].replace("{", "").replace("}", ""))
             value = _value(equal["value"])
+            if value == 0 and isinstance(own.get(equal["name"]), Table):
+                return zero, words  # of a state, s = (x, x', theta, theta')
             symbol = None if name is None or name[1] else Symbol(name[0], real=True)
             if value is None or symbol not in zero:
                 return None, found[0].strip()

@@ -197,9 +197,6 @@ PREDICATES = re.compile(
     re.IGNORECASE,
 )
 """What is said of a motion or a system, and nobody compares."""
-VERBS = re.compile(
-    r"\b(?:is|are|has|have|acts?|moves?|turns?|rolls?|slides?|spins?|hangs?|carr(?:y|ies)|becomes?)\b"
-)
 CONDITION = re.compile(
     r"[<>\u226a\u226b\u2208\u2260\u2248]"
     r"|\\(?:ll|gg|in|to|infty|leq?|geq?|neq?|not|approx|simeq|sim|forall)(?![A-Za-z])"
@@ -317,3 +314,11 @@ DENIAL = re.compile(
     re.IGNORECASE,
 )
 """What denies an equation."""
+FLAWED = re.compile(
+    r"\b(?:FIXME|XXX|BUG|HACK)\b|(?i:\b(?:wrong\w*|incorrect\w*|invalid|buggy|bugs?|broken|flawed"
+    r"|does(?:n't| not) work|do(?:n't| not) (?:use|trust)|deprecated|untested"
+    r"|(?:only|just) (?:valid|true|correct|holds?|applies|for|near|around|when|where|if|work\w*)"
+    r"|(?:valid|true|correct|holds?|applies|works?) only|small[- ]angles?"
+    r"|sign (?:error|mistake))\b)"
+)
+"""What denies or limits code where a comment has it."""

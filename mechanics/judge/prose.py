@@ -12,16 +12,13 @@ from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.judge.comparison import compared, senses
-from mechanics.judge.declared_otherwise import (
-    COMMENT,
-    declared_in_code,
-    declared_otherwise,
-    described,
-)
+from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
+from mechanics.judge.modelica import is_model, model_words
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
+from mechanics.judge.sources import Source
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -50,7 +47,10 @@ class Prose:
 
 
 def prose_of(
-    scene: Scene, statements: Sequence[Statement], known: Sequence[Match], code: Sequence[str] = ()
+    scene: Scene,
+    statements: Sequence[Statement],
+    known: Sequence[Match],
+    code: Sequence[Source] = (),
 ) -> Prose:
     """What the texts of statements say of a scene.
 
@@ -58,15 +58,16 @@ def prose_of(
     ----------
     known : sequence of Match
         What names of the person were taken for.
-    code : sequence of str
-        Source of functions, of which comments and documentation are prose.
+    code : sequence of Source
+        Of functions, of which comments and documentation are prose.
     """
     facts = SceneFacts(scene, known)
     names = {*(match.name for match in known), *facts.names}
     written = {s.written.text: s.written.notation for s in statements if s.written is not None}
-    texts = [*sorted(written.items())]
-    texts += [(one, "code") for text in written for one in described(text)]
-    texts += [(m[0], "code") for source in code for m in COMMENT.finditer(source)]
+    models = [text for text in written if is_model(text)]
+    texts = [one for one in sorted(written.items()) if one[0] not in models]
+    texts += [(one, "comment") for text in models for one in model_words(text)]
+    texts += [(words, "comment") for source in code for words in source.words()]
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}
     against: dict[str, None] = {}
@@ -92,7 +93,7 @@ def prose_of(
         limits |= dict.fromkeys(markup)
         against |= dict.fromkeys(declared_otherwise(facts, text))
     for source in code:
-        against |= dict.fromkeys(declared_in_code(facts, source, statements))
+        against |= dict.fromkeys(declared_in_code(facts, source.code(), statements))
     return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
 
 

@@ -1,10 +1,8 @@
 """Whatever a person has, as statements: text, files, SymPy's objects, code."""
 
-import inspect
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -25,19 +23,13 @@ from mechanics.claims.code.read_arrays import (
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
+from mechanics.judge.sources import Beside
 from mechanics.scene import Scene
 
 FILE = re.compile(
     r"[\w~./\\ :-]{1,400}\.(tex|txt|m|jl|mo|c|cc|cpp|cxx|h|hh|hpp|ino|py|ipynb|md)", re.IGNORECASE
 )
 """What no equation looks like, and a file's name does."""
-
-
-@dataclass(frozen=True)
-class Beside:
-    """Words beside a function, as in the other cells of a notebook: they are its comments."""
-
-    words: str
 
 
 def spread(equations: Any) -> list[Any]:
@@ -132,18 +124,6 @@ def read(
             " CasADi Function or a Python function"
         )
     return read_function(scene, thing, names, about)
-
-
-def source_of(thing: Any) -> tuple[str, ...]:
-    """The source of code, where there is one."""
-    if isinstance(thing, Path):
-        return () if thing.suffix in (".tex", ".md") else (file_text(thing),)
-    if isinstance(thing, Beside):
-        return ("\n".join(f"# {line}" for line in thing.words.splitlines()),)
-    try:
-        return (inspect.getsource(thing),) if inspect.isfunction(thing) else ()
-    except OSError:
-        return (f'"""{thing.__doc__ or ""}"""',)
 
 
 def _no_path(text: str) -> None:

@@ -32,27 +32,19 @@ class SentenceClass(Enum):
 def class_of(
     facts: SceneFacts, sentence: Sentence, comparison: Comparison
 ) -> tuple[SentenceClass, str]:
-    """The class of a sentence, and why it is limiting.
-
-    A comment of code is quoted where it has a verb and a name of the scene.
-    """
-    spoken = p.VERBS.search(sentence.marked) and _names(facts, sentence)
+    """The class of a sentence, and why it is limiting."""
     if words := _limiting(sentence, comparison.rest):
         return SentenceClass.LIMITS, ", ".join(words[:3])
-    if _connects(comparison.rest) or (sentence.comment and not spoken):
+    if _connects(comparison.rest):
         return SentenceClass.READ, ""
     return SentenceClass.QUOTED, ""
-
-
-def _names(facts: SceneFacts, sentence: Sentence) -> bool:
-    return any(facts.own_name(m[1]) in facts.names for m in MARK.finditer(sentence.marked))
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:
     """What may deny or limit, of what nothing compares; of a comment what denies an equation."""
     denials = [m[0] for m in p.DENIAL.finditer(sentence.words)]
     if sentence.comment:
-        return denials
+        return [*denials, *(m[0] for m in p.FLAWED.finditer(sentence.words))]
     marked = sentence.marked
     asked = ["?"] if "?" in marked and (MARK.search(marked) or not WORDS.search(marked)) else []
     plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))

@@ -17,7 +17,7 @@ from mechanics.claims.text.letters import plain
 from mechanics.claims.text.line_continuation import LABELLED
 from mechanics.claims.text.prepare import LEADS
 from mechanics.judge.markup import without_markup
-from mechanics.judge.phrases import CONDITION
+from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED
 from mechanics.judge.sentence_forms import one_form
 
 DELIMITER = re.compile(
@@ -67,6 +67,9 @@ BEHIND = re.compile(r"(?<=\S)[ \t]+((?://|%|#).*)$", re.MULTILINE)
 """A comment behind code."""
 HEADING = re.compile(r"^[ \t]*#+[ \t]*", re.MULTILINE)
 COMMENT = re.compile(r"#|//|/\*|%|\"")
+MARKED = "\u27e8= \u27e9"
+"""What stands for a formula that is judged by itself."""
+TWO_WORDS = re.compile(r"[A-Za-z]{2,},? +[A-Za-z]{2,}")
 
 
 @dataclass(frozen=True)
@@ -100,7 +103,8 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
         Of the person, and the scene's.
     """
     text = text.translate(NO_MARKS)
-    code = notation == "code" or (notation != "latex" and CODE.search(text) is not None)
+    beside = notation == "comment"
+    code = notation == "text" and CODE.search(text) is not None
     if notation == "latex":
         text = without_markup(marked(text))
     else:
@@ -108,13 +112,20 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         for words in (LEADS, LABELLED):
             text = words.sub(r"\n\g<0>\n", text)
-        text = TEXT_FORMULA.sub("\u27e8= \u27e9", CODE.sub("\u27e8= \u27e9", text))
+        mark = _formula if beside else MARKED
+        text = TEXT_FORMULA.sub(mark, CODE.sub(mark, text))
         text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
     for part in ENDS.split(QUESTION.sub(r" \g<0>.", text)):
         if one := " ".join(part.split()):
-            comment = code and COMMENT.match(one) is not None
+            comment = beside or (code and COMMENT.match(one) is not None)
             yield Sentence(one_form(one), words_of(one), comment)
+
+
+def _formula(line: re.Match[str]) -> str:
+    """A line of a comment with a formula: what has words is said, and not computed."""
+    spoken = TWO_WORDS.search(line[0]) or FLAWED.search(line[0]) or DENIAL.search(line[0])
+    return line[0] if spoken else MARKED
 
 
 def bare(words: str) -> str:

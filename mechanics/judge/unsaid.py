@@ -26,10 +26,12 @@ from itertools import islice, permutations, product
 from sympy import Expr, Symbol
 
 from mechanics.checks.ledger import check_row
+from mechanics.claims.assemble import used_names
 from mechanics.claims.code.arguments import GUESSED_ORDER, USUAL
-from mechanics.claims.guess import ONLY_MOMENTUM
+from mechanics.claims.guess import ONLY_MOMENTUM, TWIN
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match
+from mechanics.claims.spelled_rates import key
 from mechanics.claims.statement import Reading
 from mechanics.claims.text.elements import BY_KIND, WHY
 from mechanics.compiled.fixed import fix
@@ -62,11 +64,14 @@ class Guess:
         Each in words, and what the scene's symbols then stand for; None where there is no list.
     opens : bool
         Whether it leaves a refutation open where its ways are not tried.
+    of : str
+        The name that it is about; statements without it do not rest on it. Empty for all of them.
     """
 
     words: str
     ways: tuple[tuple[str, Table], ...] | None = None
     opens: bool = False
+    of: str = ""
 
 
 def left_open(
@@ -99,7 +104,9 @@ def left_open(
         right = [_row(found[k]) for k in claimed if found[k].finding.shown]
         for k in wrong:
             words = list(found[k].statement.unsure)
-            words += [g.words for g in shared if g.ways is None or not tries]
+            held = used_names(found[k].statement.written)
+            rests = [g for g in shared if not g.of or key(g.of) in held]
+            words += [g.words for g in rests if g.ways is None or not tries]
             for guess in shared if tries and not words else ():
                 words += trial.words(_row(found[k]), guess.ways or (), right)
             if words:
@@ -166,6 +173,9 @@ def _guesses(truth: Equations, reading: Reading) -> Iterator[Guess]:
     for match in reading.names:
         if match.why == ONLY_MOMENTUM:
             yield _input_for(scene, match)
+        if match.why == TWIN:
+            words = f"{match.name} is not {match.meaning}: --name {match.name}=..."
+            yield Guess(words, of=match.name)
         if GUESSED_ORDER in match.why:
             yield _ordered(scene, match)
     yield from _scaled(scene, reading.names)

@@ -6,6 +6,7 @@
 from collections.abc import Container
 from dataclasses import replace
 
+from sympy import sympify
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import ENERGY_NAMES
@@ -70,7 +71,7 @@ def as_step(truth: Equations, statement: Statement) -> Statement:
     if row is None or not isinstance(row.quantity, EquationOfMotion):
         return statement
     rates = {rate_symbol(p) for p in momentum_symbols(truth.scene)}
-    if any(side.free_symbols & rates for side in row.sides):
+    if any(sympify(side).free_symbols & rates for side in row.sides):
         row = in_plain_symbols(truth.kinematics, row)
     elif not derives(statement):
         return statement

@@ -11,7 +11,7 @@ from mechanics.program.sympy_printer import expressions
 from mechanics.scene import Scene
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS, plain_symbol
-from mechanics.symbolic import tidy
+from mechanics.symbolic import operations, tidy
 
 
 class Printer:
@@ -34,7 +34,7 @@ class Printer:
 
     def short(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
         """The same, or the normal form where that is shorter: sines and cosines that cancel."""
-        return tuple(min(e, tidy(e), key=lambda side: side.count_ops()) for e in self(nodes))
+        return tuple(min(e, tidy(e), key=operations) for e in self(nodes))
 
     def expanded(self, nodes: Sequence[Node]) -> tuple[Expr, ...]:
         """The same in the normal form."""

@@ -22,7 +22,7 @@ from sympy import (
 
 from mechanics.errors import ExpressionError
 from mechanics.symbolic import is_zero as decide_zero
-from mechanics.symbolic import tidy
+from mechanics.symbolic import operations, tidy
 
 
 def reduced(expr: Expr) -> Expr:
@@ -35,7 +35,7 @@ def written(expr: Expr) -> Expr:
     plain = reduced(expr)
     if not plain.has(sin, cos):
         return plain
-    return min(plain, reduced(tidy(plain)), key=lambda side: side.count_ops())
+    return min(plain, reduced(tidy(plain)), key=operations)
 
 
 def is_zero(expr: Expr) -> bool:

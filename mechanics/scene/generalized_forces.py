@@ -5,7 +5,7 @@ from sympy import Expr, Matrix, S, zeros
 from mechanics.scene.bodies import RigidBody
 from mechanics.scene.loads import Force, Gravity, Spring, Torque
 from mechanics.scene.scene import Scene
-from mechanics.symbolic import is_zero
+from mechanics.symbolic import is_zero, operations
 
 LARGEST = 200
 """Operations of a generalized force that is looked at."""
@@ -24,7 +24,7 @@ def from_potential(scene: Scene) -> bool:
             return False
         vector = scene.vector(load.vector, load.name)
         every = [Q + vector.dot(arm) for Q, arm in zip(every, arms(scene, load), strict=True)]
-    if any(Q.count_ops() > LARGEST for Q in every):
+    if any(operations(Q) > LARGEST for Q in every):
         return False
     held = set().union(*(Q.free_symbols for Q in every))
     if held - {*scene.q, *scene.parameters, *scene.input_symbols}:

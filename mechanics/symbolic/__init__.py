@@ -5,6 +5,7 @@ from mechanics.symbolic.canonical import canonical, collect_linear, tidy
 from mechanics.symbolic.decide import decide, is_zero, prove_equal, prove_zero
 from mechanics.symbolic.decimals import decimal_matches, enclose, roundings
 from mechanics.symbolic.independence import generic_rank, independent_rows
+from mechanics.symbolic.size import operations
 from mechanics.symbolic.slope import slope
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "generic_rank",
     "independent_rows",
     "is_zero",
+    "operations",
     "prove_equal",
     "prove_zero",
     "roundings",

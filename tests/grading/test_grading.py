@@ -13,7 +13,7 @@ from mechanics.errors import InputError
 from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
 from mechanics.grading.submission import things_in
-from mechanics.judge.readers import Beside
+from mechanics.judge.sources import Beside
 from mechanics.worker import Limits
 from systems import elastic_pendulum
 

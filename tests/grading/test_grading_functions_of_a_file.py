@@ -65,6 +65,14 @@ def test_modules_that_are_not_installed_have_no_value(tmp_path: Path) -> None:
             found(3)
 
 
+@pytest.mark.parametrize("before", ["", "import jax\n"])
+def test_a_module_with_the_functions_of_another_one_is_that(tmp_path: Path, before: str) -> None:
+    path = tmp_path / "file.py"
+    path.write_text(f"{before}import jax.numpy as jnp\ndef f(x):\n    return jnp.array([2 * x])\n")
+    (found,) = things_in(path, run_python=True)
+    assert list(found(3)) == [6]
+
+
 def test_code_on_a_page_is_judged_beside_its_words(tmp_path: Path) -> None:
     path = tmp_path / "page.md"
     path.write_text(f"# A pendulum\n\n$x = 3$\n\n```python\n{SOLVED}```\n\n```bash\nls\n```\n")

@@ -88,13 +88,68 @@ def test_more_ways_to_call_an_equation_wrong(before: str, behind: str) -> None:
     ],
 )
 def test_a_declaration_of_modelica_says_units(name: str, unit: str, verdict: str) -> None:
+    names = (
+        "Real theta",
+        "parameter Real l",
+        "parameter Real g",
+        "parameter Real m",
+        "input Real u",
+    )
+    rest = "; ".join(one for one in names if one != name)
     text = (
-        f'model P\n {name}(unit="{unit}"); Real w;\nequation\n'
+        f'model P\n {name}(unit="{unit}"); {rest}; Real w;\nequation\n'
         " der(theta) = w;\n der(w) = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);\nend P;"
     )
     answer = check(rod_pendulum.scene(), text, blame=False)
     assert answer.judged[-1].verdict.name == verdict
     assert verdict == "PROVED" or f" in {unit}, " in answer.judged[-1].finding.evidence
+
+
+MODEL = """model P
+  parameter Real m = 1, l = 1, g = 9.81;
+  input Real u;
+  Real theta;
+  Real w;
+equation
+  der(theta) = w;
+  der(w) = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);
+end P;
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("Real theta", "output Real theta(start=1, fixed=true, nominal=2)", ""),
+        ("Real theta", "Modelica.Units.SI.Angle theta", ""),
+        ("model P", 'model P\n type Angle = Real(unit="rad");', ""),
+        ("Real theta", "flow Real theta", "flow, which is not read"),
+        ("Real theta", "stream Real theta", "stream, which is not read"),
+        ("Real theta", "input Real theta", "the scene's moves"),
+        ("Real theta", "parameter Real theta", "the scene's moves"),
+        ("Real theta", "Real theta(max=0)", "limits theta"),
+        ("Real theta", "Real theta(odd=0)", "'odd' of theta is not read"),
+        ("Real theta", "Real theta = 0", "the scene's moves"),
+        ("Real theta", "Real theta[2]", "an array"),
+        ("Real theta", "Foo theta", "Foo, which is not read"),
+        ("Real theta", "Modelica.Units.SI.Length theta", "another unit"),
+        ("Real theta;", "", "nothing declares theta"),
+        ("Real w;", "Real w; extends Base;", "'extends Base' is not read"),
+        ("g = 9.81", "g = 1 - 10.81", "g is positive"),
+        ("g = 9.81", "g(start = -9.81)", "g is positive"),
+        ("model P", 'model P "this is wrong"', "denies or limits"),
+        ("u/(m*l^2);", 'u/(m*l^2) "wrong";', "denies or limits"),
+        ("end P", 'annotation(Documentation(info="only for small angles")); end P', "denies or"),
+        ("= w;", "= w; // FIXME", "denies or limits"),
+    ],
+)
+def test_what_a_model_declares_is_in_a_table_or_not_read(
+    before: str, after: str, words: str
+) -> None:
+    answer = check(rod_pendulum.scene(), MODEL.replace(before, after, 1), blame=False)
+    last = answer.judged[-1]
+    assert last.verdict is (Verdict.UNDECIDED if words else Verdict.PROVED)
+    assert words in last.finding.evidence
 
 
 @pytest.mark.parametrize(

@@ -162,7 +162,7 @@ CASES = {
     "types and strings of Modelica": (
         PLANAR, "pendulum", "txt",
         'model P "a pendulum"\n  type Angle = Real(unit="rad");\n'
-        "  parameter Real m = 1, l = 2;\n  parameter Real J = m*l^2 \"inertia\";\n"
+        "  parameter Real m = 1, l = 2, g = 9.81;\n  parameter Real J = m*l^2 \"inertia\";\n"
         "  Angle theta(start=1) \"angle\";\n  Real w;\ninitial equation\n  theta = 1;\n"
         "equation\n  w = der(theta);\n  J*der(w) = -m*g*l*sin(theta) \"moments\";\nend P;\n",
         "-m*g*l", "m*g*l^2",

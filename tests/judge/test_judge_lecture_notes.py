@@ -19,8 +19,7 @@ def verdict(text: str, name: str = "pendulum") -> str:
         "Only the bob has any potential energy.",
         "We ignore terms of higher order.",
         r"The angular speed is $\omega = \dot\theta$.",
-        r"$\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}"
-        r"-\frac{\partial L}{\partial\theta}=0$ gives",
+        r"$\frac d{dt}\frac{\partial L}{\partial\dot\theta}=\frac{\partial L}{\partial\theta}$ so",
         r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{l/g}$.",
     ],
 )
@@ -67,3 +66,25 @@ $$p_\theta = FACTOR m l^2\dot\theta$$
 def test_a_momentum_is_judged_beside_the_step_that_has_its_rate() -> None:
     assert verdicts("pendulum", STEP.replace("FACTOR", "")) == ["PROVED", "PROVED"]
     assert verdicts("pendulum", STEP.replace("FACTOR", "2")) == ["REFUTED", "REFUTED"]
+
+
+@pytest.mark.parametrize(
+    ("energy", "expected"),
+    [("m g y", "PROVED"), ("-m g y", "UNDECIDED"), (r"-m g l\cos\theta", "PROVED")],
+)
+def test_the_height_of_the_only_body_may_show_and_refutes_nothing(
+    energy: str, expected: str
+) -> None:
+    assert verdict(f"$$V = {energy}$$") == expected
+
+
+def test_a_number_behind_a_letter_belongs_to_its_name() -> None:
+    height = r"$$V = -m1 g l1\cos\varphi1 - m_2 g (l1\cos\varphi_1 + l2\cos\varphi2)$$"
+    assert verdict(height, "double") == "PROVED"
+    assert verdict(height.replace("m1 g", "m2 g"), "double") == "REFUTED"
+
+
+def test_a_slip_of_the_pen_may_show_and_refutes_nothing() -> None:
+    slip = "l*theta'' = -FACTOR*g*sin(Theta)"
+    assert verdict(slip.replace("FACTOR", "1")) == "PROVED"
+    assert verdict(slip.replace("FACTOR", "2")) == "UNDECIDED"

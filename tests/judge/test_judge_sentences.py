@@ -161,6 +161,43 @@ def test_comments_and_documentation_of_code_are_prose(
     assert check(truths["rod_pendulum"], module.f, blame=False).verdict is verdict
 
 
+FILES = {
+    ".cpp": "void f(const double x[2], double u, double dx[2]) {{\n{}\ndx[0] = x[1];\n"
+            "dx[1] = 1.5*g/l*sin(x[0]) + 3*u/(m*l*l);\n}}\n",
+    ".jl": "function f!(dx, x, p, t)\n(; m, l, g, u) = p\n{}\ndx[1] = x[2]\n"
+           "dx[2] = 1.5*g/l*sin(x[1]) + 3*u/(m*l^2)\nend\n",
+    ".m": "function dx = f(t, x, u, m, l, g)\n{}\n"
+          "dx = [x(2); 1.5*g/l*sin(x(1)) + 3*u/(m*l^2)];\nend\n",
+}  # fmt: skip
+FILES[".c"] = FILES[".cpp"].replace("double u", "double u, double m, double l, double g")
+MARKS = [
+    (".c", "/* {}\n * {} */"), (".cpp", "// {}\n// {}"), (".cpp", "/** {}\n * {} */"),
+    (".jl", "# {}\n# {}"), (".jl", "#=\n{}\n{}\n=#"), (".jl", 'println("{} {}")'),
+    (".m", "% {}\n% {}"), (".m", "%{{\n{}\n{}\n%}}"), (".m", "disp('{} {}');"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("suffix", "marks"), MARKS)
+def test_words_in_code_of_any_language_are_of_the_classes_of_a_text(
+    truths: dict[str, Equations],
+    tmp_path,
+    suffix: str,
+    marks: str,  # type: ignore[no-untyped-def]
+) -> None:
+    path = tmp_path / f"words{suffix}"
+    for first, second, verdict in (
+        ("FIXME: the sign", "is wrong", Verdict.UNDECIDED),
+        ("it holds only", "for small angles", Verdict.UNDECIDED),
+        ("the rod is", "massless", Verdict.UNDECIDED),
+        ("the rod is made", "of steel", Verdict.PROVED),
+    ):
+        path.write_text(FILES[suffix].format(marks.format(first, second)))
+        answer = check(truths["rod_pendulum"], path, blame=False)
+        assert answer.verdict is verdict
+        if verdict is Verdict.PROVED:
+            assert answer.unjudged == ("the rod is made of steel",)
+
+
 LIMITS = [
     r"Unlike the true model, the author has",
     r"This is for a thread with a bob and holds only for small $\theta$:",

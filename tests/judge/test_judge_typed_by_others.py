@@ -21,7 +21,8 @@ def verdict(name: str, text: str, **options: object) -> str:
 
 
 MODELICA = """model Pendulum "swings"
-  parameter Real m = 1; // mass
+  parameter Real m = 1, l = 1, g = 9.81; // mass, length, gravity
+  input Real u;
   Real th(start = 1);
   Real thdot;
 equation

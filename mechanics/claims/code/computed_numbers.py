@@ -21,6 +21,7 @@ from mechanics.claims.code.closure_numbers import held
 from mechanics.claims.code.constants import ULPS, constant_of
 from mechanics.claims.code.containers import is_number
 from mechanics.errors import InputError
+from mechanics.symbolic import operations
 
 LARGEST, DEEPEST = 60, 12
 """Operations of a formula, and names that stand for names."""
@@ -80,7 +81,7 @@ def _named(
         found = _formula(scope.assigned[key], scope, known, numbers, depth + 1)
     except (InputError, RecursionError):
         return None
-    return found if found is not None and found.count_ops() <= LARGEST else None
+    return found if found is not None and operations(found) <= LARGEST else None
 
 
 def _formula(

@@ -23,6 +23,7 @@ from mechanics.claims.latex.item import (
     rate_of,
     start_of,
 )
+from mechanics.claims.latex.numbered import numbered
 from mechanics.claims.latex.partials import partial
 from mechanics.claims.latex.pieces import inside
 from mechanics.claims.latex.words import Words, named, summed
@@ -71,7 +72,7 @@ class Items:
     def of(self, pieces: list[Tree | Token]) -> list[Item]:
         """The items of pieces that stand side by side."""
         found: list[Item] = []
-        for piece in pieces:
+        for piece in numbered(pieces, self.naming):
             if isinstance(piece, Token):
                 kind = {"SIGN": "sign", "TIMES": "times", "SLASH": "slash"}.get(piece.type)
                 if piece.type == "TAG":

@@ -72,6 +72,11 @@ GROUP = re.compile(
     r"(?<=[\w)\u00b2\u00b3])(?P<gap>[ \t]+)\[(?P<sum>[^\[\],;:=\n]*[ ][-+][ ][^\[\],;:=\n]*)\]"
 )
 """A sum in square brackets behind a factor, which is no index: m [a + b]."""
+GLUED = re.compile(
+    r"(?<=[\w)\u00b2\u00b3])(?P<gap>)\[(?P<sum>(?=[^\[\]\n]*(?:\b(?:sin|cos|tan)\(|[\u00b2\u00b3^]))"
+    r"[^\[\],;:=\n]*[ ][-+][ ][^\[\],;:=\n]*)\]"
+)
+"""The same without a blank, where it holds a power, a sine or a cosine: m[a^2 + b]."""
 DOTTED = re.compile(r"(?<![\w.])(d{1,2})ot[ \t]+([^\W\d]\w*)(?![\w(])")
 """AsciiMath: ddot theta."""
 
@@ -98,7 +103,8 @@ def prepared(text: str) -> str:
         text = words.sub(lambda m: " " * len(m[0]), text)
     for words in (GLOSSARY, LEADS):
         text = words.sub(lambda m: " " * len(m[0]), text)
-    text = GROUP.sub(lambda m: f"{m['gap']}({m['sum']})", text)
+    for group in (GROUP, GLUED):
+        text = group.sub(lambda m: f"{m['gap']}({m['sum']})", text)
     text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
     text = LEIBNIZ.sub(lambda m: f"{m[1]}''".ljust(len(m[0])), text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))

@@ -13,6 +13,7 @@ from sympy import Add, Expr, Matrix, Mul, Rational, cos, expand, factor_terms, s
 from mechanics.equations import Equations, Line, Term
 from mechanics.scene import Coulomb, Scene
 from mechanics.scene.symbols import plain_symbol
+from mechanics.symbolic import operations
 
 
 def has_common_form(scene: Scene) -> bool:
@@ -89,9 +90,9 @@ def _state(scene: Scene, total: Expr) -> tuple[Term, ...]:
 
 def collected(total: Expr) -> Expr:
     """A coefficient as a textbook writes it, where that is shorter: factors before brackets."""
-    if total.count_ops() > LARGEST:
+    if operations(total) > LARGEST:
         return total
-    return min(total, factor_terms(_merged(total)), key=lambda side: side.count_ops())
+    return min(total, factor_terms(_merged(total)), key=operations)
 
 
 def _merged(total: Expr) -> Expr:
@@ -99,7 +100,7 @@ def _merged(total: Expr) -> Expr:
 
     cos a cos b + sin a sin b = cos(a - b),     sin a cos b - cos a sin b = sin(a - b)
     """
-    if total.count_ops() > LARGEST:
+    if operations(total) > LARGEST:
         return total
     terms: dict[Expr, Expr] = {}
     for term in Add.make_args(expand(total)):
@@ -133,7 +134,7 @@ def _parted(forcing: Expr, inputs: set[Expr]) -> tuple[Expr, list[Expr]]:
         slope = rest.diff(symbol)
         if slope != 0 and not slope.free_symbols & inputs:
             flat = slope.expand()
-            short = flat if flat.count_ops() <= slope.count_ops() else slope
+            short = flat if operations(flat) <= operations(slope) else slope
             found.append(Mul(short, symbol, evaluate=short.is_Number))
             rest = (rest - slope * symbol).expand()
     return Add(*state, rest) if not rest.free_symbols & inputs else Add(*state), (

@@ -32,7 +32,7 @@ from mechanics.program.residues import Residues
 from mechanics.program.sympy_reader import read
 from mechanics.program.vectors import Vector
 from mechanics.routes.multipliers import meanings
-from mechanics.symbolic import tidy
+from mechanics.symbolic import operations, tidy
 
 FULL = 3
 """Coordinates up to which every equation is shown in full; beyond, the first one is."""
@@ -150,7 +150,7 @@ def kinematics(writer: Writer, numbers: Numbers, motions: Motions, accelerations
 
 def shortest(expr: Expr) -> Expr:
     """An expression, or its normal form where that is shorter."""
-    return min(expr, tidy(expr), key=lambda side: side.count_ops())
+    return min(expr, tidy(expr), key=operations)
 
 
 def _the(name: str) -> str:

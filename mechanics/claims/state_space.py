@@ -1,0 +1,114 @@
+r"""A linear model by its matrices: s' = A s + B u, where s = (x, x', theta, theta').
+
+    A = [0 1; -k/m -c/m], B = [0; 1/m]    ->    x'' = -k/m x - c/m x' + F/m
+
+The text has to say what the state is; a row that only says that x' is the rate of x says nothing.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from mechanics.claims.lines import Aside, Entry, Line
+from mechanics.claims.names import Naming
+from mechanics.claims.tree import Call, Name, Node, Number, Table, constant, product, total
+
+MATRICES = ("A", "B")
+NOTE = "A and B are read as those of s' = A s + B u"
+
+State = tuple[tuple[str, int], ...]
+"""Coordinates and the orders of their rates."""
+
+
+def with_state_space(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+    """The lines; matrices A and B of a state that the text gives, as the equations that they are.
+
+    Parameters
+    ----------
+    lines : sequence of Entry
+    naming : Naming
+        A scene or person that has a name A means that.
+    """
+    found = {
+        name: line for line in lines
+        if isinstance(line, Line) and (name := _matrix_name(line, naming))
+    }  # fmt: skip
+    state = next((s for line in lines if (s := _state(line, naming))), None)
+    scene = naming.vocabulary.scene
+    inputs = [Name(-1, symbol.name) for symbol in scene.input_symbols]
+    if state is None or "A" not in found or len(inputs) > 1 or bool(inputs) != ("B" in found):
+        return list(lines)
+    tables = {name: _table(line.sides[1]) for name, line in found.items()}
+    A, B = tables["A"], tables.get("B")
+    size = len(state)
+    if A is None or len(A) != size or len(A[0]) != size:
+        return list(lines)
+    if inputs and (B is None or len(B) != size or len(B[0]) != 1):
+        return list(lines)
+    rows = list(_rows(found["A"], state, A, B if inputs else None, inputs))
+    out: list[Entry] = []
+    for line in lines:
+        if line is found["A"]:
+            out += rows
+        elif line is found.get("B"):
+            out.append(Aside(NOTE, line.at))
+        else:
+            out.append(line)
+    return out
+
+
+def _rows(
+    line: Line, state: State, A: Sequence[Sequence[Node]], B: Sequence[Sequence[Node]] | None,
+    inputs: Sequence[Name],
+) -> list[Line]:  # fmt: skip
+    """One equation for each row."""
+    names = [Name(line.at, base, order) for base, order in state]
+    found = []
+    for number, (name, entries) in enumerate(zip(names, A, strict=True), start=1):
+        pairs = [*zip(entries, names, strict=True)]
+        pairs += [*zip(B[number - 1], inputs, strict=True)] if B is not None else []
+        terms = [_times(one, by) for one, by in pairs if constant(one) != 0]
+        rate = Name(line.at, name.name, name.order + 1)
+        if terms == [rate]:
+            continue
+        right = total(line.at, terms) if terms else Number(line.at, Fraction(0))
+        tag = f"row {number}"
+        found.append(
+            Line((rate, right), tag, line.at, f"{line.source[:40]}, row {number}", (NOTE,))
+        )
+    return found
+
+
+def _times(entry: Node, by: Name) -> Node:
+    return by if constant(entry) == 1 else product(entry.at, [entry, by])
+
+
+def _matrix_name(line: Entry, naming: Naming) -> str:
+    left = line.sides[0] if isinstance(line, Line) and len(line.sides) == 2 else None
+    if not isinstance(left, Name) or left.order or left.name not in MATRICES:
+        return ""
+    return "" if naming.target(left.name) is not None else left.name
+
+
+def _table(node: Node) -> Sequence[Sequence[Node]] | None:
+    return node.rows if isinstance(node, Table) else None
+
+
+def _state(line: Entry, naming: Naming) -> State | None:
+    """All coordinates and their rates in the order of a column or row."""
+    for side in line.sides[1:] if isinstance(line, Line) else ():
+        table = (
+            side.arguments[0] if isinstance(side, Call) and side.function == "transpose" else side
+        )
+        rows = _table(table) or ()
+        if not rows or 1 not in (len(rows), len(rows[0])):
+            continue
+        cells = [cell for row in rows for cell in row]
+        targets = [naming.lookup(c.name) if isinstance(c, Name) else None for c in cells]
+        known = tuple(
+            (target[0], target[1] + cell.order) for target, cell in zip(targets, cells, strict=True)
+            if target is not None and isinstance(cell, Name)
+        )  # fmt: skip
+        wanted = {(q.name, order) for q in naming.vocabulary.scene.q for order in (0, 1)}
+        if len(known) == len(cells) and {*known} == wanted and len(known) == len(wanted):
+            return known
+    return None

@@ -1,0 +1,278 @@
+"""What a model of Modelica declares, by one table: what the table has not is not read.
+
+parameter Real l(unit="m", min=0) = 1 "length";    prefixes, a type, attributes, a value, words
+flow Real theta;                                   flow is in no row
+Real theta(max=0);                                 limits a coordinate
+"""
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from mechanics.claims.code.comments import comments, without_comments
+from mechanics.claims.kinds import angular
+from mechanics.errors import SceneError
+from mechanics.judge.scene_facts import SceneFacts
+from mechanics.scene.unit_names import Dimension, dimension_of_unit
+from mechanics.scene.units import rolled
+
+MODEL = re.compile(
+    r"^[ \t]*(?:(?:encapsulated|partial)[ \t]+)*(?:model|block|class)[ \t]+\w+", re.MULTILINE
+)
+EQUATIONS = re.compile(r"^[ \t]*(?:initial[ \t]+)?(?:equation|algorithm)\b", re.MULTILINE)
+SECTION = re.compile(r"\b(?:protected|public)\b")
+PREFIXES = ("parameter", "constant", "final", "input", "output")
+OTHERS = ("flow", "stream", "discrete", "inner", "outer", "replaceable", "redeclare")
+"""Words before a type that are not read."""
+TYPES = {
+    "Angle": "rad", "AngularVelocity": "rad/s", "AngularAcceleration": "rad/s^2",
+    **dict.fromkeys(("Length", "Distance", "Position", "Radius", "Height"), "m"),
+    "Velocity": "m/s", "Acceleration": "m/s^2", "Mass": "kg", "Time": "s", "Force": "N",
+    "Torque": "N*m", "Inertia": "kg*m^2", "MomentOfInertia": "kg*m^2",
+    "TranslationalSpringConstant": "N/m", "RotationalSpringConstant": "N*m/rad",
+    "TranslationalDampingConstant": "N*s/m", "RotationalDampingConstant": "N*m*s/rad",
+    "MechanicalImpedance": "N*s/m", "Damping": "1/s", "Frequency": "1/s",
+    "Energy": "J", "Power": "W",
+}  # fmt: skip
+"""Types of Modelica's library, and their units; each other one but Real is not read."""
+WHOLE = ("Integer", "Boolean")
+LIBRARY = ("SI", "SIunits", "Units", "Modelica")
+HARMLESS = ("start", "fixed", "nominal", "displayUnit", "stateSelect", "quantity", "each")
+"""Attributes that change no equation."""
+KEPT = re.compile(r"(?:import[ \t]+(?:\w+[ \t]*=[ \t]*)?Modelica\.[\w.*{}, ]+"
+                  r"|extends[ \t]+(?:\w+\.)*Icons\.\w+)\Z")  # fmt: skip
+"""Statements beside declarations that say nothing of motion."""
+TYPE = re.compile(r"type\s+(?P<name>\w+)\s*=\s*Real\s*(?P<attributes>\(.*\))?\s*", re.DOTALL)
+"""A type of the model's own."""
+WITHIN = re.compile(r"\bwithin\b[^;]*;")
+STRING = re.compile(r'"(?:\\.|[^"\\])*"')
+COMPONENT = re.compile(
+    r"(?!(?:import|extends|type|function|record)\b)\.?(?P<type>[A-Za-z_][\w.]*)"
+    r"(?P<size>\s*\[[^\]]*\])?\s+(?P<rest>[A-Za-z_].*)",
+    re.DOTALL,
+)
+DECLARATOR = re.compile(
+    r"(?P<name>\w+)\s*(?P<size>\[[^\]]*\])?\s*(?P<attributes>\(.*?\))?\s*"
+    r"(?:=(?P<value>.*?))?(?P<words>\ue010\d+\ue011)?\s*(?:annotation\s*\(.*\))?\s*",
+    re.DOTALL,
+)
+ATTRIBUTE = re.compile(r"\s*(?:each\s+|final\s+)*(\w+)\s*=(.*)", re.DOTALL)
+NAME = re.compile(r"(?<![\w.\ue010])[A-Za-z_]\w*(?![\w(])(?!\s*\()")
+NUMBER = r"\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*"
+TERM = re.compile(rf"[-+]?{NUMBER}(?:[*/]{NUMBER})*")
+NUMERIC = re.compile(rf"\s*[-+]?{NUMBER}(?:[-+*/]{NUMBER})*")
+SPOKEN = frozenset((
+    "equation", "algorithm", "initial", "end", "time", "if", "then", "else", "elseif", "for", "in",
+    "loop", "when", "elsewhen", "true", "false", "and", "or", "not", "pi", "annotation", "Modelica",
+))  # fmt: skip
+"""Words of the language in equations."""
+
+
+@dataclass(frozen=True)
+class Declared:
+    """One declared name.
+
+    Attributes
+    ----------
+    prefixes : tuple of str
+    type, name, size, value, words : str
+        Empty for what is not said.
+    attributes : dict of str to str
+    """
+
+    prefixes: tuple[str, ...]
+    type: str
+    name: str
+    size: str = ""
+    value: str = ""
+    words: str = ""
+    attributes: dict[str, str] = field(default_factory=dict)
+
+
+def is_model(text: str) -> bool:
+    """Whether a text is a model of Modelica."""
+    return MODEL.search(text) is not None and EQUATIONS.search(text) is not None
+
+
+def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
+    """What a model declares otherwise than the scene, or as nobody reads it, in words."""
+    names = set()
+    for one in _declarations(text):
+        if isinstance(one, str):
+            yield f"'{' '.join(one.split())[:60]}' is not read"
+        else:
+            names.add(one.name)
+            yield from _otherwise(facts, one)
+    for name in dict.fromkeys(NAME.findall(_equations(text))):
+        if name not in names and name not in SPOKEN:
+            yield f"nothing declares {name}"
+
+
+def model_words(text: str) -> Iterator[str]:
+    """What a model says in words: of its names, and besides."""
+    rest = text
+    for one in _declarations(text):
+        if isinstance(one, Declared) and one.words:
+            rest = rest.replace(f'"{one.words}"', "", 1)
+            yield f"{one.name} is the {one.words.removeprefix('the ')}"
+    yield from comments(re.sub(r'\b(?:unit|displayUnit|quantity)\s*=\s*"[^"]*"', "", rest), ".mo")
+
+
+def _equations(text: str) -> str:
+    """What stands behind the declarations, without words."""
+    code = STRING.sub(" ", without_comments(text, ".mo"))
+    start = EQUATIONS.search(code)
+    inside = code[start.start() :] if start else ""
+    return re.sub(r"\bend\s+\w+|\bannotation\s*\(.*?\)\s*;", " ", inside, flags=re.DOTALL)
+
+
+def _declarations(text: str) -> Iterator["Declared | str"]:
+    """Declarations, and statements that are none."""
+    strings: list[str] = []
+
+    def kept(match: re.Match[str]) -> str:
+        strings.append(match[0][1:-1])
+        return f"\ue010{len(strings) - 1}\ue011"
+
+    code = STRING.sub(kept, WITHIN.sub(" ", without_comments(text, ".mo")))
+    head, start = MODEL.search(code), EQUATIONS.search(code)
+    if head is None or start is None:
+        return
+    body = re.sub(r"\A\s*\ue010\d+\ue011", "", code[head.end() : start.start()])
+    own: dict[str, dict[str, str]] = {"Real": {}}
+    for statement in _split(SECTION.sub(" ", body), ";"):
+        words = statement.strip()
+        if not words or words.startswith("annotation") or KEPT.match(words):
+            continue
+        if made := TYPE.fullmatch(words):
+            own[made["name"]] = _attributes(made["attributes"], strings)
+            continue
+        prefixes = []
+        while (first := words.split(None, 1)) and first[0] in (*PREFIXES, *OTHERS):
+            prefixes.append(first[0])
+            words = first[1] if len(first) > 1 else ""
+        whole = COMPONENT.fullmatch(words)
+        parts = _split(whole["rest"], ",") if whole else []
+        found = [m for part in parts if (m := DECLARATOR.fullmatch(part.strip()))]
+        if whole is None or len(found) < len(parts):
+            yield re.sub("\ue010\\d+\ue011", "...", statement)
+            continue
+        for part in found:
+            kind = "Real" if whole["type"] in own else whole["type"]
+            attributes = own.get(whole["type"], {}) | _attributes(part["attributes"], strings)
+            yield Declared(
+                tuple(prefixes), kind, part["name"],
+                (whole["size"] or part["size"] or "").strip(), (part["value"] or "").strip(),
+                _text(part["words"] or "", strings), attributes,
+            )  # fmt: skip
+
+
+def _attributes(inside: str | None, strings: list[str]) -> dict[str, str]:
+    """What modifies a name, by attribute; what is none stands for itself."""
+    parts = [part for part in _split((inside or "()")[1:-1], ",") if part.strip()]
+    pairs = [(ATTRIBUTE.fullmatch(part), part) for part in parts]
+    return {m[1] if m else part.strip(): _text(m[2], strings) if m else "" for m, part in pairs}
+
+
+def _text(words: str, strings: list[str]) -> str:
+    return re.sub("\ue010(\\d+)\ue011", lambda m: strings[int(m[1])], words).strip()
+
+
+def _split(text: str, sign: str) -> list[str]:
+    """Parts between a sign outside of brackets."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        if character == sign and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return parts
+
+
+def _otherwise(facts: SceneFacts, one: Declared) -> Iterator[str]:
+    """What a declaration says otherwise of one name."""
+    own = facts.own_name(one.name)
+    known, moves = own in facts.names, own in {*facts.coordinates, *facts.inputs}
+    declared = f"the text declares {one.name}"
+    for prefix in one.prefixes:
+        if prefix in OTHERS:
+            yield f"{declared} as {prefix}, which is not read"
+        elif own in facts.coordinates and prefix in ("parameter", "constant", "input"):
+            yield f"{declared} as {prefix}, the scene's moves"
+        elif own in facts.parameters and prefix == "input":
+            yield f"{declared} as input, the scene's is a parameter"
+    if known and one.size:
+        yield f"{declared} as an array, the scene's is a number"
+    unit = one.attributes.get("unit", "")
+    if known and one.type in WHOLE:
+        yield f"{one.name} is declared as an integer, the scene's is a real number"
+    elif one.type not in ("Real", *WHOLE):
+        *path, last = one.type.split(".")
+        if last not in TYPES or path[:1] not in ([name] for name in LIBRARY):
+            yield f"{declared} as {one.type}, which is not read"
+        unit = unit or TYPES.get(last, "")
+    if unit:
+        yield from _unit(facts, own, one, unit)
+    yield from _values(facts, own, one, moves)
+
+
+def _values(facts: SceneFacts, own: str, one: Declared, moves: bool) -> Iterator[str]:
+    """What limits a name, or gives it a value that the scene's cannot have."""
+    for name, value in one.attributes.items():
+        number = _number(value)
+        if name in ("min", "max"):
+            fixed = not moves and {*one.prefixes} & {"parameter", "constant"}
+            free = fixed and name == "min" and number is not None and number <= 0
+            if not free:
+                yield f"the text limits {one.name}: {name} = {value}"
+        elif name != "unit" and name not in HARMLESS:
+            yield f"'{name}' of {one.name} is not read"
+    symbol = facts.parameters.get(own)
+    for value in (one.value, one.attributes.get("start", "") if symbol is not None else ""):
+        number = _number(value)
+        if number is None:
+            continue
+        if moves:
+            yield f"the text has {one.name} = {value}, the scene's moves"
+        elif symbol is not None and number < 0 and (symbol.is_positive or symbol.is_nonnegative):
+            yield f"the text has {one.name} = {value}, the scene's {symbol.name} is positive"
+
+
+def _number(text: str) -> float | None:
+    """What a sum of products of numbers is; None for any other."""
+    if not NUMERIC.fullmatch(text):
+        return None
+    total = 0.0
+    for term in TERM.findall(text):
+        first, *rest = re.split(r"([*/])", term)
+        value = float("".join(first.split()))
+        for sign, factor in zip(rest[::2], rest[1::2], strict=True):
+            value = value * float(factor) if sign == "*" else value / (float(factor) or math.inf)
+        total += value
+    return total
+
+
+def _unit(facts: SceneFacts, own: str, one: Declared, unit: str) -> Iterator[str]:
+    """What a unit says otherwise."""
+    powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
+    below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
+    try:
+        dimension = dimension_of_unit(below, "")
+    except SceneError:
+        yield f"the text declares {one.name} in {unit}, which is no coherent unit of the SI"
+        return
+    mine = _dimension(facts, own)
+    if mine is not None and dimension != mine:
+        yield f"the text declares {one.name} in {unit}, the scene's has another unit"
+
+
+def _dimension(facts: SceneFacts, own: str) -> Dimension | None:
+    if own in facts.coordinates:
+        turns = facts.coordinates[own] in angular(facts.scene) | rolled(facts.scene)
+        if facts.scene.rotations and not turns:
+            return None
+        return dimension_of_unit("rad" if turns else "m", "")
+    unit = facts.unit(own)
+    return dimension_of_unit(unit, "") if unit else None

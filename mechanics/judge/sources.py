@@ -1,0 +1,84 @@
+"""Code that statements were read from, with what it says in words.
+
+f, and functions of its file that it calls    a.cpp, a.m    words of other cells of a notebook
+"""
+
+import inspect
+from dataclasses import dataclass
+from pathlib import Path
+from types import FunctionType, MethodType
+from typing import Any
+
+from mechanics.claims.code.comments import comments, without_comments
+from mechanics.claims.code.containers import library
+from mechanics.claims.code.objects import methods_used, names_in
+from mechanics.claims.code.wrappers import unwrapped
+from mechanics.claims.read import file_text
+
+PAGES = (".tex", ".md", ".mo")
+"""Of files whose words are read with their formulas."""
+MOST = 64
+"""Functions that one calls."""
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Words beside a function, as in the other cells of a notebook: they are its comments."""
+
+    words: str
+
+
+@dataclass(frozen=True)
+class Source:
+    """Code, or the words beside it.
+
+    Attributes
+    ----------
+    text : str
+    suffix : str
+        Of a file in its language; empty for words.
+    """
+
+    text: str
+    suffix: str
+
+    def words(self) -> tuple[str, ...]:
+        """Its comments, documentation and strings."""
+        return tuple(comments(self.text, self.suffix)) if self.suffix else (self.text,)
+
+    def code(self) -> str:
+        """What is none of them."""
+        return without_comments(self.text, self.suffix) if self.suffix else ""
+
+
+def source_of(thing: Any) -> tuple[Source, ...]:
+    """The source of code, where there is one, with that of functions that it calls."""
+    if isinstance(thing, Path):
+        return () if thing.suffix in PAGES else (Source(file_text(thing), thing.suffix),)
+    if isinstance(thing, Beside):
+        return (Source(thing.words, ""),)
+    return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
+
+
+def _functions(thing: Any) -> list[FunctionType]:
+    """A function or method, and what it calls of its own file."""
+    call = thing if isinstance(thing, FunctionType | MethodType) else type(thing).__call__
+    found: list[FunctionType] = []
+    todo: list[Any] = [call]
+    while todo and len(found) < MOST:
+        one: Any = todo.pop()
+        one = getattr(one, "__func__", one)
+        if not isinstance(one, FunctionType) or one in found or library(one.__module__ or ""):
+            continue
+        found.append(one)
+        todo += [one.__globals__.get(str(name)) for name in names_in(one.__code__)]
+        if isinstance(call, MethodType) and one is call.__func__:
+            todo += methods_used(call.__self__, [call.__func__]).values()
+    return found
+
+
+def _source(function: FunctionType) -> Source:
+    try:
+        return Source(inspect.getsource(function), ".py")
+    except (OSError, TypeError):
+        return Source(f'"""{function.__doc__ or ""}"""', ".py")
