@@ -35,6 +35,7 @@ from mechanics.claims.code.c_place import placed
 from mechanics.claims.code.c_plain import plain
 from mechanics.claims.code.c_target import Instructions
 from mechanics.claims.code.c_untyped import with_types
+from mechanics.claims.code.c_whole import refuse_integer_quotients
 from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
@@ -217,12 +218,14 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord, whole = "", text
     try:
-        passed, valued = with_parameters(without_comments(text), Vocabulary(scene))
-        text = passed if valued else text
+        passed = with_parameters(without_comments(text), Vocabulary(scene))
+        text = passed.text if passed.notes else text
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
-        text = with_constants(of_the_header(without_macros(text, origin)), origin)
+        text = of_the_header(without_macros(text, origin))
+        text = with_constants(text, origin, passed.integers)
         source = known_meaning(parse(text, origin), text)
+        refuse_integer_quotients(source, function, passed.integers)
         taken = defaults(source, text)
         written = plain(text, origin)
         text = written.text
@@ -232,7 +235,7 @@ def read_c(
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
-            notes = (*outputs.notes, *written.notes, *taken, *valued)
+            notes = (*outputs.notes, *written.notes, *taken, *passed.notes)
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}
