@@ -42,7 +42,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
 from mechanics.claims.place import Refused, line_and_column, located
-from mechanics.claims.positions import body_at, places_of
+from mechanics.claims.positions import as_scene_has, body_at, places_of
 from mechanics.claims.prose import said_of
 from mechanics.claims.sides import (
     distinct,
@@ -120,7 +120,7 @@ def assemble(
     )
     lines = with_state_space(lines, naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
-    places = places_of(lines, naming)
+    places = places_of(lines, naming, text)
     lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
     work.learn(lines)
@@ -355,6 +355,10 @@ class _Assembly:
             return
         if len(sides) == 1 and (body := body_at(self.scene, sides[0])):
             self.remarks.append(f"{name} is a coordinate of {body} or its rate: {line.source}")
+            return
+        inline = IN_PROSE.search(self.text[max(0, line.at - 8) : line.at])
+        if inline and scalar(sides) and (what := as_scene_has(self.scene, sides[0])):
+            self.remarks.append(f"{name} is {what}: {line.source}")
             return
         if self.claims and letter is None and _names_a_rate(line):
             self.remarks.append(f"{name} is taken as defined by: {line.source}")

@@ -11,6 +11,7 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 
 from mechanics.claims.about import ENERGY_NAMES, LETTERS, MATRIX_NAMES, OF_CONSTANTS
+from mechanics.claims.conserved import NOTE as CONSTANT
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Naming, column
 from mechanics.claims.partials import undifferentiated
@@ -233,6 +234,7 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
     known = set(definitions(lines, naming))
     counts = Counter(name.name for name in used(lines))
     once = {name for name, count in counts.items() if count == 1} - known
+    constant_at = {line.at for line in lines if isinstance(line, Line) and CONSTANT in line.notes}
     found: list[Entry] = []
     for line in lines:
         if isinstance(line, Line) and _only_names(line, lines, naming, once):
@@ -248,6 +250,10 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
                 and not _is_hamiltonian(first, side, naming)
             )  # fmt: skip
             kept = (first, *kept) if not _unknown_rate(first, naming, known) else kept
+            if len(kept) == 1 and line.at in constant_at and isinstance(first, Name):
+                words = f"{line.source[:60]}: names what is said to be constant"
+                found.append(Aside(words, line.at))
+                continue
             if 1 < len(kept) < len(line.sides):
                 note = "a side with names that the scene does not have is what the others are"
                 line = replace(line, sides=kept, notes=(*line.notes, note))
@@ -346,11 +352,14 @@ def _named(
 
 
 def _is_law(energy: str, side: Node) -> bool:
-    """Whether a side is T - V for a Lagrangian, T + V for an energy.
+    """Whether a side is T - V for a Lagrangian, T + V for an energy, T + V_g + V_s with several.
 
     A Lagrangian T + U has the force function, U = -V.
     """
     terms = side.terms if isinstance(side, Sum) else ()
+    if energy == "energy" and len(terms) > 2 and all(isinstance(term, Name) for term in terms):
+        kinds = [_energy(term.name) for term in terms if isinstance(term, Name)]
+        return sorted(kinds) == ["kinetic energy", *["potential energy"] * (len(terms) - 1)]
     if len(terms) != 2 or not isinstance(terms[0], Name):
         return False
     sign = {"Lagrangian": -1, "energy": 1}.get(energy)

@@ -6,7 +6,7 @@ x = L sin(phi)    y = -L cos(phi)    dx = der(x)    V = m g y, where nothing say
 import re
 from collections.abc import Iterator, Sequence
 
-from sympy import Expr
+from sympy import Expr, zeros
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.definitions import definitions, used
@@ -14,7 +14,8 @@ from mechanics.claims.from_sympy import Untreeable, tree_of
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import COMPOSED, Name
-from mechanics.scene import Scene
+from mechanics.scene import Force, Scene, Torque
+from mechanics.scene.generalized_forces import turning
 from mechanics.scene.rates import rate_table
 from mechanics.symbolic import is_zero, operations
 
@@ -23,10 +24,10 @@ LARGEST = 60
 CARTESIAN = re.compile(r"([xyz])_?([1-9]?)")
 
 
-def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
+def places_of(lines: Sequence[Entry], naming: Naming, text: str) -> dict[str, Line]:
     """What x, y_1, ... are that nothing explains: coordinates of the only body, or the first one.
 
-    It is a guess, as nobody says from where they count.
+    It is a guess, as nobody says from where they count; where the text speaks of one there is none.
     """
     defined = definitions(lines, naming)
     scene = naming.vocabulary.scene
@@ -34,7 +35,7 @@ def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
         n.name for n in used(lines)
         if n.name not in defined and naming.target(n.name) is None and CARTESIAN.fullmatch(n.name)
     )  # fmt: skip
-    if not unknown:
+    if not unknown or any(_is_told(name, text) for name in unknown):
         return {}
     places = [(body.name, scene.position(body.centre)) for body in scene.bodies]
     moving = [(n, place) for n, place in places if any(e.free_symbols & {*scene.q} for e in place)]
@@ -54,6 +55,14 @@ def places_of(lines: Sequence[Entry], naming: Naming) -> dict[str, Line]:
     return found
 
 
+def _is_told(name: str, text: str) -> bool:
+    """Whether prose speaks of a name, or of an axis of its letter: it may count from anywhere."""
+    alone = rf"{name[0]}[_{{}} ]*{name[1:].strip('_')}[ }}]*"
+    said = rf"(?:\$|\\\(|`){alone}(?:\$|\\\)|`)|(?<![^\s.,;(]){alone}(?::| is\b| denotes\b)"
+    axis = rf"(?<!\w){name[0]}\$?[ -]?(?:axis|direction|coordinate)|\baxes\b"
+    return re.search(f"{said}|{axis}", text, re.MULTILINE) is not None
+
+
 def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
     """The body of whose centre a value is a coordinate or its rate, up to its sign and a constant.
 
@@ -69,6 +78,34 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
             if all(is_zero((value - other).diff(symbol)) for symbol in moving):
                 return name
     return ""
+
+
+def as_scene_has(scene: Scene, value: Expr | MatrixBase) -> str:
+    """What a value is up to its sign, in words: a speed of a body, or a load; empty for neither."""
+    if isinstance(value, MatrixBase) or value.count_ops() > LARGEST:
+        return ""
+    if not scene.plain(value).free_symbols & {*scene.q, *scene.u, *scene.qd}:
+        return ""
+    for words, square in _squares(scene):
+        if square != 0 and is_zero(scene.plain(value) ** 2 - square):
+            return words
+    return ""
+
+
+def _squares(scene: Scene) -> Iterator[tuple[str, Expr]]:
+    """Squares of speeds and of declared loads, and what they are of."""
+    rates = rate_table(scene)
+    for load in scene.loads:
+        if isinstance(load, Force | Torque):
+            vector = scene.vector(load.vector, load.name)
+            yield f"the load {load.name!r}", vector.dot(vector)
+    for body in scene.bodies:
+        place = scene.position(body.centre)
+        v = sum((place.diff(q) * rates[q] for q in scene.q), zeros(3, 1))
+        yield f"the speed of {body.name}", v.dot(v)
+        turns = turning(scene, body.name)
+        w = sum((turn * rates[q] for q, turn in zip(scene.q, turns, strict=True)), zeros(3, 1))
+        yield f"the angular speed of {body.name}", w.dot(w)
 
 
 def _components(scene: Scene) -> Iterator[tuple[str, Expr]]:

@@ -8,6 +8,7 @@ The text has to say what the state is; a row that only says that x' is the rate 
 from collections.abc import Sequence
 from fractions import Fraction
 
+from mechanics.claims.definitions import used
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Naming
 from mechanics.claims.tree import Call, Name, Node, Number, Table, constant, product, total
@@ -35,6 +36,9 @@ def with_state_space(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     state = next((s for line in lines if (s := _state(line, naming))), None)
     scene = naming.vocabulary.scene
     inputs = [Name(-1, symbol.name) for symbol in scene.input_symbols]
+    held = {n.name for n in used([line for line in lines if line not in found.values()])}
+    if held & {*MATRICES}:  # an equation of matrices says what they are
+        return list(lines)
     if state is None or "A" not in found or len(inputs) > 1 or bool(inputs) != ("B" in found):
         return list(lines)
     tables = {name: _table(line.sides[1]) for name, line in found.items()}

@@ -19,7 +19,7 @@ from mechanics.checks.ledger import check_row
 from mechanics.checks.ledger_compare import define
 from mechanics.checks.manifold import restrict
 from mechanics.claims.kinds import angular
-from mechanics.claims.names import Match
+from mechanics.claims.names import Match, unexplained
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
@@ -188,8 +188,9 @@ def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
     if len(reading.statements) != 1:
         raise InputError(wrong)
     (statement,) = reading.statements
-    if statement.doubt:
-        raise InputError(f"where {text!r}: {statement.doubt}")
+    unknown = [words.partition(" ")[0] for words in statement.unsure]  # a guess is no condition
+    if doubt := statement.doubt or (unexplained(scene, unknown) if unknown else ""):
+        raise InputError(f"where {text!r}: {doubt}")
     row = statement.row
     if row is None or len(row.sides) != 2 or not isinstance(row.quantity, Identity):
         raise InputError(wrong)

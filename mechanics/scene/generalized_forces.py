@@ -39,7 +39,7 @@ def from_potential(scene: Scene) -> bool:
 def arms(scene: Scene, load: Force | Torque) -> list[Matrix]:
     """What times the load is its generalized force, for each coordinate."""
     if isinstance(load, Torque):
-        on, by = _turns(scene, load.on), _turns(scene, load.by)
+        on, by = turning(scene, load.on), turning(scene, load.by)
     else:
         place = scene.position(load.at)
         moving = [place.diff(q) for q in scene.q]
@@ -48,7 +48,7 @@ def arms(scene: Scene, load: Force | Torque) -> list[Matrix]:
     return [one - other for one, other in zip(on, by, strict=True)]
 
 
-def _turns(scene: Scene, name: str | None) -> list[Matrix]:
+def turning(scene: Scene, name: str | None) -> list[Matrix]:
     """Partial angular velocities of a body, of W = dR/dq R^T; zero for the ground."""
     body = None if name is None else scene.body(name)
     if not isinstance(body, RigidBody):
@@ -63,5 +63,5 @@ def _carried(scene: Scene, name: str | None, place: Matrix) -> list[Matrix]:
     if name is None:
         return [zeros(3, 1)] * len(scene.q)
     centre = scene.position(scene.body(name).centre)
-    turns = zip(scene.q, _turns(scene, name), strict=True)
+    turns = zip(scene.q, turning(scene, name), strict=True)
     return [centre.diff(q) + turn.cross(place - centre) for q, turn in turns]

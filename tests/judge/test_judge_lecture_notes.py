@@ -88,3 +88,44 @@ def test_a_slip_of_the_pen_may_show_and_refutes_nothing() -> None:
     slip = "l*theta'' = -FACTOR*g*sin(Theta)"
     assert verdict(slip.replace("FACTOR", "1")) == "PROVED"
     assert verdict(slip.replace("FACTOR", "2")) == "UNDECIDED"
+
+
+DRAWN = """
+          -FACTOR g sin(theta)
+theta'' = -----------------
+                  l
+"""
+
+
+def test_a_fraction_that_is_drawn_is_one() -> None:
+    assert verdict(DRAWN.replace("FACTOR", "1")) == "PROVED"
+    assert verdict(DRAWN.replace("FACTOR", "2")) == "REFUTED"
+
+
+CONSERVED = r"""
+$$E' = T' + V_g + V_s = \frac12 m l^2\dot\theta^2 - FACTOR m g l\cos\theta = \text{constant}$$
+"""
+
+
+def test_an_energy_by_any_name_is_what_is_said_to_be_constant() -> None:
+    assert verdict(CONSERVED.replace("FACTOR", "")).startswith("PROVED")
+    assert verdict(CONSERVED.replace("FACTOR", "2")) == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("said", "expected"),
+    [
+        (r"The speed of the bob is $v_b = l\dot\theta$.", "PROVED"),
+        (r"The speed of the bob is $v_b = 2l\dot\theta$.", "REFUTED"),
+        (r"$$v_b = l\dot\theta$$", "UNDECIDED"),
+    ],
+)
+def test_a_speed_that_prose_names_is_the_scenes(said: str, expected: str) -> None:
+    assert verdict(f"{said}\n{RIGHT}") == expected
+
+
+@pytest.mark.parametrize(
+    "said", ["where $y$ is the depth of the bob", "The y axis points downwards.", "y is the depth."]
+)
+def test_a_height_of_which_the_text_speaks_is_no_guess(said: str) -> None:
+    assert verdict(f"$$V = m g y$$ {said}") == "UNDECIDED"

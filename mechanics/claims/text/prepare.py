@@ -73,7 +73,7 @@ GROUP = re.compile(
 )
 """A sum in square brackets behind a factor, which is no index: m [a + b]."""
 GLUED = re.compile(
-    r"(?<=[\w)\u00b2\u00b3])(?P<gap>)\[(?P<sum>(?=[^\[\]\n]*(?:\b(?:sin|cos|tan)\(|[\u00b2\u00b3^]))"
+    r"(?<=[\w)\u00b2\u00b3])(?P<gap>)\[(?P<sum>(?=[^\[\]\n]*(?:(?:sin|cos|tan)\(|[\u00b2\u00b3^]))"
     r"[^\[\],;:=\n]*[ ][-+][ ][^\[\],;:=\n]*)\]"
 )
 """The same without a blank, where it holds a power, a sine or a cosine: m[a^2 + b]."""

@@ -21,6 +21,7 @@ from mechanics.claims.place import Refused, bounded, bounded_mathematics, locate
 from mechanics.claims.text.assignments import in_sequence
 from mechanics.claims.text.components import in_components, with_values
 from mechanics.claims.text.declarations import has_columns, operators, without_effect
+from mechanics.claims.text.drawn_fractions import without_drawn
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import FIRST, OTHERS, Nodes
@@ -67,7 +68,18 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
         Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
         for at, words in without_effect(text)
     ]
-    return [*_entries(clean, text, naming, origin), *lost]
+    rest, drawn = without_drawn(text, clean, lambda part, at: _part(part, text, at, naming, origin))
+    if drawn and not rest.strip():
+        return [*drawn, *lost]
+    return [*_entries(rest, text, naming, origin), *drawn, *lost]
+
+
+def _part(part: str, text: str, start: int, naming: Naming, origin: str) -> list[Entry]:
+    """Lines of a part of a text; none where it cannot be read."""
+    try:
+        return _lines(part, text, start, naming, origin)
+    except Refused:
+        return []
 
 
 def _entries(clean: str, text: str, naming: Naming, origin: str) -> list[Entry]:
