@@ -69,9 +69,28 @@ def test_the_scene_of_the_python_example_can_be_exported(tmp_path: Path) -> None
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
 def test_files_that_a_page_links_exist(path: Path) -> None:
-    links = re.findall(r"\]\(([^)#]+)\)", PAGES[path])
-    missing = [link for link in links if "://" not in link and not (path.parent / link).exists()]
-    assert not missing
+    links = [link for link in re.findall(r"\]\(([^)\s]+)\)", PAGES[path]) if "://" not in link]
+    assert [link for link in links if not leads_somewhere(path, link)] == []
+
+
+def leads_somewhere(path: Path, link: str) -> bool:
+    """Whether a page has what a link in it names: a file, and a heading of it."""
+    name, _, anchor = link.partition("#")
+    file = Path(os.path.normpath(path.parent / name)) if name else path
+    return file.exists() and (not anchor or anchor in headings(PAGES[file]))
+
+
+def headings(page: str) -> set[str]:
+    """Anchors of a page, as GitHub and Sphinx make them."""
+    titles = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", page, flags=re.M | re.S), re.M)
+    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def test_a_link_that_leads_nowhere_is_seen() -> None:
+    page = ROOT / "docs" / "tutorials" / "chip.md"
+    assert leads_somewhere(page, "../systems.md#joints")
+    assert not leads_somewhere(page, "../systems.md#hinges")
+    assert not leads_somewhere(page, "systems.md")
 
 
 def test_the_readme_is_read_in_one_sitting() -> None:

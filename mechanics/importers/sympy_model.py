@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, S
 from sympy.physics.biomechanics.curve import CharacteristicCurveFunction
 from sympy.physics.vector import Point, ReferenceFrame, Vector, dynamicsymbols
 
-from mechanics.errors import SceneError, WrongKindError
+from mechanics.errors import InputError, SceneError, WrongKindError
 
 KINDS = (me.System, me.KanesMethod, me.LagrangesMethod)
 
@@ -132,8 +132,19 @@ def read_model(model: Any, bodies: Sequence[Any] = ()) -> Parts:
 
 
 def form_equations(model: Any) -> Any:
-    """SymPy's method with its equations formed; formed now if nobody did."""
+    """SymPy's method with its equations formed; formed now if nobody did.
+
+    Raises
+    ------
+    InputError
+        Where nobody did, and the model does not hold what they are formed of.
+    """
     if not is_formed(model):
+        bodies = getattr(model, "bodies", True)
+        if isinstance(model, me.KanesMethod) and not bodies:
+            raise InputError(
+                "KanesMethod: its equations are not formed: call kanes_equations(bodies, loads)"
+            )
         if isinstance(model, me.System):
             model.form_eoms(constraint_solver="CRAMER")
         elif isinstance(model, me.KanesMethod):

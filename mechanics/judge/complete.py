@@ -6,8 +6,10 @@ rank of d(lhs - rhs)/du' beside the constraints  -  rank of the constraints    o
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from random import Random
 
-from sympy import Expr, Matrix, Mul, S, factor_terms
+import numpy as np
+from sympy import Expr, Matrix, Mul, S, factor_terms, lambdify
 
 from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
@@ -29,7 +31,14 @@ from mechanics.scene.quantities import (
 from mechanics.symbolic import generic_rank, slope
 
 MOST_TOGETHER = 3
-"""Equations whose determinant is looked at."""
+"""Equations whose determinant is written out; of more it is looked at at states."""
+STATES = 24
+SPECIAL = (0.0, 1.5707963267948966, -1.5707963267948966)
+"""Where factors of one coordinate or speed vanish."""
+SINGULAR = 1e10
+"""Condition of a mass matrix where the coordinates are singular."""
+NOTHING = 1e-9
+"""Of a determinant of rows of length 1."""
 
 
 def determines(truth: Equations, statements: Sequence[Statement]) -> bool:
@@ -107,18 +116,55 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
         rank = _rank(truth, both) - _rank(truth, unknown) - held
     except Inadmissible:
         return count, len(rows), len(scene.ud) - len(constraints)  # no state to look at
-    if rank == len(rows) == len(scene.ud) <= MOST_TOGETHER and _meet_somewhere(
-        truth, entries, Matrix(slopes).det(method="berkowitz")
-    ):
-        rank -= 1
+    if rank == len(rows) == len(scene.ud):
+        few = rank <= MOST_TOGETHER
+        meet = _meet_somewhere(truth, entries, slopes) if few else _meet_at_a_state(truth, slopes)
+        rank -= int(meet)
     return count, rank, len(scene.ud) - held
 
 
-def _meet_somewhere(truth: Equations, entries: Sequence[Judged], determinant: Expr) -> bool:
+def _meet_at_a_state(truth: Equations, slopes: list[list[Expr]]) -> bool:
+    """Whether slopes are combinations of the mass matrix that meet where one quantity is special.
+
+    slopes = T M, and det T vanishes there, or changes its sign between states.
+    """
+    scene, source = truth.scene, Random(0)
+    mass = [[scene.plain(entry, "mass matrix") for entry in row]
+            for row in truth.kinematics.mass_matrix.tolist()]  # fmt: skip
+    moving = [str(symbol) for symbol in (*scene.q, *scene.u)]
+    symbols = sorted(Matrix([*slopes, *mass]).free_symbols, key=str)
+    typical = {str(s): float(getattr(s, "typical", None) or 1) for s in symbols}
+    states = [{name: source.uniform(-3, 3) for name in moving} for _ in range(STATES)]
+    states += [dict.fromkeys(moving, 0.0)]
+    states += [{**states[0], name: value} for name in moving for value in SPECIAL]
+    both = lambdify(symbols, [slopes, mass], "math")
+    signs = set()
+    for state in states:
+        values = {**typical, **state}
+        try:
+            rows, metric = np.array(both(*(values[str(s)] for s in symbols)), dtype=float)
+        except (ValueError, ArithmeticError):
+            continue  # it has no value there
+        if np.linalg.cond(metric) > SINGULAR:
+            continue
+        combined = np.linalg.solve(metric.T, rows.T).T
+        lengths = np.linalg.norm(combined, axis=1)
+        if not all(lengths):
+            return True
+        signs.add(_sign(float(np.linalg.det(combined / lengths[:, None]))))
+    return len(signs) > 1 or signs == {0}
+
+
+def _sign(value: float) -> int:
+    return 0 if abs(value) < NOTHING else 1 if value > 0 else -1
+
+
+def _meet_somewhere(truth: Equations, entries: Sequence[Judged], slopes: list[list[Expr]]) -> bool:
     """Whether as many equations as freedoms say less at some state.
 
     e1 = 0 and x e2 + e1 = 0, where x = 0: their determinant by accelerations vanishes.
     """
+    determinant = Matrix(slopes).det(method="berkowitz")
     factors = Mul.make_args(factor_terms(determinant))
     divisors = [f.as_base_exp()[0] for f in factors if f.free_symbols]
     demands = Demands(tuple(Demand("divide", (S.One, divisor)) for divisor in divisors))

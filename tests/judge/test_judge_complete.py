@@ -6,14 +6,16 @@ from math import cos, sin
 import casadi
 import pytest
 import sympy
+from sympy.physics.mechanics import KanesMethod, ReferenceFrame, dynamicsymbols
 
-from mechanics import check
+from mechanics import check, derive
 from mechanics.claims.code.outputs import named_by_title
 from mechanics.equations import Equations
+from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
 from mechanics.testing import assert_equivalent
-from systems import cartpole, elastic_pendulum, rod_pendulum
+from systems import cartpole, elastic_pendulum, pendulum_chain, rod_pendulum
 
 
 @cache
@@ -150,6 +152,51 @@ def test_equations_that_say_the_same_at_some_state_are_not_all(second: str) -> N
     with pytest.raises(AssertionError, match="only 1 of 2"):
         assert_equivalent([f"{CARRIAGE} = 0", second], scene)
     assert_equivalent([f"{CARRIAGE} + ({ROD})/L = 0", f"{ROD} = 0"], scene)
+
+
+def test_more_equations_that_say_the_same_at_some_state_are_not_all() -> None:
+    scene = pendulum_chain.scene()
+    equations = derive(scene, "lagrange")
+    q = [dynamicsymbols(str(one)) for one in scene.q]
+    named = {u: one.diff() for u, one in zip(scene.u, q, strict=True)}
+    named |= {own: dynamicsymbols(str(own)) for own in (*scene.q, *scene.input_symbols)}
+    mass, forcing = (sympy.Matrix(m).xreplace(named) for m in (equations.mass, equations.forcing))
+    first, second, *others = mass * sympy.Matrix([one.diff().diff() for one in q]) - forcing
+    for factor in (q[0], q[1] ** 2, sympy.sin(q[1]), q[2].diff()):
+        rows = [sympy.Eq(one, 0) for one in (factor * first + second, second, *others)]
+        with pytest.raises(AssertionError, match="only 3 of 4"):
+            assert_equivalent(rows, scene)
+    rows = [sympy.Eq(one, 0) for one in (first + 2 * second, second, *others)]
+    assert_equivalent(rows, scene)
+
+
+def angle() -> sympy.Expr:
+    return dynamicsymbols("theta")
+
+
+def equation(**facts: bool) -> sympy.Eq:
+    m, l, g = (sympy.Symbol(name, **facts) for name in "mlg")
+    turning = m * l**2 / 3 * angle().diff().diff()
+    return sympy.Eq(turning, m * g * l / 2 * sympy.sin(angle()) + dynamicsymbols("u"))
+
+
+@pytest.mark.parametrize("fact", ["positive", "nonzero", "real", "complex", "finite"])
+def test_what_a_symbol_is_assumed_as_the_scene_has_it(fact: str) -> None:
+    assert check(rod(), equation(**{fact: True}), blame=False).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("fact", ["negative", "imaginary", "integer", "zero", "infinite", "even"])
+def test_what_a_symbol_is_assumed_otherwise_shows_nothing(fact: str) -> None:
+    found = check(rod(), equation(**{fact: True}), blame=False)
+    assert found.verdict is Verdict.UNDECIDED
+    assert "is assumed to be" in found.judged[0].finding.evidence
+
+
+def test_a_method_whose_equations_nobody_formed_is_told_in_one_line() -> None:
+    theta, omega = dynamicsymbols("theta omega")
+    method = KanesMethod(ReferenceFrame("N"), [theta], [omega], [theta.diff() - omega])
+    with pytest.raises(InputError, match=r"not formed: call kanes_equations"):
+        check(rod(), method)
 
 
 def test_an_equation_that_stands_twice_is_counted_once() -> None:

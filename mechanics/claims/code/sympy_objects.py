@@ -153,10 +153,29 @@ def _function(entry: Expr) -> tuple[str, int]:
     return base.func.__name__ if applied else str(base), len(by)
 
 
-def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
-    """A side in the scene's plain symbols."""
+NARROW = (
+    "negative", "nonpositive", "zero", "imaginary", "infinite", "prime", "composite", "even", "odd",
+    "integer", "rational", "irrational", "algebraic", "transcendental",
+)  # fmt: skip
+"""What a symbol may be assumed to be, and no quantity of a scene is."""
+WIDE = ("real", "finite", "complex", "commutative")
+"""What every quantity of a scene is."""
+
+
+def _assumed(atom: Expr, symbol: Symbol) -> str:
+    """What a person's symbol is assumed to be and the scene's is not; empty for nothing."""
+    base = atom.expr if isinstance(atom, Derivative) else atom
+    facts = [(name, "") for name in NARROW if getattr(base, f"is_{name}")]
+    facts = [(name, no) for name, no in facts if not getattr(symbol, f"is_{name}")]
+    facts += [(name, "not ") for name in WIDE if getattr(base, f"is_{name}") is False]
+    return next((f"{base} is assumed to be {no}{name}" for name, no in facts), "")
+
+
+def _plain(naming: Naming, side: Any, unknown: list[str], told: list[str] | None = None) -> Any:
+    """A side in the scene's plain symbols, and what is assumed of them otherwise."""
+    told = [] if told is None else told
     if isinstance(side, MatrixBase):
-        return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown))
+        return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown, told))
     side = decimals(sympify(side, strict=True).doit())
     table: dict[Any, Any] = {}
     atoms = (side.atoms(Derivative), side.atoms(AppliedUndef), side.free_symbols)
@@ -168,6 +187,7 @@ def _plain(naming: Naming, side: Any, unknown: list[str]) -> Any:
         else:
             name, order = atom.name, 0
         table[atom] = _symbol(naming, name, order, unknown)
+        told += filter(None, [_assumed(atom, table[atom])])
     return side.xreplace(table)
 
 
@@ -186,7 +206,8 @@ def _statement(
     scene: Scene, naming: Naming, sides: Sides, tag: str, about: str | None
 ) -> Statement:
     unknown: list[str] = []
-    plain = tuple(_plain(naming, side, unknown) for side in sides)
+    told: list[str] = []
+    plain = tuple(_plain(naming, side, unknown, told) for side in sides)
     source = " = ".join(str(side) for side in sides)
     note = ""
     if about is not None:
@@ -197,6 +218,7 @@ def _statement(
     else:
         quantity, plain, note = kind_of(scene, plain)
     doubt = unexplained(scene, unknown) if unknown else ""
+    doubt = doubt or (f"{told[0]}, the scene's is not" if told else "")
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
         doubt = "an expression without an equals sign: say what it is about"
     row = published(tag, quantity, *plain, label=source)
