@@ -23,10 +23,16 @@ DEFINED = re.compile(
 INITIAL = re.compile(r"(?<=[\s,:])(\w+)[({]\s*(-[\d.]+(?:[eE][-+]?\d+)?)\s*[)}]")
 """What a constructor begins with: P() : g(-9.81)."""
 ALIAS = re.compile(
-    r"(?:^|[\n,;:$]|\b(?:with|where|and|let|if|set|double|float|Real)\b)[ \t]*"
+    r"(?:^|[\n,;:$&]|\\q?quad\b|\\[,;:! ]|\b(?:with|where|and|let|if|set|double|float|Real)\b)"
+    r"[ \t]*"
     r"\\?(?P<name>[A-Za-z]\w*)[ \t]*:?=[ \t]*\\?(?P<other>[A-Za-z]\w*)[ \t]*(?=$|[\n,;.$])"
 )
 """A name that is another one."""
+SHAPES = (
+    ("theta", "\u03b8\u03d1"), ("phi", "\u03c6\u03d5"), ("rho", "\u03c1\u03f1"),
+    ("epsilon", "\u03b5\u03f5"), ("kappa", "\u03ba\u03f0"), ("sigma", "\u03c3\u03c2"),
+)  # fmt: skip
+"""Letters of two shapes, which are read as one name."""
 LASTING = re.compile(r"\b(?:const|constexpr)\b[^;{}()]*;")
 """Of C++: what no line changes."""
 KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|u?int\w*_t)"
@@ -39,6 +45,7 @@ def declared_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
     """What a text declares otherwise, in words."""
     yield from _outside(facts, text)
     yield from _aliases(facts, text)
+    yield from _shapes(facts, text)
     if is_model(text):
         yield from model_otherwise(facts, text)
 
@@ -62,6 +69,16 @@ def _aliases(facts: SceneFacts, text: str) -> Iterator[str]:
         one, other = (_dimension(facts, name) for name in pair)
         if one is not None and other is not None and one != other:
             yield f"the text has {said['name']} = {said['other']}, which differ in their units"
+
+
+def _shapes(facts: SceneFacts, text: str) -> Iterator[str]:
+    """Names of the scene that a text writes in two shapes: they may be two."""
+    for name, letters in SHAPES:
+        if not any(re.fullmatch(rf"{name}(?:_?\d)?", own) for own in facts.names):
+            continue
+        pairs = ((rf"\\{name}(?![A-Za-z])", rf"\\var{name}(?![A-Za-z])"), tuple(letters))
+        if any(all(re.search(shape, text) for shape in pair) for pair in pairs):
+            yield f"the text has {name} in two shapes, which are read as one name"
 
 
 def _dimension(facts: SceneFacts, name: str) -> Dimension | None:

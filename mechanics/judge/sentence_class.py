@@ -15,9 +15,12 @@ from enum import Enum
 from mechanics.judge import phrases as p
 from mechanics.judge.comparison import Comparison
 from mechanics.judge.scene_facts import SceneFacts
-from mechanics.judge.sentences import Sentence
+from mechanics.judge.sentences import UNIT, VALUE, Sentence
+from mechanics.scene.unit_names import is_unit
 
 MARK = re.compile("\u27e8(?:= ?)?([^\u27e9]*)\u27e9")
+TASK = re.compile(r"\[[ xX]?\](?!\w)")
+"""A box of Markdown that is ticked, or is not."""
 WORDS = re.compile(r"(?<!\w)[^\W\d_]+(?![\w(])")
 
 
@@ -35,7 +38,7 @@ def class_of(
     """The class of a sentence, and why it is limiting."""
     if words := _limiting(sentence, comparison.rest):
         return SentenceClass.LIMITS, ", ".join(words[:3])
-    if _connects(comparison.rest):
+    if _connects(facts, comparison.rest) and not TASK.search(sentence.words):
         return SentenceClass.READ, ""
     return SentenceClass.QUOTED, ""
 
@@ -53,17 +56,23 @@ def _limiting(sentence: Sentence, rest: str) -> list[str]:
     return [*denials, *words, *others, *asked]
 
 
-def _connects(rest: str) -> bool:
+def _connects(facts: SceneFacts, rest: str) -> bool:
     """Whether function words are all that is left, and formulas that are judged by themselves."""
-    if any(not _judged(m[0]) for m in MARK.finditer(rest)):
+    if any(not _judged(facts, m[0]) for m in MARK.finditer(rest)):
         return False
     words = re.findall(r"\w+", p.PART_OF_DOCUMENT.sub(" ", MARK.sub(" ", rest)).lower())
     return all(word in p.CONNECTIVES for word in words)
 
 
-def _judged(mark: str) -> bool:
+def _judged(facts: SceneFacts, mark: str) -> bool:
     """Whether a marked formula is an equation without a condition; one of a text is a line."""
     formula = mark.removeprefix("\u27e8= ").removesuffix("\u27e9")
     if formula == mark[:-1]:
         return False  # a name
+    if (value := VALUE.fullmatch(formula.strip(" .,"))) and (
+        value["dots"] or facts.own_name(value["name"]) not in facts.parameters
+    ):
+        return False  # where it holds
+    if (unit := UNIT.search(formula)) and not is_unit(unit[1]):
+        return False
     return not formula or ("=" in formula and not p.CONDITION.search(formula))

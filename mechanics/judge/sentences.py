@@ -10,10 +10,12 @@ from dataclasses import dataclass
 
 from mechanics.claims.latex.blocks import blocks
 from mechanics.claims.latex.comments import without_hidden
+from mechanics.claims.latex.prepare import CONDITION as OF_DISPLAY
 from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
 from mechanics.claims.prose import ENDS
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.line_continuation import LABELLED
 from mechanics.claims.text.prepare import LEADS
 from mechanics.judge.markup import without_markup
@@ -43,6 +45,14 @@ BRACES = re.compile("(\u27e8[^\u27e9]*\u27e9)|[{}]")
 """Of arguments of commands, outside of formulas."""
 BETWEEN = re.compile(r",|\\q?quad|\\[;:]")
 """Of what stands side by side in a formula."""
+VALUE = re.compile(
+    r"\\?(?:(?P<dots>d{1,3}ot)\s*\{?\s*\\?)?(?P<name>[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\}?(?P<primes>'*)"
+    r"\s*=\s*[-+]?\s*(?:\d+(?:\.\d+)?|\\pi)(?:\s*/\s*\d+)?"
+)
+"""What has a value there, and is no parameter, and no equation."""
+UNIT = re.compile(
+    r"\d\s*(?:\\[,;:! ]|~|\s)*\\(?:mathrm|text(?:rm)?|rm|si|unit|operatorname)\s*\{([^{}]*)\}"
+)
 LONG = 40
 TEXT_FORMULA = re.compile(
     r"^(?:[^\n]*=[^\n]*|(?![^\n]*[A-Za-z]{2,},? +[A-Za-z]{2,})[^\n]*[;\[(+*/^][^\n]*)$",
@@ -108,6 +118,9 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
     if notation == "latex":
         text = without_markup(marked(text))
     else:
+        for said in OF_LINE.finditer(text):
+            value = said[0].strip(" \t,;")
+            yield Sentence(_mark(value.partition(" ")[2]), value)
         text = BEHIND.sub(r"\n\1", text)
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         for words in (LEADS, LABELLED):
@@ -141,7 +154,9 @@ def words_of(sentence: str) -> str:
 def _shown(formula: re.Match[str]) -> str:
     """Dots, or what is short and no equation; of an equation its conditions."""
     parts = [part.strip() for part in BETWEEN.split(formula[1]) if CONDITION.search(part)]
-    if parts or (formula[1] and "=" not in formula[1] and len(formula[1]) < LONG):
+    plain_value = VALUE.fullmatch(formula[1].strip()) or UNIT.search(formula[1])
+    told = formula[1] and (plain_value or "=" not in formula[1]) and len(formula[1]) < LONG
+    if parts or told:
         return ", ".join(parts) or formula[1]
     return "\u2026"
 
@@ -159,6 +174,7 @@ def marked(text: str) -> str:
         out.append(DELIMITER.sub(" ", shown[at : block.start]))
         out.append("" if block.bare else _mark(formula))
         if not block.inline:
+            out += [f". {m['words']} {_mark(m['value'])}. " for m in OF_DISPLAY.finditer(formula)]
             out += [f". {_inside(words)}. " for words in BESIDE.findall(SCRIPT.sub(" ", formula))]
         out += [f". {words}. " for words in _labels(formula)]
         at = block.end if block.closed else len(shown)

@@ -57,3 +57,11 @@ def words(found: Dimension) -> str:
     names = ("kg", "m", "s", "A", "K")
     parts = [n if e == 1 else f"{n}^{e}" for n, e in zip(names, found, strict=True) if e != 0]
     return "*".join(parts) or "1"
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a coherent unit of the SI."""
+    try:
+        return dimension_of_unit(text, "") is not None
+    except SceneError:
+        return False

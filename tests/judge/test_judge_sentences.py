@@ -372,3 +372,43 @@ def test_a_name_is_what_a_sentence_of_any_form_says(
 ) -> None:
     answer = check(truths[system], f"{said} $${EQUATIONS[system]}$$", blame=False)
     assert answer.verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("written", "quoted"),
+    [
+        (r"$$%s$$ with $\dot\theta = 0$.", r"\dot\theta = 0"),
+        (r"$$%s$$ where $\dot g = 1$.", r"\dot g = 1"),
+        (r"$$%s$$ where $u = 0$.", "u = 0"),
+        (r"$$%s \quad\text{for}\quad \theta = 0$$", r"for \theta = 0"),
+        (r"$$%s$$ with $g = 32.2\,\mathrm{ft/s^2}$.", "ft/s^2"),
+        (r"$$%s$$ with $g = 9.81\,\mathrm{m/s^2}$.", ""),
+        (r"- [ ] $$%s$$", "[ ]"),
+    ],
+)
+def test_where_an_equation_holds_is_quoted_and_refutes_nothing(
+    truths: dict[str, Equations], written: str, quoted: str
+) -> None:
+    answer = check(truths["rod_pendulum"], written % EQUATIONS["rod_pendulum"], blame=False)
+    assert answer.verdict is Verdict.PROVED
+    assert quoted in "".join(answer.unjudged)
+    assert bool(answer.unjudged) is bool(quoted)
+
+
+@pytest.mark.parametrize("said", ["for theta = 0", "with theta' = 0"])
+def test_a_condition_behind_a_line_of_text_is_no_equation(
+    truths: dict[str, Equations], said: str
+) -> None:
+    text = f"theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2) {said}"
+    answer = check(truths["rod_pendulum"], text, blame=False)
+    assert (answer.verdict, answer.unjudged) == (Verdict.PROVED, (said,))
+
+
+@pytest.mark.parametrize(
+    "written", [r"$$%s,\quad m = l$$", r"$$%s$$ where $\vartheta$ is an angle", r"$$%s$$ $m = l$"]
+)
+def test_names_that_may_be_two_and_aliases_of_another_unit_show_nothing(
+    truths: dict[str, Equations], written: str
+) -> None:
+    answer = check(truths["rod_pendulum"], written % EQUATIONS["rod_pendulum"], blame=False)
+    assert answer.verdict is Verdict.UNDECIDED

@@ -42,6 +42,13 @@ BOLD = re.compile(r"(?<=\{)\s*\\(?:bf|it|boldmath)(?![A-Za-z])")
 NEW_LINE = re.compile(r"\\newline(?![A-Za-z])")
 """Between rows, as some Markdown needs it."""
 LABEL = re.compile(r"\s*[_^]\s*\{")
+CONDITION = re.compile(
+    r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box)\s*\{(?P<words>[^{}]*\b(?:for|at|when|if|whenever|near)"
+    r"\s*:?)\s*\}(?P<gap>(?:\\q?quad(?![A-Za-z])|\\[,;:! ]|~|\s)*)"
+    r"(?P<value>\\?(?:d{1,3}ot\s*\{?\s*\\?)?[A-Za-z]+(?:_(?:\w|\{\w+\}))?\}?\s*=\s*"
+    r"[-+]?\s*(?:\d+(?:\.\d+)?|\\pi)(?:\s*/\s*\d+)?)(?!\s*(?:[-+*/^=(\w]|\\(?:cdot|frac|sin|cos)))"
+)
+"""Where an equation holds, behind it: \\text{for}\\quad \\theta = 0 is no equation of its own."""
 BOXES = re.compile(r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box|intertext)\s*\{")
 FORMULA = re.compile(r"(?<!\\)\$(?P<one>[^$]*)\$|\\\((?P<two>[^()]*)\\\)")
 OPERATOR = re.compile(r"\s*(?:[-+*/=^_\u2212]|\\(?:cdot|times|frac|pm)(?![A-Za-z]))")
@@ -62,6 +69,7 @@ def prepared(text: str) -> str:
     text = DECIMAL.sub(lambda m: m[0].replace("{,}", ".").ljust(len(m[0])), text)
     text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
+    text = CONDITION.sub(lambda m: " " * len(m[0]), text)
     for initials, name in SHORT:
         text = initials.sub(name, text)
     marks = list(MARKS.finditer(text))

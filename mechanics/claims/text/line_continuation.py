@@ -13,6 +13,13 @@ WORDS = re.compile(
     r"(?=[^\W\d]\w*[ \t]*(?:\(t\)|'{1,3})?[ \t]*=)",
     re.MULTILINE,
 )
+CONDITION = re.compile(
+    r"(?:[,;][ \t]*|[ \t]+|^)(?:(?:for|at|when|if|whenever)[ \t]+(?P<name>[^\W\d]\w*'{0,3})"
+    r"|(?:with|where)[ \t]+(?P<rate>[^\W\d]\w*'{1,3}))[ \t]*=[ \t]*[-+]?\d+(?:\.\d+)?"
+    r"(?=[ \t]*[.,;]?[ \t\r]*$)",
+    re.MULTILINE,
+)
+"""Where an equation holds, behind it: for theta = 0 is no equation of its own."""
 STOP = re.compile(r"(?<=[^\W\d_])\.(?=[ \t\r]*$)|(?<=[)\]'])\.(?=[ \t\r]*$)", re.MULTILINE)
 NUMBERED = re.compile(
     r"(?:(?<! ) {2,}|\t[ \t]*)\((?:[A-Z]\.)?\d{1,3}(?:\.\d{1,3}){0,2}[a-z]?\)[ \t\r]*$",
@@ -35,6 +42,7 @@ ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
 
 def sentences(text: str) -> str:
     """The text with semicolons for words and commas between equations, and without full stops."""
+    text = CONDITION.sub(lambda m: " " * len(m[0]), text)
     text = LABELLED.sub(lambda m: " " * len(m[0]), text)
     text = NUMBERED.sub(lambda m: " " * len(m[0]), text)
     text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
