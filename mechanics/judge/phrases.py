@@ -23,8 +23,15 @@ SLOTS = {
     "CENTRE": (
         r"(?:cent(?:re|er) of (?:mass|gravity|inertia)|mass cent(?:re|er)|centroid|CoM)"
     ),
-    "LINK": r"(?:rod|pole|link|bar|stick|arm|beam|pendulum|string)s?",
-    "MASSLESS": r"(?:mass-?less|weightless|of negligible mass|without mass)",
+    "LINK": (
+        r"(?:(?:rod|pole|link|bar|stick|arm|beam|pendulum|string)s?|tiges?|fils?|varillas?|barras?"
+        r"|cuerdas?|hilos?|ast[ae]|fil[oi]|Stangen?|St[aä]be?n?|F[aä]den)"
+    ),
+    "MASSLESS": (
+        r"(?:mass-?less|weightless|of negligible mass|without mass|sans masse"
+        r"|de masse négligeable|sin masa|de masa despreciable|senza massa|di massa trascurabile"
+        r"|masselos\w*)"
+    ),
     "ACTS": (
         r"(?: ?(?:,|is|acts?|acting|applied|measured|counted|taken|positive|turns?|increases|grows"
         r"|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force))+"
@@ -131,6 +138,8 @@ DOTS = phrase(
 NO_MASS = (
     phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),
     phrase(r"\b(?P<body>\w+) (?:is|are) (?:\w+ )?MASSLESS"),
+    phrase(r"\b(?P<body>LINK) (?:rigid[ea]?s? )?MASSLESS"),
+    phrase(r"\bmasselose[nrs]? (?P<body>LINK)\b"),
     phrase(r"\b(?P<body>\w+) (?:has|have) (?:no|negligible|zero) (?:mass|inertia)\b"),
     phrase(
         r"\b(?P<body>LINK) (?:of|with) (?:(?!and\b)[\w⟨⟩]+ ){0,5}and (?:of )?(?:no|negligible|zero)"

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, Number, Rational, Symbol
 
 from mechanics.claims.directions import Counted, counted
 from mechanics.claims.names import Match
@@ -16,6 +16,10 @@ from mechanics.scene.units import rolled
 from mechanics.symbolic import is_zero
 
 RATIOS = (Rational(1), Rational(1, 2))
+SMALL = 6
+"""Of numbers that come from mechanics."""
+WEIGHTS = ("m/s^2", "N/kg", "N", "N*m^2/kg^2", "m^3/s^2", "N*m^2", "J")
+"""Units of what weighs."""
 
 
 @dataclass(frozen=True)
@@ -213,7 +217,16 @@ def _dissipates(facts: SceneFacts) -> bool | None:
 def _falls(facts: SceneFacts) -> bool | None:
     pulled = any(isinstance(load, Gravity) for load in facts.scene.loads)
     named = any("gravit" in facts.meaning(n) or n == "g" for n in facts.parameters)
-    return pulled or named or _of_places(facts)
+    return pulled or named or (_of_places(facts) if _may_fall(facts) else False)
+
+
+def _may_fall(facts: SceneFacts) -> bool:
+    """Whether a load that is written out may be a weight: by a unit, or by a number like 9.81."""
+    units = [facts.unit(name) for name in facts.parameters]
+    vectors = [facts.scene.vector(x.vector, x.name) for x in facts.loads]
+    numbers = {n for vector in vectors for entry in vector for n in entry.atoms(Number)}
+    plain = all(n.is_Rational and abs(n.p) <= SMALL and n.q <= SMALL for n in numbers)
+    return not (plain and all(units) and not {*units} & {*WEIGHTS})
 
 
 def _springs(facts: SceneFacts) -> bool | None:

@@ -13,11 +13,12 @@ from dataclasses import replace
 from sympy import Expr, Rational, S, Symbol
 
 from mechanics.claims.claim import Written
+from mechanics.claims.latex.case_beside import case_of
 from mechanics.claims.prose import sentence_around
 from mechanics.equations import Equations
 from mechanics.judge.at_values import as_identity, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
-from mechanics.kernel import Verdict
+from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 
 BARE = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
@@ -43,6 +44,11 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
     if entry.verdict is not Verdict.REFUTED or row is None or written is None:
         return entry
+    if written.notation == "latex" and (
+        case := case_of(written.text, written.start, written.naming)
+    ):
+        doubt = f"the text gives it for {case} only, which is not judged apart: leave that out"
+        return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
     if not table:
         return entry

@@ -129,3 +129,10 @@ def test_a_speed_that_prose_names_is_the_scenes(said: str, expected: str) -> Non
 )
 def test_a_height_of_which_the_text_speaks_is_no_guess(said: str) -> None:
     assert verdict(f"$$V = m g y$$ {said}") == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    "words", ["Une masse $m$ est suspendue par une tige sans masse.", "una varilla sin masa"]
+)
+def test_what_has_no_mass_is_read_in_other_languages(words: str) -> None:
+    assert verdict(f"{words}\n\n{RIGHT}") == "PROVED"

@@ -5,6 +5,7 @@ import pytest
 from mechanics import check
 from mechanics.kernel import Verdict
 from systems import double_pendulum, rod_pendulum
+from tests.notation_scenes import verdicts
 
 FREE = r"\ddot\theta=\frac{3g}{2l}\sin\theta"
 EQUAL = (
@@ -46,3 +47,19 @@ def test_equal_parameters_of_a_text_are_a_case_too() -> None:
 )
 def test_what_is_wrong_in_that_case_or_before_it_stays_refuted(text: str) -> None:
     assert check(rod_pendulum.scene(), text, blame=False).verdict is Verdict.REFUTED
+
+
+CASE = r"$$T = m g + FACTOR m l\dot\theta^2 \quad\text{for}\quad \theta = 0$$"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (CASE.replace("FACTOR", ""), ["UNDECIDED"]),
+        (r"$$l\ddot\theta = -g\sin\theta \quad\text{for}\quad \theta = 0$$", ["PROVED"]),
+        (r"$$l\ddot\theta = -2g\sin\theta, \quad \theta = 0$$", ["REFUTED", "REFUTED"]),
+        (r"$$l\ddot\theta = -2g\sin\theta \quad\text{where}\quad g = 10$$", ["REFUTED"]),
+    ],
+)
+def test_a_case_behind_an_equation_is_no_claim(text: str, expected: list[str]) -> None:
+    assert verdicts("pendulum", text) == expected

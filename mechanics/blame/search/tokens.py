@@ -40,6 +40,9 @@ from mechanics.claims.tree import (
 )
 from mechanics.kernel.field import DivisionHere
 
+LONGEST = 60
+"""Parts of a sum or product in which another operator is tried: each try takes all of them."""
+
 MOTION = ("coordinate", "speed", "acceleration", "momentum", "input")
 """Kinds of words that nobody writes a number for."""
 
@@ -75,7 +78,7 @@ class Tokens:
         """Another operator between two neighbours: a b or a/b for a + b, a + b for a b."""
         inner = parts(node)
         kids = self.make.forest.kids[index]
-        if len(kids) != len(inner) or any(map(is_minus, inner)):
+        if len(kids) != len(inner) or len(inner) > LONGEST or any(map(is_minus, inner)):
             return
         for k, (one, two) in enumerate(pairwise(inner)):
             if not (_short(one) and _short(two)):

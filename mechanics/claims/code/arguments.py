@@ -13,7 +13,7 @@ from sympy import Expr, Symbol
 
 from mechanics.claims.code.integrators import ELSE_NAMES, STEP
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.unpacking import Apart, Record
+from mechanics.claims.code.unpacking import Apart, Diagonal, Record
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming
 from mechanics.claims.spelled_rates import bases, key
@@ -37,6 +37,9 @@ BY_NAMES = "the names that the code gives its entries"
 SAID = ("as given", BY_NAMES)
 MOST = 6
 """Names that a message tells."""
+TENSORS = ("I", "J", "Inertia", "inertia")
+AXES = 3
+"""Principal ones."""
 
 Value = Any
 """A symbol, or a tuple of them."""
@@ -122,6 +125,8 @@ def arguments_of(
             values[name], why = STEP, "the time of a step"
         elif known := named_entries(aware, name, (apart or {}).get(name)):
             values[name], why = known, BY_NAMES
+        elif tensor := _inertia(naming, name, (apart or {}).get(name)):
+            values[name], why = tensor, f"the inertia about principal axes, {GUESSED_ORDER}"
         elif naming.knows(name) and sizes.get(name) in (None, 1) and name not in parted:
             symbol = naming.symbol(name, 0)
             values[name], why = symbol, naming.matches([name])[0].why
@@ -153,6 +158,14 @@ def arguments_of(
     if unexplained:
         raise InputError(_unexplained(naming, unexplained, apart or {}))
     return Arguments(values, state, tuple(matches))
+
+
+def _inertia(naming: Naming, name: str, apart: Apart | None) -> Diagonal | None:
+    """A matrix I of three entries, where the scene has three moments of inertia."""
+    if apart is None or not apart.matrix or name not in TENSORS or naming.knows(name):
+        return None
+    own = [p for p in naming.vocabulary.scene.parameters if getattr(p, "unit", "") == "kg*m^2"]
+    return Diagonal((), tuple(own), False) if len(own) == AXES else None
 
 
 def vectors_of_motion(naming: Naming, names: Sequence[str]) -> frozenset[str]:

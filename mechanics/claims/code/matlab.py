@@ -683,7 +683,7 @@ def _call(node: Any, scope: Scope) -> str:
 def _entry(node: Any, name: str, scope: Scope) -> str:
     """x(2): an entry, or a parameter of this number."""
     indices = _indices(node, name, scope)
-    if indices[1:] in (["ALL"], ["1"]) and name in scope.arguments:
+    if indices[1:] in (["ALL"], ["1"]) and name in scope.arguments and not _is_matrix(node, name):
         del indices[1]  # of a column
     whole = len(indices) == 1 and indices[0].isdigit()
     outside = name in scope.free or (name in scope.arguments and name not in scope.locals)
@@ -694,6 +694,14 @@ def _entry(node: Any, name: str, scope: Scope) -> str:
     if whole and outside:
         return f"{name}[{int(indices[0]) - 1}]"
     return f"get({joined([name, *indices])})"
+
+
+def _is_matrix(node: Any, name: str) -> bool:
+    """Whether the file takes entries of a further column of a name."""
+    root = node
+    while root.parent is not None:
+        root = root.parent
+    return re.search(rf"\b{name}\s*\([^,()]*,\s*[2-9]\s*\)", words(root)) is not None
 
 
 def _numbered(name: str, number: str, scope: Scope) -> str:

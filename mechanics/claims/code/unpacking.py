@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 from sympy import Expr
 
 PLACE_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*[;,]")
@@ -44,6 +45,18 @@ class Record:
         return SimpleNamespace(**found) if self.attributes else found
 
 
+@dataclass(frozen=True)
+class Diagonal(Record):
+    """A matrix with entries on its diagonal alone: an inertia about principal axes."""
+
+    def filled(self, number: Callable[[Expr], Any]) -> Any:
+        """It, with what a symbol becomes."""
+        found = np.zeros((len(self), len(self)), dtype=object)
+        for k, symbol in enumerate(self.symbols):
+            found[k, k] = number(symbol)
+        return found
+
+
 @dataclass
 class Apart:
     """What code does with one argument.
@@ -60,6 +73,10 @@ class Apart:
         Whether the names are those of a type, not of variables.
     vector : bool
         Whether it takes entries by their places.
+    matrix : bool
+        Whether these are of rows and columns.
+    least : int
+        How many entries there are at least.
     """
 
     places: dict[int, set[str]] = field(default_factory=dict)
@@ -68,6 +85,8 @@ class Apart:
     size: int | None = None
     fields: bool = False
     vector: bool = False
+    matrix: bool = False
+    least: int = 0
 
     def give(self, place: int, name: str) -> None:
         """Learn a name of an entry."""
@@ -80,10 +99,15 @@ class Apart:
             self.size = max(self.places) + 2
             self.places[self.size - 1] = last
 
+    def reach(self, last: ast.expr) -> None:
+        """Learn up to which entry it goes, where names do not tell."""
+        if isinstance(last, ast.Constant) and isinstance(last.value, int):
+            self.least = max(self.least, last.value)
+
     @property
     def order(self) -> tuple[str, ...]:
         """Names of all entries in their order; empty where they are not plain."""
-        if set(self.places) != set(range(len(self.places))):
+        if set(self.places) != set(range(len(self.places))) or self.least > len(self.places):
             return ()
         if any(len(names) > 1 for names in self.places.values()):
             return ()
@@ -115,9 +139,15 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
                 _of(found, mine).vector = True
             case ast.Call(
                 func=ast.Name(id="get"),
-                args=[ast.Name(id=mine), ast.Call(func=ast.Name(id="steps"))],
+                args=[ast.Name(id=mine), ast.Call(func=ast.Name(id="steps"), args=[*_, last])],
             ):
                 _of(found, mine).vector = True  # x(1:3) of MATLAB
+                _of(found, mine).reach(last)
+            case ast.Call(
+                func=ast.Name(id="get"),
+                args=[ast.Name(id=mine), ast.Constant(), ast.Constant()],
+            ):
+                _of(found, mine).vector = _of(found, mine).matrix = True  # I(2, 2) of MATLAB
             case ast.BinOp(op=ast.MatMult()):
                 for side in (node.left, node.right):
                     if isinstance(side, ast.Name):

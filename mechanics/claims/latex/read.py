@@ -29,6 +29,7 @@ from mechanics.claims.latex.blocks import (
     continued,
     is_value,
 )
+from mechanics.claims.latex.case_beside import is_case
 from mechanics.claims.latex.fold import ALL, FIRST, GLUED, SLASH, Fold
 from mechanics.claims.latex.grammar import PARSER
 from mechanics.claims.latex.item import bare
@@ -109,7 +110,7 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
         if block.bare:
             formula = formula.replace("\n", END_OF_LINE)
         lines = _block(formula, text, block.start, naming, origin, block.one)
-        return [_claim_or_value(entry, naming) for entry in lines]
+        return [_of_case(_claim_or_value(entry, naming), text, naming) for entry in lines]
     entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
     if is_value(formula) and not entries:
         column = _column(formula, text, block, naming, origin)
@@ -141,6 +142,14 @@ def _called(
         replace(line, sides=(ended(Name(line.at, letter), line.at), *line.sides))
         for line in lines if isinstance(line, Line)
     ]  # fmt: skip
+
+
+def _of_case(entry: Entry, text: str, naming: Naming) -> Entry:
+    """An entry; what only says for which case another one is meant is no claim."""
+    if not isinstance(entry, Line) or not is_case(entry, text, naming):
+        return entry
+    words = f"{entry.source[:60]}: the case that an equation is given for"
+    return Aside(words, entry.at)
 
 
 def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
