@@ -18,6 +18,7 @@ from mechanics.cli.values import JudgedAtOption, assignments, names_of
 from mechanics.errors import InputError
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
+from mechanics.judge.sources import Beside, on_the_file
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
@@ -101,10 +102,11 @@ def check(
     """
     refuse_unwritable(report, json_file)
     scene = load(system).scene()
-    parts = [_part(file) for file in files]
+    parts = [part for file in files for part in _parts(file)]
     values = assignments(value or [], "--value")
     if black_box:
         inside = {n: float(v) for n, v in values.items()}
+        parts = [p for p in parts if not isinstance(p, Beside)]
         parts = [BlackBox(p, inside, step, integrator) if callable(p) else p for p in parts]
         values = {}
     elif step:
@@ -127,16 +129,17 @@ def check(
     raise typer.Exit(0 if found.ok else 3)
 
 
-def _part(file: str) -> Any:
+def _parts(file: str) -> list[Any]:
     """A text, the path of a file, or a function of a person's own Python file, which is run."""
     if file == "-":
-        return sys.stdin.read()
+        return [sys.stdin.read()]
     path, colon, name = file.rpartition(":")
     if not (colon and path.endswith(".py")):
         if file.endswith(".py"):
             raise InputError(f"file {file}: name the function to check: {file}:function")
-        return Path(file)
-    return _named(run_file(Path(path)), name, path)
+        return [Path(file)]
+    function = _named(run_file(Path(path)), name, path)
+    return [function, *on_the_file(file_text(Path(path)))]
 
 
 def _named(module: Any, name: str, path: str) -> Any:

@@ -29,7 +29,7 @@ from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
 from mechanics.grading.script_formulas import is_name, lines_of
-from mechanics.judge.sources import Beside
+from mechanics.judge.sources import Beside, on_the_file
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -154,17 +154,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         raise InputError(
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
-    return [names[chosen], *_on_the_file(code)]
-
-
-def _on_the_file(code: str) -> list[Beside]:
-    """What a file says outside of its functions."""
-    words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
-    return [Beside("\n\n".join(words))] if any(words) else []
-
-
-INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
-"""Lines of a file that are no comments of their own."""
+    return [names[chosen], *on_the_file(code)]
 
 
 def _own(names: Mapping[str, Any]) -> dict[str, Any]:

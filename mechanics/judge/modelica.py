@@ -97,28 +97,40 @@ def is_model(text: str) -> bool:
 
 
 def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
-    """What a model declares otherwise than the scene, or as nobody reads it, in words."""
-    names: dict[str, Declared] = {}
-    for one in _declarations(text):
-        if isinstance(one, str):
-            yield f"'{' '.join(one.split())[:60]}' is not read"
-        else:
+    """What models declare otherwise than the scene, or as nobody reads it, in words."""
+    models = _models(text)
+    parts = {n for n in models if re.search(rf"^[ \t]*{n}[ \t]+\w+[^;\n]*;", text, re.MULTILINE)}
+    for title, model in models.items():
+        names: dict[str, Declared] = {}
+        for one in _declarations(model):
+            if isinstance(one, str):
+                yield f"'{' '.join(one.split())[:60]}' is not read"
+                continue
             names[one.name] = one
-            yield from _otherwise(facts, one)
-    yield from _initially(names, text)
-    for name in dict.fromkeys(NAME.findall(_equations(text))):
-        if name not in names and name not in SPOKEN:
-            yield f"nothing declares {name}"
+            if one.type not in parts:  # what a part declares is its own
+                yield from _otherwise(facts, one, "" if title in parts else one.name)
+        yield from _initially(names, model)
+        for name in dict.fromkeys(NAME.findall(_equations(model))):
+            if name not in names and name not in SPOKEN:
+                yield f"nothing declares {name}"
 
 
 def model_words(text: str) -> Iterator[str]:
-    """What a model says in words: of its names, and besides."""
+    """What models say in words: of their names, and besides."""
     rest = text
-    for one in _declarations(text):
+    for one in (one for model in _models(text).values() for one in _declarations(model)):
         if isinstance(one, Declared) and one.words:
             rest = rest.replace(f'"{one.words}"', "", 1)
             yield f"{one.name} is the {one.words.removeprefix('the ')}"
     yield from comments(re.sub(r'\b(?:unit|displayUnit|quantity)\s*=\s*"[^"]*"', "", rest), ".mo")
+
+
+def _models(text: str) -> dict[str, str]:
+    """The models of a text by their names, each from its head to the next one's."""
+    heads = list(MODEL.finditer(text))
+    ends = [*(head.start() for head in heads[1:]), len(text)]
+    return {head[0].split()[-1]: text[head.start() : end]
+            for head, end in zip(heads, ends, strict=True)}  # fmt: skip
 
 
 def _equations(text: str) -> str:
@@ -213,9 +225,9 @@ def _split(text: str, sign: str) -> list[str]:
     return parts
 
 
-def _otherwise(facts: SceneFacts, one: Declared) -> Iterator[str]:
-    """What a declaration says otherwise of one name."""
-    own = facts.own_name(one.name)
+def _otherwise(facts: SceneFacts, one: Declared, name: str) -> Iterator[str]:
+    """What a declaration says otherwise of one name, which may be none of the scene's."""
+    own = facts.own_name(name)
     known, moves = own in facts.names, own in {*facts.coordinates, *facts.inputs}
     declared = f"the text declares {one.name}"
     for prefix in one.prefixes:

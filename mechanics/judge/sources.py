@@ -3,7 +3,9 @@
 f, and functions of its file that it calls    a.cpp, a.m    words of other cells of a notebook
 """
 
+import ast
 import inspect
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from types import FunctionType, MethodType
@@ -17,6 +19,8 @@ from mechanics.claims.read import file_text
 
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
+INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
+"""Lines that are no comments of the file."""
 MOST = 64
 """Functions that one calls."""
 
@@ -82,3 +86,9 @@ def _source(function: FunctionType) -> Source:
         return Source(inspect.getsource(function), ".py")
     except (OSError, TypeError):
         return Source(f'"""{function.__doc__ or ""}"""', ".py")
+
+
+def on_the_file(code: str) -> list[Beside]:
+    """What a file in Python says outside of its functions."""
+    words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
+    return [Beside("\n\n".join(words))] if any(words) else []

@@ -143,3 +143,9 @@ def test_a_function_of_another_module_is_not_the_one_of_that_name(line: str) -> 
     with pytest.raises(Unread, match="another meaning"):
         functions(f"{line}\nf(x) = sin(x)")
     assert functions("using LinearAlgebra: dot\nf(x) = 3x")[0](x=2.0) == 6.0
+
+
+@pytest.mark.parametrize(("value", "told"), [("Float32(3x)", 1), ("1.5f0*2x", 1), ("3.0*x", 0)])
+def test_that_rounding_is_not_judged_is_said(value: str, told: int) -> None:
+    translated = in_python(f"f(x) = {value}", "page.jl", lambda name: False)
+    assert len([one for one in translated.remarks if "single precision" in one]) == told

@@ -70,6 +70,7 @@ def test_another_step_is_not_refuted(right: str, other: str) -> None:
 
 PARTS = """model Bench
   input Real u;
+  parameter Real m, F0, omega;
   Real x, w;
   Elastic s;
   Dashpot d;
@@ -81,6 +82,7 @@ equation
 end Bench;
 
 model Elastic
+  parameter Real k;
   Real e "extension";
   Real f "force";
 equation
@@ -88,6 +90,7 @@ equation
 end Elastic;
 
 model Dashpot
+  parameter Real c;
   Real e "its rate";
   Real f "force";
 equation

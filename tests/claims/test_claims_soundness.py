@@ -53,9 +53,9 @@ def test_equations_that_say_the_same_twice_are_told() -> None:
     scene = elastic_pendulum.scene()
     twice = f"{FIRST} + {SECOND} = 0\n2*{FIRST} + 2*{SECOND} = 0"
     found = mechanics.check(scene, twice)
-    assert any("1 of 2" in remark for remark in found.remarks)
+    assert any("1 of these 2" in remark for remark in found.remarks)
     both = mechanics.check(scene, f"{FIRST} + {SECOND} = 0\n{FIRST} - {SECOND} = 0")
-    assert both.ok and not any("of 2" in remark for remark in both.remarks)
+    assert both.ok and not any("of these 2" in remark for remark in both.remarks)
 
 
 def test_an_angle_by_a_greek_letter_is_no_length() -> None:

@@ -67,6 +67,32 @@ def simulator(tmp_path: Path) -> str:
     return str(file)
 
 
+SAID = """# {}
+from math import sin
+
+def helper(x):
+    # {}
+    return sin(x)
+
+def f(theta, theta_dot, u, m, l, g):
+    return 3*g/(2*l)*helper(theta) + 3*u/(m*l**2)
+"""
+
+
+@pytest.mark.parametrize(
+    ("above", "inside", "code"),
+    [("This is wrong.", "", 3), ("", "only valid for small angles", 3), ("of steel", "a sine", 0)],
+)
+def test_what_a_file_and_its_helpers_say_is_read(
+    tmp_path: Path, above: str, inside: str, code: int
+) -> None:
+    file = tmp_path / "said.py"
+    file.write_text(SAID.format(above, inside))
+    found = run("rod_pendulum", f"{file}:f", "--no-blame")
+    assert found.exit_code == code
+    assert code or found.stdout.startswith("The formulas are PROVED. 2 sentences around them were")
+
+
 def test_a_c_function_is_chosen_by_its_name(tmp_path: Path) -> None:
     file = tmp_path / "swing.c"
     file.write_text(C_FILE)

@@ -80,6 +80,7 @@ REALS = frozenset(
      "MVector", "SMatrix", "MMatrix", "StaticArray")
 )  # fmt: skip
 """Kinds to which what is real is converted as it is."""
+SINGLE = re.compile(r"\bFloat32\b|\d\.?f-?\d|\bSA_F32\b")
 LIBRARIES = frozenset(("Base", "LinearAlgebra", "StaticArrays", "Core", "DifferentialEquations"))
 """Whose functions are what they are called."""
 
@@ -163,6 +164,8 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     space = page.module(origin, own)
     left = [name for name in functions if name not in wanted and functions[name].takes]
     remarks = (f"of the functions {joined(chosen)} is read, {joined(left)} not",) if left else ()
+    if any(SINGLE.search(words(functions[name].node)) for name in wanted):
+        remarks = (*remarks, "single precision (Float32) is read as exact numbers")
     return Translated(tuple(space[name] for name in chosen), remarks)
 
 
