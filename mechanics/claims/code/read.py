@@ -8,6 +8,7 @@ The code itself is read, so that its own formulas are judged, for all values of 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import permutations
 from pathlib import Path
 from typing import Any
@@ -184,12 +185,32 @@ def read_casadi(
         known = {made[node]: formulas[node] for _, _, node in stores}
         demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
         scalar = all(len(value) == 1 for value in values)
-        return Outputs(
+        outputs = Outputs(
             tuple(values), tuple(constants.notes), formulas=_known(known), demands=demands,
             names=tuple(map(function.name_out, range(function.n_out()))) if scalar else (),
         )  # fmt: skip
+        last = _in_rows(function, stores, len(nodes))
+        own = [*nodes, Node(casadi.OP_CONST, (), Fraction(0))]
+        return replace(outputs, doubt=doubt_as_doubles(own, last, held, outputs))
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
+
+
+def _in_rows(
+    function: casadi.Function, stores: Iterable[tuple[int, int, int]], zero: int
+) -> list[int]:
+    """The nodes of a CasADi function's results, row by row; `zero` where there is none."""
+    found: list[int] = []
+    kept = [function.sparsity_out(out).find() for out in range(function.n_out())]
+    places = {(out, kept[out][entry]): node for out, entry, node in stores}
+    for out in range(function.n_out()):
+        rows, columns = function.size_out(out)
+        found += [
+            places.get((out, column * rows + row), zero)
+            for row in range(rows)
+            for column in range(columns)
+        ]
+    return found
 
 
 def read_c(
