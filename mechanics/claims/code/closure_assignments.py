@@ -61,6 +61,37 @@ def scopes(function: Callable[..., Any]) -> Iterator[Scope]:
         yield from _object(bound, file)
 
 
+def around(function: Callable[..., Any]) -> Iterator[ast.FunctionDef]:
+    """The function around one, as it is written."""
+    inner, _ = owner_of(function)
+    origin = inspect.unwrap(inner) if inner is not None else None
+    tree = _tree(origin) if isinstance(origin, types.FunctionType) else None
+    outer, found, _ = getattr(origin, "__qualname__", "").rpartition(".<locals>.")
+    node = (
+        _defined(tree.body, outer.replace(".<locals>", "").split(".")) if tree and found else None
+    )
+    if isinstance(node, ast.FunctionDef):
+        yield node
+
+
+def kinds_of(function: Callable[..., Any]) -> Iterator[ast.ClassDef]:
+    """Classes of the object whose method a function is, as they are written."""
+    _, bound = owner_of(function)
+    if bound is not None:
+        yield from _kinds(bound)
+
+
+def _kinds(bound: Any) -> Iterator[ast.ClassDef]:
+    """Classes of an object, those that others are derived from first."""
+    for base in reversed(type(bound).__mro__):
+        # A method knows its file, even where the class is of a file that is no module.
+        methods = [part for part in vars(base).values() if isinstance(part, types.FunctionType)]
+        tree = _tree(methods[0]) if methods else None
+        kind = _defined(tree.body, base.__qualname__.split(".")) if tree else None
+        if isinstance(kind, ast.ClassDef):
+            yield kind
+
+
 def _around(function: types.FunctionType, tree: ast.Module, file: Scope) -> Iterator[Scope]:
     """The functions around one that keeps their numbers."""
     cells = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
@@ -81,12 +112,7 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
     parts: dict[str, Any] = {}
     for base in reversed(type(bound).__mro__):
         parts |= vars(base)
-        # A method knows its file, even where the class is of a file that is no module.
-        methods = [part for part in vars(base).values() if isinstance(part, types.FunctionType)]
-        tree = _tree(methods[0]) if methods else None
-        kind = _defined(tree.body, base.__qualname__.split(".")) if tree else None
-        if not isinstance(kind, ast.ClassDef):
-            continue
+    for kind in _kinds(bound):
         assigned += [(f".{name}", node) for name, node in _stores(kind.body)]
         for method in kind.body:
             if isinstance(method, ast.FunctionDef):

@@ -12,6 +12,7 @@ import numpy as np
 from sympy import Expr
 
 from mechanics.claims.code.arguments import named_entries
+from mechanics.claims.code.changed_numbers import changed
 from mechanics.claims.code.closure_numbers import called_by, held, owner_of
 from mechanics.claims.code.computed_numbers import derived
 from mechanics.claims.code.containers import is_number
@@ -170,6 +171,13 @@ def _standing(
         if isinstance(v, Unsaid) and n in constants and v.name in ("", *constants) and v.name != n:
             made = v.name or "something computed"
             raise InputError(f"{n} of the object is {made}, not what is passed by that name")
+    for n in numbers:
+        made = changed(function, n, known[n]) if known[n].is_Symbol and n not in names else ""
+        if made:
+            raise InputError(
+                f"{n} is {made} in the code, not what is passed by that name: say --name '{n}={n}'"
+                " (names=) if it is the scene's, or give it a name of its own"
+            )
     told = [f"{n} = {v}" + ("" if n == str(known[n]) else f" ({known[n]})")
             for n, v in numbers.items()]  # fmt: skip
     others = [f"{n} = {v}" for n, v in held(function, _used(function)).numbers.items()
