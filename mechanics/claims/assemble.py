@@ -157,13 +157,9 @@ def _beside_unread(
     lost = changed(lines, naming)
 
     def doubt(found: Statement) -> str:
-        names_used = used_names(found.written)
-        for name in sorted(name for name in names_used if naming.is_unread(name)):
-            where = naming.unread.get(name, "what")
-            return f"{name} is in {where}, which is not read: say what it means"
         if found.doubt or found.row is None or found.letter is not None or not unread:
             return found.doubt
-        if used := lost & names_used:
+        if used := lost & used_names(found.written):
             return f"it uses {', '.join(sorted(used))}, defined in a line that could not be read"
         if isinstance(found.row.quantity, Identity):
             return "a relation without accelerations, beside lines that could not be read"
@@ -450,7 +446,10 @@ class _Assembly:
     ) -> None:  # fmt: skip
         doubt = ""
         if builder.unknown:
+            told = [(n, self.naming.unread_at(n)) for n in builder.unknown]
+            where = [f"{n} is in {at}" for n, at in dict.fromkeys(told) if at]
             doubt = unexplained(self.scene, builder.unknown)
+            doubt = f"{', '.join(where)}, which is not read: say what it means" if where else doubt
         elif isinstance(quantity, Identity) and len(sides) == 1 and letter is None:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes

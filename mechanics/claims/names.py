@@ -249,10 +249,11 @@ class Naming:
         """What a name stands for, or the momentum that it may be."""
         return self.lookup(name) or self.vocabulary.momentum(name)
 
-    def is_unread(self, name: str) -> bool:
-        """Whether nothing that is read says what a name, or what it is a rate of, is."""
+    def unread_at(self, name: str) -> str:
+        """Where something is said of a name, or of what it is a rate of, that is not read."""
         every = (key(name), *(base for base, _ in bases(name)))
-        return self.lookup(name) is None and any(one in self.unread for one in every)
+        places = (self.unread[one] for one in every if one in self.unread)
+        return next(places, "") if self.lookup(name) is None else ""
 
     def momentum(self, name: str) -> tuple[str, int] | None:
         """The momentum that a name may be: p_theta1, p_1, or that of a name that was matched."""

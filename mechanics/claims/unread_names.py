@@ -15,7 +15,9 @@ from mechanics.claims.place import line_and_column
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.text.letters import plain
 
-FONT = re.compile(r"\\(?:mathrm|mathbf|mathit|mathsf|text(?:rm|it)?|operatorname|rm)(?![A-Za-z])")
+FONT = re.compile(
+    r"\\(?:mathrm|mathbf|mathit|mathsf|text(?:rm|it)?|operatorname|rm)(?![A-Za-z])\s*(?:\{([^{}]*)\})?"
+)
 NAME = re.compile(r"\\?[^\W\d_]+(?:\d+(?!\w))?(?:_\s*(?:\{[^{}]*\}|\\?[^\W_]+))*")
 LETTER = re.compile(r"(?<!\\)(?<![^\W_])[^\W\d_]{2,}(?P<low>(?:_\s*(?:\{[^{}]*\}|\w))?)")
 """In LaTeX letters side by side are a product, of which the last one has the subscript."""
@@ -73,14 +75,14 @@ def given(words: str) -> Iterator[str]:
 
 def mentioned(source: str) -> Iterator[str]:
     """Keys of the names in a formula that is not read."""
-    source = FONT.sub(" ", source)
+    source = FONT.sub(r" \1", source)
     for match in NAME.finditer(source):
         yield _key(match[0])
     if "\\" in source:
         for match in LETTER.finditer(source):
-            *letters, last = match[0].removesuffix(match["low"])
-            yield from letters
-            yield _key(last + match["low"])
+            letters = match[0].removesuffix(match["low"])
+            yield from letters[:-1]
+            yield _key(letters[-1] + match["low"])
 
 
 def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
@@ -91,7 +93,7 @@ def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
     found: set[str] = set()
     for line in lines:
         if isinstance(line, Unread):
-            source = FONT.sub(" ", line.source)
+            source = FONT.sub(r" \1", line.source)
             for match in GIVES.finditer(source):
                 given = {_key(one) for one in NAME.findall(match["names"])}
                 anew = SET.search(match[0]) is not None
