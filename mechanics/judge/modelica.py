@@ -7,11 +7,12 @@ Real theta(max=0);                                 limits a coordinate
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from mechanics.claims.code.comments import comments, without_comments
 from mechanics.claims.kinds import angular
+from mechanics.claims.text.initial import assigned_again, definitions_of_begin
 from mechanics.errors import SceneError
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.scene.unit_names import Dimension, dimension_of_unit
@@ -100,14 +101,15 @@ def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
     models = _models(text)
     parts = {n for n in models if re.search(rf"^[ \t]*{n}[ \t]+\w+[^;\n]*;", text, re.MULTILINE)}
     for title, model in models.items():
-        names = set()
+        names: dict[str, Declared] = {}
         for one in _declarations(model):
             if isinstance(one, str):
                 yield f"'{' '.join(one.split())[:60]}' is not read"
                 continue
-            names.add(one.name)
+            names[one.name] = one
             if one.type not in parts:  # what a part declares is its own
                 yield from _otherwise(facts, one, "" if title in parts else one.name)
+        yield from _initially(names, model)
         for name in dict.fromkeys(NAME.findall(_equations(model))):
             if name not in names and name not in SPOKEN:
                 yield f"nothing declares {name}"
@@ -137,6 +139,26 @@ def _equations(text: str) -> str:
     start = EQUATIONS.search(code)
     inside = code[start.start() :] if start else ""
     return re.sub(r"\bend\s+\w+|\bannotation\s*\(.*?\)\s*;", " ", inside, flags=re.DOTALL)
+
+
+def _initially(declared: Mapping[str, Declared], text: str) -> Iterator[str]:
+    """What sections say of a name otherwise than once, or that nobody reads."""
+    open_ones = [
+        one.name
+        for one in declared.values()
+        if "parameter" in one.prefixes and one.attributes.get("fixed") == "false"
+    ]
+    code = STRING.sub(" ", without_comments(text, ".mo"))
+    for name in assigned_again(code):
+        yield f"an algorithm assigns {name} more than once, which is not read"
+    for kind, statement in definitions_of_begin(code):
+        name = re.split(r":?=", statement)[0].strip()
+        if name in open_ones:
+            open_ones.remove(name)
+        else:
+            yield f"'{statement[:60]}' of the initial {kind} is not read"
+    for name in open_ones:
+        yield f"fixed = false of {name} is not read: nothing says what it is"
 
 
 def _declarations(text: str) -> Iterator["Declared | str"]:

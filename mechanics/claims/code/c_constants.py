@@ -8,6 +8,7 @@ A static number that nothing changes is one, too, and so is a macro whose value 
 """
 
 import re
+from collections.abc import Iterable
 
 from mechanics.errors import ExpressionError
 from mechanics.program.c.tokens import blanked
@@ -25,9 +26,16 @@ MOST, LONGEST = 64, 100_000
 """Constants, and characters with them in all functions."""
 
 
-def with_constants(text: str, origin: str) -> str:
-    """The text with constants in functions; it has no comments that hold code."""
-    text = _of_macros(text)
+def with_constants(text: str, origin: str, integers: Iterable[str] = ()) -> str:
+    """The text with constants in functions; it has no comments that hold code.
+
+    Parameters
+    ----------
+    text, origin : str
+    integers : iterable of str
+        Names that are integers in C: macros that are made of them are no doubles.
+    """
+    text = _of_macros(text, {*integers})
     found = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
     found = [m for m in found if "const" in m["words"].split() or "[" not in m["rest"]]
     found = [m for m in found if len({"double", "float"} & set(m["words"].split())) == 1]
@@ -54,9 +62,12 @@ def with_constants(text: str, origin: str) -> str:
     return _inserted(text, constants, origin)
 
 
-def _of_macros(text: str) -> str:
+def _of_macros(text: str, integers: set[str]) -> str:
     """The text with macros that name a formula in constants, declared where they are defined."""
     macros = {m[1]: m[2] for m in MACRO.finditer(text) if WORD.search(m[2])}
+    while whole := {n for n, value in macros.items() if integers & {*WORD.findall(value)}}:
+        integers = integers | whole
+        macros = {name: value for name, value in macros.items() if name not in whole}
     if not macros or re.search(r"#[ \t]*(?:if|undef)", text):
         return text
     for start, end in _bodies(text):

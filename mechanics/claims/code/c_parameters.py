@@ -4,15 +4,18 @@
     ->                        double f(double x, double g) { return -g*x; }
 
 As everywhere, a value that a person gives to a parameter is not used. A name that is a parameter's
-but for capitals is that parameter, where the scene has no other.
+but for capitals is that parameter, where the scene has no other. Of integers (``#define l 4``,
+``const int l = 4;``) it is said that they are some: C divides them otherwise.
 """
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Vocabulary
 from mechanics.program.c.tokens import blanked
+from mechanics.program.c.types import REALS
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
 DEFINED = re.compile(
@@ -20,12 +23,33 @@ DEFINED = re.compile(
 )
 ONE = rf"(\w+)\s*=\s*({NUMBER})"
 DECLARED = re.compile(
-    rf"\b(?:(?:static|const)\s+)*(?:double|float)\s+(?:const\s+)?({ONE}(?:\s*,\s*{ONE})*)\s*;"
+    rf"\b(?:(?:static|const)\s+)*(?P<kind>double|float|int)\s+(?:const\s+)?"
+    rf"(?P<ones>{ONE}(?:\s*,\s*{ONE})*)\s*;"
 )
+WHOLE = re.compile(r"[-+]?\d+")
 HEAD = re.compile(r"\b(double|float|void|int)\s+(\w+)\s*\(([^(){};]*)\)\s*\{")
 
 
-def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, ...]]:
+@dataclass(frozen=True)
+class Passed:
+    """A file whose numbers for parameters are arguments.
+
+    Attributes
+    ----------
+    text : str
+        Without comments.
+    notes : tuple of str
+        What is to be said of the names.
+    integers : dict of str to int
+        Those that are integers in C, with their values.
+    """
+
+    text: str
+    notes: tuple[str, ...] = ()
+    integers: dict[str, int] = field(default_factory=dict)
+
+
+def with_parameters(text: str, vocabulary: Vocabulary) -> Passed:
     """The text, without comments, with such names as arguments, and what is to be said of them.
 
     Parameters
@@ -34,22 +58,32 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> tuple[str, tuple[str, 
     vocabulary : Vocabulary
     """
     if not HEAD.search(text):
-        return text, ()
+        return Passed(text)
     notes: dict[str, str] = {}
+    integers: dict[str, int] = {}
 
-    def passed(match: re.Match[str], pairs: list[tuple[str, str]]) -> str:
+    def passed(match: re.Match[str], pairs: list[tuple[str, str]], kind: str) -> str:
         meanings = [_parameter(name, vocabulary) for name, _ in pairs]
         if not all(meanings) or any(_assigned_again(text, name) for name, _ in pairs):
             return match[0]
+        whole = {n: int(v) for n, v in pairs if kind not in REALS and WHOLE.fullmatch(v)}
+        if kind == "int" and (len(whole) < len(pairs) or _is_inside(text, match)):
+            return match[0]
+        integers.update(whole)
         for (name, number), meaning in zip(pairs, meanings, strict=True):
             notes[name] = f"{name} = {number} is read as {meaning}: {NOT_USED}"
         return blanked(match[0])
 
-    found = DEFINED.sub(lambda m: passed(m, [(m[1], m[2])]), text)
-    found = DECLARED.sub(lambda m: passed(m, re.findall(ONE, m[1])), found)
+    found = DEFINED.sub(lambda m: passed(m, [(m[1], m[2])], "macro"), text)
+    found = DECLARED.sub(lambda m: passed(m, re.findall(ONE, m["ones"]), m["kind"]), found)
     if not notes:
-        return text, ()
-    return _passed(found, list(notes)), tuple(notes.values())
+        return Passed(text)
+    return Passed(_passed(found, list(notes)), tuple(notes.values()), integers)
+
+
+def _is_inside(text: str, match: re.Match[str]) -> bool:
+    """Whether it stands in a function, where an integer may be a size; places are kept."""
+    return text.count("{", 0, match.start()) != text.count("}", 0, match.start())
 
 
 def _passed(text: str, names: Sequence[str]) -> str:

@@ -8,6 +8,7 @@ The code itself is read, so that its own formulas are judged, for all values of 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import permutations
 from pathlib import Path
 from typing import Any
@@ -35,6 +36,7 @@ from mechanics.claims.code.c_place import placed
 from mechanics.claims.code.c_plain import plain
 from mechanics.claims.code.c_target import Instructions
 from mechanics.claims.code.c_untyped import with_types
+from mechanics.claims.code.c_whole import refuse_integer_quotients
 from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
@@ -183,12 +185,32 @@ def read_casadi(
         known = {made[node]: formulas[node] for _, _, node in stores}
         demands = _demanded((made[node], demands_of(nodes, made, node)) for _, _, node in stores)
         scalar = all(len(value) == 1 for value in values)
-        return Outputs(
+        outputs = Outputs(
             tuple(values), tuple(constants.notes), formulas=_known(known), demands=demands,
             names=tuple(map(function.name_out, range(function.n_out()))) if scalar else (),
         )  # fmt: skip
+        last = _in_rows(function, stores, len(nodes))
+        own = [*nodes, Node(casadi.OP_CONST, (), Fraction(0))]
+        return replace(outputs, doubt=doubt_as_doubles(own, last, held, outputs))
 
     return _read(scene, function.name(), wanted, sizes, run, names, about)
+
+
+def _in_rows(
+    function: casadi.Function, stores: Iterable[tuple[int, int, int]], zero: int
+) -> list[int]:
+    """The nodes of a CasADi function's results, row by row; `zero` where there is none."""
+    found: list[int] = []
+    kept = [function.sparsity_out(out).find() for out in range(function.n_out())]
+    places = {(out, kept[out][entry]): node for out, entry, node in stores}
+    for out in range(function.n_out()):
+        rows, columns = function.size_out(out)
+        found += [
+            places.get((out, column * rows + row), zero)
+            for row in range(rows)
+            for column in range(columns)
+        ]
+    return found
 
 
 def read_c(
@@ -217,12 +239,14 @@ def read_c(
         raise InputError(f"{origin}, line 1, column 1: {len(text)} characters: {LARGEST_C} at most")
     coord, whole = "", text
     try:
-        passed, valued = with_parameters(without_comments(text), Vocabulary(scene))
-        text = passed if valued else text
+        passed = with_parameters(without_comments(text), Vocabulary(scene))
+        text = passed.text if passed.notes else text
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
-        text = with_constants(of_the_header(without_macros(text, origin)), origin)
+        text = of_the_header(without_macros(text, origin))
+        text = with_constants(text, origin, passed.integers)
         source = known_meaning(parse(text, origin), text)
+        refuse_integer_quotients(source, function, passed.integers)
         taken = defaults(source, text)
         written = plain(text, origin)
         text = written.text
@@ -232,7 +256,7 @@ def read_c(
         def run(given: Arguments) -> Outputs:
             sizes = {name: len(_entries(given.values[name])) for name in wanted}
             outputs = _c_outputs(call.source(sizes), origin, wanted, given, call.size)
-            notes = (*outputs.notes, *written.notes, *taken, *valued)
+            notes = (*outputs.notes, *written.notes, *taken, *passed.notes)
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}

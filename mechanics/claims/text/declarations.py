@@ -7,6 +7,7 @@ function dz = f(t, z, p)        parameter Real J = m*l^2 "inertia";    ->    J =
 import re
 from collections.abc import Iterator
 
+from mechanics.claims.text.initial import without_begin
 from mechanics.program.c.tokens import blanked
 
 HEADER = re.compile(
@@ -36,10 +37,6 @@ DECLARED = re.compile(
 )
 """Lines of a function or model that say nothing of it."""
 MODEL = re.compile(r"^[ \t]*(?:equation|algorithm)\b", re.MULTILINE)
-INITIAL = re.compile(
-    r"^[ \t]*initial[ \t]+(?:equation|algorithm)\b.*?(?=^[ \t]*(?:equation|algorithm|end)\b)",
-    re.MULTILINE | re.DOTALL,
-)
 STRING = re.compile(r'"[^"\n]*"')
 BLOCK = re.compile(r"/\*.*?\*/", re.DOTALL)
 ANNOTATION = re.compile(r"\bannotation[ \t]*\([^;]*;")
@@ -162,8 +159,9 @@ def _blank(match: re.Match[str]) -> str:
 
 def _model(text: str) -> str:
     """A Modelica model with its equations, and what it declares as a formula."""
-    for words in (STRING, BLOCK, INITIAL, ANNOTATION):
+    for words in (STRING, BLOCK, ANNOTATION):
         text = words.sub(_blank, text)
+    text = without_begin(text)
     start = MODEL.search(text)
     head = text[: start.start()] if start else ""
     return re.sub(r"[^;]*(?:;|\Z)", _declared, head) + text[len(head) :]
