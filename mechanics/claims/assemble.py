@@ -38,6 +38,7 @@ from mechanics.claims.definitions import (
 )
 from mechanics.claims.demands import Demand, Demands
 from mechanics.claims.kind import kind_of, letter_on_left, moves_a_constant
+from mechanics.claims.latex.comments import verbatim
 from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
@@ -57,7 +58,9 @@ from mechanics.claims.sides import (
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.state_space import with_state_space
 from mechanics.claims.statement import Letter, Reading, Statement
+from mechanics.claims.text.prepare import comments
 from mechanics.claims.tree import Call, Name, Node, names
+from mechanics.claims.unread_names import changed
 from mechanics.claims.weight import Weight, weight
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -72,8 +75,6 @@ DEEPEST = 100
 """Levels of a line with its definitions put in."""
 
 MOST_STATEMENTS = 200
-ASSIGNED = re.compile(r"\s*\\?(\w+)\s*(?:\([^=]*\)|\[[^=]*\])?\s*=")
-"""What a line that is not read gives a value to."""
 
 SAID = re.compile(
     r"\b(?:defin(?:e|ing)|let|with|where|denot(?:e|ing)|abbreviat(?:e|ing))\s+(?:\$+|\\\(|\\\[)?\s*$",
@@ -117,6 +118,8 @@ def assemble(
     naming, lines = named(
         lambda own: list(with_first_integrals(read(own), own, text)),
         Naming(Vocabulary(scene), plain),
+        text,
+        [*(verbatim(text) if notation == "latex" else comments(text))],
     )
     lines = with_state_space(lines, naming)
     lines, told = told_once(without_unknown_rates(lines, naming))
@@ -150,9 +153,8 @@ def _beside_unread(
 
     A name of the scene may be the author's own there: N = ... beside the reaction N.
     """
-    unread = [line for line in lines if isinstance(line, Unread)]
-    given = {m[1] for line in unread if (m := ASSIGNED.match(line.source))}
-    lost = {key(name) for name in given if not naming.is_function(name)}
+    unread = any(isinstance(line, Unread) for line in lines)
+    lost = changed(lines, naming)
 
     def doubt(found: Statement) -> str:
         if found.doubt or found.row is None or found.letter is not None or not unread:
@@ -444,7 +446,10 @@ class _Assembly:
     ) -> None:  # fmt: skip
         doubt = ""
         if builder.unknown:
+            told = [(n, self.naming.unread_at(n)) for n in builder.unknown]
+            where = [f"{n} is in {at}" for n, at in dict.fromkeys(told) if at]
             doubt = unexplained(self.scene, builder.unknown)
+            doubt = f"{', '.join(where)}, which is not read: say what it means" if where else doubt
         elif isinstance(quantity, Identity) and len(sides) == 1 and letter is None:
             doubt = "an expression without an equals sign: say what it is about"
         notes = (*line.notes, note) if note else line.notes

@@ -65,6 +65,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     defined : iterable of str
         Names that the text defines itself.
     """
+    used = [name for name in used if not naming.unread_at(name.name)]
     short = _short(naming, used)
     naming = replace(naming, guessed=(*naming.guessed, *short))
     own = {key(name) for name in defined if not naming.knows(name)}

@@ -18,14 +18,23 @@ from mechanics.claims.sines import with_sines
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.text.elements import with_states
 from mechanics.claims.tree import Name, Node
+from mechanics.claims.unread_names import unread_names
 from mechanics.scene.symbols import DOTS
 
 Read = Callable[[Naming], Sequence[Entry]]
 """Makes lines, given how names are to be understood."""
 
 
-def named(read: Read, naming: Naming) -> tuple[Naming, list[Entry]]:
-    """What all names mean, and the lines under these meanings."""
+def named(
+    read: Read, naming: Naming, text: str, beside: Sequence[tuple[int, str]]
+) -> tuple[Naming, list[Entry]]:
+    """What all names mean, and the lines under these meanings.
+
+    Parameters
+    ----------
+    beside : sequence of (int, str)
+        What is no part of the formulas, as comments.
+    """
     lines = _lines(read, naming)
     if functions := applied(lines, naming):
         naming = replace(naming, applied=functions)
@@ -33,6 +42,7 @@ def named(read: Read, naming: Naming) -> tuple[Naming, list[Entry]]:
     lines, entries = with_states(lines, naming)
     naming = replace(naming, guessed=entries)
     lines = without_laws(lines, naming)
+    naming = replace(naming, unread=unread_names(lines, beside, text))
     guessed = guess(naming, used(lines), own(lines, naming))
     found = momenta(lines, replace(naming, guessed=(*entries, *guessed)))
     of = "the generalized momentum, by what it is defined as"

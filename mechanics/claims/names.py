@@ -191,6 +191,8 @@ class Naming:
         What the person defines as functions: f in ``f(x) = ...``.
     own : mapping of str to Node
         What the person defines, by name.
+    unread : mapping of str to str
+        Keys of names of which the text says what is not read, and where: they are not guessed.
     """
 
     vocabulary: Vocabulary
@@ -198,6 +200,7 @@ class Naming:
     guessed: tuple[Match, ...] = ()
     applied: frozenset[str] = frozenset()
     own: Mapping[str, Node] = field(default_factory=dict)
+    unread: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, target in self.given.items():
@@ -245,6 +248,12 @@ class Naming:
     def target(self, name: str) -> tuple[str, int] | None:
         """What a name stands for, or the momentum that it may be."""
         return self.lookup(name) or self.vocabulary.momentum(name)
+
+    def unread_at(self, name: str) -> str:
+        """Where something is said of a name, or of what it is a rate of, that is not read."""
+        every = (key(name), *(base for base, _ in bases(name)))
+        places = (self.unread[one] for one in every if one in self.unread)
+        return next(places, "") if self.lookup(name) is None else ""
 
     def momentum(self, name: str) -> tuple[str, int] | None:
         """The momentum that a name may be: p_theta1, p_1, or that of a name that was matched."""

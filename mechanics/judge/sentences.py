@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from mechanics.claims.latex.blocks import blocks
-from mechanics.claims.latex.comments import without_hidden
+from mechanics.claims.latex.comments import verbatim, without_hidden
 from mechanics.claims.latex.prepare import CONDITION as OF_DISPLAY
 from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
@@ -18,6 +18,7 @@ from mechanics.claims.text.letters import plain
 from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.line_continuation import LABELLED
 from mechanics.claims.text.prepare import LEADS
+from mechanics.claims.unread_names import given
 from mechanics.judge.markup import without_markup
 from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED
 from mechanics.judge.sentence_forms import one_form
@@ -35,6 +36,8 @@ SCRIPT = re.compile(r"[_^]\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\\w+\s*\{[^{}]*\})")
 """Raised and lowered, as are the labels of braces."""
 NO_MARKS = str.maketrans("\u27e8\u27e9", "()")
 """What a person types is no mark of ours."""
+PLAIN = str.maketrans("\\$`{}", "     ")
+"""What begins no command and no formula."""
 QUESTION = re.compile(r"\?+(?=\s|\Z)")
 INSIDE = re.compile(r"[.;!?](?=\s)")
 """What ends no sentence."""
@@ -125,7 +128,7 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         for words in (LEADS, LABELLED):
             text = words.sub(r"\n\g<0>\n", text)
-        mark = _formula if beside else MARKED
+        mark = _formula if beside else _statement
         text = TEXT_FORMULA.sub(mark, CODE.sub(mark, text))
         text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
@@ -139,6 +142,12 @@ def _formula(line: re.Match[str]) -> str:
     """A line of a comment with a formula: what has words is said, and not computed."""
     spoken = TWO_WORDS.search(line[0]) or FLAWED.search(line[0]) or DENIAL.search(line[0])
     return line[0] if spoken else MARKED
+
+
+def _statement(line: re.Match[str]) -> str:
+    """A line with a formula: it is judged by itself, but for a definition in a comment."""
+    comment = line[0].lstrip()
+    return line[0] if COMMENT.match(comment) and any(given(comment)) else MARKED
 
 
 def bare(words: str) -> str:
@@ -165,7 +174,7 @@ def marked(text: str) -> str:
     """A text in LaTeX with marks for names and formulas, and words of displays behind these."""
     try:
         text = text.translate(NO_MARKS)
-        shown, every = without_hidden(text), blocks(prepared(text))
+        shown, every = _with_verbatim(text), blocks(prepared(text))
     except Refused:
         return ""  # nothing of it is read
     out, at = [], 0
@@ -179,6 +188,14 @@ def marked(text: str) -> str:
         out += [f". {words}. " for words in _labels(formula)]
         at = block.end if block.closed else len(shown)
     return "".join(out) + DELIMITER.sub(" ", shown[at:])
+
+
+def _with_verbatim(text: str) -> str:
+    """What is printed; what stands there as it is has no commands and no formulas."""
+    shown = without_hidden(text)
+    for at, words in verbatim(text):
+        shown = shown[:at] + words.translate(PLAIN) + shown[at + len(words) :]
+    return shown
 
 
 def _labels(formula: str) -> Iterator[str]:

@@ -6,18 +6,21 @@ It is blanked: no character moves, so that messages name the right place.
 """
 
 import re
+from collections.abc import Iterator
 
 from mechanics.claims.place import Refused
 from mechanics.program.c.tokens import blanked
 
 COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 HIDDEN = re.compile(
-    r"\\begin\s*\{(?P<env>comment|verbatim\*?|lstlisting|minted|filecontents\*?)\}.*?"
-    r"(?:\\end\s*\{(?P=env)\}|\Z)"
-    r"|\\verb\*?(?P<mark>[^\sA-Za-z*])[^\n]*?(?P=mark)"
+    r"\\begin\s*\{(?P<env>comment|verbatim\*?|Verbatim|lstlisting|minted|filecontents\*?)\}"
+    r"(?P<inside>.*?)(?:\\end\s*\{(?P=env)\}|\Z)"
+    r"|\\(?:verb|lstinline|mintinline\s*\{\w+\})\*?(?P<mark>[^\sA-Za-z*{])(?P<short>[^\n]*?)(?P=mark)"
     r"|\\(?:end\s*\{document\}|endinput(?![A-Za-z])).*",
     re.DOTALL,
 )
+UNPRINTED = ("comment", "filecontents", "filecontents*")
+OPTIONS = re.compile(r"\s*(?:\[[^\]]*\])?(?:\{\w*\})?")
 CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")
 BODY = re.compile(r"\\begin\s*\{document\}")
 
@@ -33,6 +36,18 @@ def without_hidden(text: str) -> str:
     text = COMMENT.sub(lambda m: m[1] + " " * (len(m[0]) - len(m[1])), text)
     text = HIDDEN.sub(lambda m: blanked(m[0]), text)
     return _decided(text) if CONDITION.search(text) else text
+
+
+def verbatim(text: str) -> Iterator[tuple[int, str]]:
+    """What is printed as it stands, which is no formula: its place, and its words."""
+    text = COMMENT.sub(lambda m: m[1] + " " * (len(m[0]) - len(m[1])), text)
+    for match in HIDDEN.finditer(text):
+        if match["short"] is not None:
+            yield match.start("short"), match["short"]
+        elif match["env"] and match["env"] not in UNPRINTED:
+            options = OPTIONS.match(match["inside"])
+            at = match.start("inside") + (options.end() if options else 0)
+            yield at, match.string[at : match.end("inside")]
 
 
 def blank(out: list[str], start: int, end: int) -> None:

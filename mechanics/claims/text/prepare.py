@@ -7,9 +7,10 @@ moves, so that messages name the right place.
 """
 
 import re
+from collections.abc import Iterator
 
 from mechanics.claims.latex.bars import barred
-from mechanics.claims.text.declarations import without_declarations
+from mechanics.claims.text.declarations import INITIAL, without_declarations
 from mechanics.claims.text.line_continuation import on_one_line, sentences
 from mechanics.claims.text.markdown import without_markdown
 from mechanics.program.c.tokens import blanked
@@ -22,6 +23,9 @@ STARTS = re.compile(r"[\w(\[.\uE002]")
 
 SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
 """A comment of Modelica or C++; elsewhere two slashes divide."""
+
+BEHIND = re.compile(r"(?<=\S)[ \t]+//[^\n]*")
+IN_STARS = re.compile(r"/\*.*?\*/", re.DOTALL)
 
 CODE = re.compile(r"^[ \t]*function\b(?![^\n]*\{[ \t]*$)", re.MULTILINE)
 """MATLAB and Julia, where a line goes on behind a sign, not before it."""
@@ -93,6 +97,13 @@ OVER_TIMES = re.compile(
 """A row or column of states at many times, x(3, :), which is x(3) at each of them."""
 
 
+def comments(text: str) -> Iterator[tuple[int, str]]:
+    """What `prepared` blanks though it may hold a formula: its place, and its words."""
+    for words in (COMMENT, SLASHES, BEHIND, BLOCK, IN_STARS, INITIAL):
+        for match in words.finditer(text):
+            yield match.start(), match[0].lstrip("%#/ \t")
+
+
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
     text = CJK.sub(lambda m: " " * len(m[0]), without_markdown(text))
@@ -110,8 +121,8 @@ def prepared(text: str) -> str:
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     text = BLOCK.sub(lambda m: blanked(m[0]), text)
     code = CODE.search(text) is not None
-    for comments in (COMMENT, SLASHES):
-        text = comments.sub(lambda m: " " * len(m[0]), text)
+    for words in (COMMENT, SLASHES):
+        text = words.sub(lambda m: " " * len(m[0]), text)
     text = OVER_TIMES.sub(lambda m: (m[1] or m[2]).ljust(len(m[0])), text)
     text = barred(without_declarations(text))
     text = on_one_line(sentences(text), code)
