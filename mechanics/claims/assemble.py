@@ -16,6 +16,7 @@ from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import (
     ENERGY_NAMES,
+    ENTRIES,
     LETTERS,
     MATRIX_NAMES,
     WORDS,
@@ -25,6 +26,7 @@ from mechanics.claims.about import (
 from mechanics.claims.arguments import applied_alike
 from mechanics.claims.build import Builder, Value
 from mechanics.claims.claim import Written
+from mechanics.claims.coefficients import is_coefficient
 from mechanics.claims.conserved import with_first_integrals
 from mechanics.claims.definitions import (
     defines,
@@ -38,6 +40,7 @@ from mechanics.claims.definitions import (
 )
 from mechanics.claims.demands import Demand, Demands
 from mechanics.claims.kind import kind_of, letter_on_left, moves_a_constant
+from mechanics.claims.kinds import angular
 from mechanics.claims.latex.comments import verbatim
 from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
@@ -210,6 +213,7 @@ class _Assembly:
         self.weight = 0
         self.vague: dict[str, list[str]] = {}
         self.own: dict[str, Line] = {}
+        self.lines: Sequence[Entry] = ()
         self.learnt: dict[int, tuple[tuple[Value, ...], Builder] | Refused] = {}
         self.demanded: dict[str, list[Demand]] = {}
         self.reached: frozenset[str] = frozenset()
@@ -220,6 +224,7 @@ class _Assembly:
 
     def learn(self, lines: Sequence[Entry]) -> None:
         """Build what lines define; it holds in those before them, too."""
+        self.lines = lines
         if self.about is not None:
             return
         defined = {n: d for n, d in definitions(lines, self.naming).items() if n not in self.words}
@@ -353,6 +358,7 @@ class _Assembly:
             moves = any(not isinstance(row.quantity, Identity) for row in rows)
         short = all(isinstance(side, Call) and side.function in SHORT for side in line.sides[1:])
         if not unused or moves or gathers(line.sides[1:]) or short:
+            self._meant(line, name, sides, builder, tag, place, letter)
             self.remarks.append(f"{name} is taken as defined by: {line.source}")
             return
         if len(sides) == 1 and (body := body_at(self.scene, sides[0])):
@@ -374,6 +380,37 @@ class _Assembly:
         row = published(tag, Identity(), Symbol(name, real=True), *value, label=line.source)
         written = self._written(line)
         self._append(Statement(row, line.source, tag, place, line.notes, doubt, written), line.at)
+
+    def _meant(
+        self, line: Line, name: str, sides: tuple[Value, ...], builder: Builder, tag: str,
+        place: str, letter: Letter | None,
+    ) -> None:  # fmt: skip
+        """A definition by a name with a meaning in the scene: what it says is a claim, too.
+
+        A body has a momentum as well, and rows may have another unit; only that of an angle has
+        one meaning.
+        """
+        before = len(self.statements)
+        moving = {*self.scene.u, *self.scene.qd}
+        if not scalar(sides):
+            return
+        moves = any(self.scene.plain(side).free_symbols & moving for side in sides)
+        meant = self.naming.momentum(name) if moves else None
+        ranks = {word for rank in LETTERS.get(name, ()) for word in rank}
+        plain = is_coefficient(name, line, self.lines, self.naming)
+        angle = False
+        if meant is not None and meant[1] == 0:
+            momentum = self.naming.vocabulary.momenta[meant[0]]
+            self._scalars(line, tag, place, (momentum, sides[0]), builder)
+            turning = {f"p_{q.name}" for q in angular(self.scene)}
+            angle = self.naming.vocabulary.momentum(name) is not None and meant[0] in turning
+        elif letter is not None and moves and "momentum" in ranks:
+            self._letter(line, tag, place, replace(letter, said="momentum"), sides, builder)
+        elif letter is not None and ranks & ENTRIES.keys() and not plain:
+            self._letter(line, tag, place, letter, sides, builder)
+        unsure = () if angle else (f"{name} has another meaning here: say which",)
+        claims = (replace(s, unsure=(*s.unsure, *unsure)) for s in self.statements[before:])
+        self.statements[before:] = list(claims)
 
     def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
         """Whether the text says that a name is short for something given, and it names no result.
