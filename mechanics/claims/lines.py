@@ -82,7 +82,17 @@ def gives_constants(line: Line, naming: Naming) -> bool:
     plain = [side.name for side in line.sides if isinstance(side, Name)]
     if FIELD.search(line.source) and len({naming.lookup(name) for name in plain}) > 1:
         return False  # m = p.l
-    return gives(line, naming) and all(is_constant(name, naming) for name in plain)
+    numbers = any(not names(side) for side in line.sides)
+    return gives(line, naming) and all(
+        is_constant(name, naming) or (numbers and is_input(name, naming)) for name in plain
+    )
+
+
+def is_input(name: str, naming: Naming) -> bool:
+    """Whether a name is that of an input: what it is given is an example."""
+    found = naming.lookup(name)
+    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+    return found is not None and not found[1] and found[0] in inputs
 
 
 def is_constant(name: str, naming: Naming) -> bool:

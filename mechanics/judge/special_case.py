@@ -7,23 +7,36 @@ refuted statement is right with them it is open, and the answer says with which.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sympy import Expr, Rational, S, Symbol
+from sympy.matrices import MatrixBase
 
 from mechanics.claims.claim import Written
 from mechanics.claims.latex.case_beside import case_of
+from mechanics.claims.names import Naming
 from mechanics.claims.prose import sentence_around
 from mechanics.equations import Equations
-from mechanics.judge.at_values import as_identity, right_with, words
+from mechanics.judge.at_values import as_identity, put, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
+from mechanics.scene import Scene
+from mechanics.scene.published import Published
 
 BARE = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
 UNIT = r"(?:\\[,;:! ]|~|\s|\\?(?:mathrm|text|textrm|si|unit)\s*\{[^{}$]*\})*"
 GIVEN = re.compile(rf"\$\s*{BARE}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
+STATED = re.compile(
+    rf"(?:^|(?<=[\s,;($&~])|(?<=quad)){BARE}(?:\s*\[[^\]\n]*\])?\s*=\s*"
+    r"(?P<value>-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
+    r"(?:[ ~]*(?:\[[^\]\n]*\]|(?:\\[,:])?\s*\\(?:mathrm|text|si|unit)\s*\{[^{}]*\}"
+    r"|(?:[kcm]?m|k?g|N|s)\b[\w/^*]*))?"
+    r"(?=[ \t~]*(?:$|[,;.)&\"#%]|\\[,;:\] q\\]|\$|and\b))",
+    re.MULTILINE,
+)
+"""A value that stands beside formulas."""
 PLAIN = r"[A-Za-z]\w*(?:_\{\w+\})?"
 EQUAL = re.compile(rf"\$\s*(?P<names>{PLAIN}(?:\s*=\s*{PLAIN})+)\s*\$")
 IDLE = re.compile(
@@ -50,26 +63,55 @@ def _open(truth: Equations, entry: Judged) -> Judged:
         doubt = f"the text gives it for {case} only, which is not judged apart: leave that out"
         return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
-    if not table:
-        return entry
+    for some in (table, table | _stated(truth, written)):
+        if some and _right_with(truth, row, some):
+            for symbol in list(some):
+                fewer = {s: v for s, v in some.items() if s != symbol}
+                some = fewer if fewer and _right_with(truth, row, fewer) else some
+            return replace(entry, right_if=(f"{words(some)}, as the text says",), open=True)
+    return entry
+
+
+def _right_with(truth: Equations, row: Published, table: Mapping[Symbol, Expr]) -> bool:
+    """Whether a row is right where its text's values stand in both sides."""
     plain = in_plain_symbols(truth.kinematics, as_identity(truth, row))
-    gives_it = len({side.xreplace(table) for side in plain.sides}) == 1
-    if not (gives_it or right_with(truth, [plain], table)):
-        return entry
-    return replace(entry, right_if=(f"{words(table)}, as the text says",), open=True)
+    if any(isinstance(side, MatrixBase) for side in plain.sides):
+        return False
+    gives_it = len({side.xreplace(dict(table)) for side in plain.sides}) == 1
+    return gives_it or right_with(truth, [put(plain, table)], table)
+
+
+def _stated(truth: Equations, written: Written) -> dict[Symbol, Expr]:
+    """Values of parameters and inputs that stand anywhere in the text, the same in all places."""
+    free = _free(truth.scene, written.naming)
+    found: dict[Symbol, set[Rational]] = {}
+    for one in STATED.finditer(written.text):
+        if (own := free(one["name"])) is not None:
+            found.setdefault(own, set()).add(Rational(one["value"]))
+    return {
+        own: value for own, values in found.items() for value in values
+        if len(values) == 1 and (value > 0 or not own.is_positive)
+    }  # fmt: skip
+
+
+def _free(scene: Scene, naming: Naming) -> Callable[[str], Symbol | None]:
+    """The parameter or input that a name stands for."""
+    free = {s.name: s for s in (*scene.parameters, *scene.input_symbols)}
+
+    def symbol(name: str) -> Symbol | None:
+        meaning = naming.lookup(name.replace("{", "").replace("}", ""))
+        return None if meaning is None or meaning[1] else free.get(meaning[0])
+
+    return symbol
 
 
 def _given(truth: Equations, written: Written) -> Iterator[tuple[Symbol, Expr]]:
     """Symbols of the scene with what the text up to the end of its sentence puts for them."""
     scene, naming = truth.scene, written.naming
-    free = {s.name: s for s in (*scene.parameters, *scene.input_symbols)}
+    symbol = _free(scene, naming)
     sentence = sentence_around(written.text, written.start)
     end = written.text.find(sentence, max(0, written.start - len(sentence))) + len(sentence)
     text = " ".join(written.text[:end].split())
-
-    def symbol(name: str) -> Symbol | None:
-        meaning = naming.lookup(name.replace("{", "").replace("}", ""))
-        return None if meaning is None or meaning[1] else free.get(meaning[0])
 
     if IDLE.search(sentence):
         yield from ((one, S.Zero) for one in scene.input_symbols)
