@@ -1,6 +1,8 @@
 """The grade of a submission, from what became of its statements.
 
 score = statements that are right / (all statements + equations of motion that are missing)
+
+What follows from others, as twice an equation, or a quantity that is given again, counts once.
 """
 
 from collections.abc import Mapping, Sequence
@@ -10,12 +12,12 @@ from typing import Any
 from mechanics.blame.reference import Reference
 from mechanics.errors import InputError
 from mechanics.judge.check import check
-from mechanics.judge.complete import determined
+from mechanics.judge.complete import determined, independent
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.page import check_html
-from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.quantities import EquationOfMotion, Identity
 
 REQUIRE: dict[str, str] = {
     "all": "all that is written is right, and it determines the motion",
@@ -138,17 +140,27 @@ def grade(
     _, rank, freedoms = determined(reference.truth, found.judged)
     lacking = 0 if require == "right" else max(0, freedoms - rank)
     missing = max(0, lacking - sum(map(_tried, found.judged)))
-    shown = sum(entry.finding.shown for entry in found.judged)
+    shown = _said(reference, found.judged)
+    others = sum(not entry.finding.shown for entry in found.judged)
     return Grade(
         name,
         _verdict(found, require, lacking),
-        shown / (len(found.judged) + missing),
+        shown / max(1, shown + others + missing),
         lines,
         f"{missing} of {freedoms} independent equations of motion" if missing else "",
         found.remarks,
         check_html(found) if page else "",
         found.unjudged,
     )
+
+
+def _said(reference: Reference, judged: Sequence[Judged]) -> int:
+    """How many statements that are right say something new."""
+    new = independent(reference.truth, judged)
+    rows = [e.statement.row for e in judged if e.finding.shown]
+    others = [row for row in rows if row is None or not isinstance(row.quantity, EquationOfMotion)]
+    again = [row.quantity for row in others if row and not isinstance(row.quantity, Identity)]
+    return new + len(others) - len(again) + len(dict.fromkeys(map(repr, again)))
 
 
 def _tried(entry: Judged) -> bool:

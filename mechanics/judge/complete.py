@@ -91,6 +91,17 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     ``theta (theta'' - ...) = 0`` of a motion that stays at theta = 0. As many equations as freedoms
     count as one less where they say the same at some state.
     """
+    return _counted(truth, judged)[:3]
+
+
+def independent(truth: Equations, judged: Sequence[Judged]) -> int:
+    """How many equations of motion that are shown follow from no others."""
+    count, _, _, new = _counted(truth, judged)
+    return min(count, new)
+
+
+def _counted(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int, int]:
+    """What `determined` tells, and how many equations follow from no others."""
     scene = truth.scene
     entries = [e for e in judged if e.finding.shown and e.statement.row is not None]
     shown = [e.statement.row for e in entries if e.statement.row is not None]
@@ -108,19 +119,20 @@ def determined(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, in
     constraints = closing(truth).tolist()
     closure = truth.kinematics.mechanism.closure
     if closure and not closure.values:
-        return count, len(rows), len(scene.ud) - len(constraints)  # no exact state is known
+        return count, len(rows), len(scene.ud) - len(constraints), count  # no exact state is known
     try:
         held = _rank(truth, constraints)
         both = [[*a, *b] for a, b in zip(slopes, unknown, strict=True)]
         both += [[*row, *(S.Zero for _ in forces)] for row in constraints]
-        rank = _rank(truth, both) - _rank(truth, unknown) - held
+        new = _rank(truth, both) - held
+        rank = new - _rank(truth, unknown)
     except Inadmissible:
-        return count, len(rows), len(scene.ud) - len(constraints)  # no state to look at
+        return count, len(rows), len(scene.ud) - len(constraints), count  # no state to look at
     if rank == len(rows) == len(scene.ud):
         few = rank <= MOST_TOGETHER
         meet = _meet_somewhere(truth, entries, slopes) if few else _meet_at_a_state(truth, slopes)
         rank -= int(meet)
-    return count, rank, len(scene.ud) - held
+    return count, rank, len(scene.ud) - held, new
 
 
 def _meet_at_a_state(truth: Equations, slopes: list[list[Expr]]) -> bool:

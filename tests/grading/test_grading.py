@@ -8,11 +8,14 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from mechanics.blame.reference import Reference
 from mechanics.cli.app import app
 from mechanics.errors import InputError
+from mechanics.grading.grade import grade
 from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
 from mechanics.grading.submission import things_in
+from mechanics.judge.check import derived
 from mechanics.judge.sources import Beside
 from mechanics.worker import Limits
 from systems import elastic_pendulum
@@ -25,6 +28,8 @@ SIX = (
 SEVEN = (
     r"\[ \frac{ML}{2}\ddot x\cos\theta + \frac{ML^2}{3}\ddot\theta + \frac{MgL}{2}\sin\theta = 0 \]"
 )
+LAW = "(M+m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta) - theta'^2*sin(theta))"
+TWO = "(M+m)*x'^2/2 + M*L*x'*theta'*cos(theta)/2 + M*L^2*theta'^2/6"
 FILES = {
     "right.tex": f"{SIX}\n{SEVEN}",
     "slip.tex": f"{SIX}\n{SEVEN.replace('{3}', '{12}')}",
@@ -196,3 +201,12 @@ def test_cells_beside_a_function_are_its_comments(tmp_path: Path, kind: str) -> 
     path.write_text(json.dumps({"cells": cells}))
     function, beside = things_in(path, run_python=True)
     assert (function(1), beside) == (-1, Beside("The function below is wrong."))
+
+
+def test_what_says_nothing_new_counts_once() -> None:
+    reference = Reference(derived(SCENE))
+    again = [f"{k}*({LAW}) = 0" for k in range(1, 31)]
+    assert grade(reference, "one", again[:1]).score == 0.5
+    assert grade(reference, "thirty", again).score == 0.5
+    energies = [f"T = {TWO}", f"T = {TWO}"]
+    assert grade(reference, "energy", [*again, *energies]).score == 2 / 3
