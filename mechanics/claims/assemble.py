@@ -46,7 +46,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, told_once
 from mechanics.claims.name_resolution import Read, named
 from mechanics.claims.names import Naming, Vocabulary, unexplained
 from mechanics.claims.place import Refused, line_and_column, located
-from mechanics.claims.positions import as_scene_has, body_at, places_of
+from mechanics.claims.positions import as_scene_has, body_at, momentum_of_body, places_of
 from mechanics.claims.prose import said_of
 from mechanics.claims.sides import (
     distinct,
@@ -397,6 +397,8 @@ class _Assembly:
         moves = any(self.scene.plain(side).free_symbols & moving for side in sides)
         meant = self.naming.momentum(name) if moves else None
         ranks = {word for rank in LETTERS.get(name, ()) for word in rank}
+        if meant is not None and momentum_of_body(self.scene, sides[0]):
+            return
         plain = is_coefficient(name, line, self.lines, self.naming)
         angle = False
         if meant is not None and meant[1] == 0:

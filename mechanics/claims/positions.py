@@ -6,7 +6,7 @@ x = L sin(phi)    y = -L cos(phi)    dx = der(x)    V = m g y, where nothing say
 import re
 from collections.abc import Iterator, Sequence
 
-from sympy import Expr, zeros
+from sympy import Expr, S, zeros
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.definitions import definitions, used
@@ -78,6 +78,16 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
             if all(is_zero((value - other).diff(symbol)) for symbol in moving):
                 return name
     return ""
+
+
+def momentum_of_body(scene: Scene, value: Expr) -> str:
+    """The body of whose momentum a value is a component, up to its sign; empty for none."""
+    plain = scene.plain(value)
+    if not is_zero(plain.xreplace(dict.fromkeys((*scene.u, *scene.qd), S.Zero))):
+        return ""
+    heavy = (b for b in scene.bodies if b.mass != 0)
+    names = (b.name for b in heavy if body_at(scene, plain / b.mass) == b.name)
+    return next(names, "")
 
 
 def as_scene_has(scene: Scene, value: Expr | MatrixBase) -> str:
