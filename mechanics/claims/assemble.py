@@ -411,8 +411,9 @@ class _Assembly:
         elif letter is not None and ranks & ENTRIES.keys() and not plain:
             self._letter(line, tag, place, letter, sides, builder)
         unsure = () if angle else (f"{name} has another meaning here: say which",)
-        claims = (replace(s, unsure=(*s.unsure, *unsure)) for s in self.statements[before:])
-        self.statements[before:] = list(claims)
+        self.statements[before:] = [
+            replace(s, unsure=(*s.unsure, *unsure), defines=name) for s in self.statements[before:]
+        ]
 
     def _is_abbreviation(self, line: Line, name: str, meaning: Expr) -> bool:
         """Whether the text says that a name is short for something given, and it names no result.

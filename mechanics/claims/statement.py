@@ -75,6 +75,8 @@ class Statement:
     unsure : tuple of str
         Under what else it may be right: what nobody said, and has no list of other ways to try
         (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
+    defines : str
+        The name that it defines for other statements, where its meaning is a claim, too.
     """
 
     row: Published | None
@@ -91,6 +93,7 @@ class Statement:
     taken: tuple[tuple[str, Published], ...] = ()
     derived: bool = False
     unsure: tuple[str, ...] = ()
+    defines: str = ""
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ from mechanics.judge.bounded_blame import blamed, declared_only
 from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import judge_under, only_change
+from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
@@ -167,6 +168,7 @@ def check(
     judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
     judged = left_open(truth, judged, readings, held, not (counted or region))
     judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
+    judged = as_meant(judged)
     if not (counted or held or region):
         judged = in_special_case(truth, judged)
     if blame:
