@@ -10,7 +10,8 @@ import re
 from collections.abc import Iterator
 
 from mechanics.claims.latex.bars import barred
-from mechanics.claims.text.declarations import INITIAL, without_declarations
+from mechanics.claims.text.declarations import without_declarations
+from mechanics.claims.text.initial import INITIAL
 from mechanics.claims.text.line_continuation import on_one_line, sentences
 from mechanics.claims.text.markdown import without_markdown
 from mechanics.program.c.tokens import blanked
