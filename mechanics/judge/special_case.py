@@ -63,7 +63,10 @@ def _open(truth: Equations, entry: Judged) -> Judged:
         doubt = f"the text gives it for {case} only, which is not judged apart: leave that out"
         return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
-    for some in (table, table | _stated(truth, written)):
+    held = set().union(*(side.free_symbols for side in row.sides))
+    # Of what stands in the statement itself, a value is an example.
+    beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
+    for some in (table, table | beside):
         if some and _right_with(truth, row, some):
             for symbol in list(some):
                 fewer = {s: v for s, v in some.items() if s != symbol}
