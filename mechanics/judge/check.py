@@ -235,7 +235,7 @@ def _check_program(
     source = [text for part in things for text in source_of(part)]
     prose = prose_of(truth.scene, statements, [*matches.values()], source)
     untold = (*prose.against, *prose.limits)
-    judged = tuple(as_told(entry, untold) for entry in judged)
+    judged = as_meant([as_told(entry, untold) for entry in judged])
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     if blame and _operations(truth) <= LARGEST_SEARCHED:
         judged = blamed(reference, judged)
