@@ -12,13 +12,6 @@ ROD = derived(rod_pendulum.scene())
 HOOP = "theta'' = (omega^2*cos(theta) - g/r)*sin(theta)"
 LATEX = r"$$\ddot\theta = (\omega^2\cos\theta-\frac gr)\sin\theta$$"
 RIGHT = "theta'' = (omega^2*cos(theta) - 2*g/d)*sin(theta)"
-MODEL = """model B
-  Real theta, w, r; parameter Real R, g, omega;
-{}
-equation
-  der(theta) = w; der(w) = (omega^2*cos(theta) - g/r)*sin(theta);
-end B;
-"""
 
 
 def verdicts(truth, text: str) -> dict[str, str]:
@@ -32,7 +25,6 @@ def verdicts(truth, text: str) -> dict[str, str]:
         f"r ← 2*R\n{HOOP}", f"{HOOP}\nr += R", f"r ∶= 2*R\n{HOOP}", f"d <- 2*R\n{RIGHT}",
         rf"$$r\widehat{{=}} 2R$$ {LATEX}",
         rf"$$\xrightarrow{{r=2R}}$$ {LATEX}", rf"$$r \mathrel{{:=}} R + R$$ {LATEX}",
-        MODEL.format("algorithm\n  r := 2*R;"), MODEL.format("initial equation\n  r = 2*R;"),
     ],
 )  # fmt: skip
 def test_what_is_defined_on_a_line_that_is_not_read_is_not_guessed(text: str) -> None:
