@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from mechanics.claims.kinds import angular, kinds
 from mechanics.claims.names import GREEK, Match, Naming
+from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, families, key
 from mechanics.claims.tree import Name
 from mechanics.scene import Scene
@@ -65,7 +66,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     defined : iterable of str
         Names that the text defines itself.
     """
-    used = [name for name in used if not naming.unread_at(name.name)]
+    used = [name for name in used if not _is_open(naming, name.name)]
     short = _short(naming, used)
     naming = replace(naming, guessed=(*naming.guessed, *short))
     own = {key(name) for name in defined if not naming.knows(name)}
@@ -107,6 +108,12 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     every = (*short, *momenta, *found_moving, *found_still, *found_inputs)
     left_over = (moving | still) - {match.name for match in every}
     return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
+
+
+def _is_open(naming: Naming, name: str) -> bool:
+    """Whether a name is what the text alone can say."""
+    otherwise = naming.lookup(name) is None and another_quantity(name)
+    return bool(otherwise or naming.unread_at(name))
 
 
 def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> list[Match]:

@@ -15,6 +15,7 @@ from sympy import Expr, Symbol
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.claims.kinds import angular
+from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, key
 from mechanics.claims.tree import Call, Name, Node, Table, parts
 from mechanics.errors import InputError
@@ -354,6 +355,9 @@ def _listed(naming: Naming, node: Node | None) -> tuple[str, ...]:
 
 def unexplained(scene: Scene, unknown: Sequence[str]) -> str:
     """Why a statement with names that nothing explains has no verdict."""
+    told = [(name, another_quantity(name)) for name in dict.fromkeys(unknown)]
+    if said := [f"{name} says '{word}'" for name, word in told if word]:
+        return f"{', '.join(said)}, which no name of the scene does: define it by the scene's"
     missing = ", ".join(dict.fromkeys(unknown))
     vocabulary = Vocabulary(scene)
     known = ", ".join([*vocabulary.functions, *vocabulary.constants])

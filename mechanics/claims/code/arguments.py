@@ -16,6 +16,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.unpacking import Apart, Diagonal, Record
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming
+from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, key
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -373,6 +374,12 @@ def _unexplained(naming: Naming, names: Sequence[str], apart: Mapping[str, Apart
         attributes = list(apart[name].attributes)[:MOST] if name in apart else []
         asked += [f"{name}.{entry}" for entry in attributes] or [name]
         wanted += attributes or [name]
+    said = [f"{n} says '{word}'" for n in wanted if (word := another_quantity(n))]
+    if said:
+        return (
+            f"argument{'s' * (len(said) > 1)} {', '.join(said)}, which no name of the scene does:"
+            f" it is not guessed: {_options(naming, wanted)}"
+        )
     many, are = ("", "it is") if len(asked) == 1 else ("s", "they are")
     return (
         f"argument{many} {', '.join(asked)}: nothing says what {are}: give, several names for a"

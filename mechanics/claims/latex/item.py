@@ -81,11 +81,16 @@ def _d(above: list[Item], naming: Naming) -> bool:
     return isinstance(first, Name) and glued(first.name, naming)
 
 
+RATIO = re.compile(r"(\d+)\s*/\s*(\d+)|\\[dt]?frac\s*\{?\s*(\d)\s*\}?\s*\{?\s*(\d)\s*\}?")
+"""A number of a name: l_{1/2}."""
+
+
 def bare(text: str) -> str:
     r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
     # SymPy prints the symbol theta_ddot as \theta_{\dot{d}}.
     text = ACCENTED.sub(r"\2\1", text)
     text = DIFFERENCE.sub(r"\1minus\2", text)
+    text = RATIO.sub(lambda m: f"{m[1] or m[3]}over{m[2] or m[4]}", text)
     words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
     return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
 

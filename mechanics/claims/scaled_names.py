@@ -1,0 +1,32 @@
+"""Names that say another quantity than the letter they begin with: nobody guesses what they are.
+
+theta_deg    omega_rpm    R_mm    u_kNm    l_half    half_l    l_1over2    diameter
+"""
+
+import re
+
+OF_UNITS = (
+    "deg degs degree degrees dps arcmin arcsec rpm rps rev revs turns Hz hz kHz mm cm km um"
+    " micron inch inches ft feet yd mile miles kmh kph mph knots kN mN MN kNm mNm Nmm Ncm kgf"
+    " lb lbs lbf oz ton tons gram grams ms hours percent pct"
+)
+UNITS = frozenset(OF_UNITS.split())
+"""That are no coherent ones of the SI; as the last word of a name."""
+OF_PARTS = "half halves halved semi quarter third double doubled twice full whole diameter diam dia"
+PARTS = frozenset(OF_PARTS.split())
+"""Words for a part or a multiple."""
+FRACTION = re.compile(r"(?<=_)(\d+over\d+)$")
+WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|k?N(?:mm?|cm)?(?![a-z])")
+
+
+def another_quantity(name: str) -> str:
+    """The word of a name that says that it is another quantity; empty for any other name."""
+    if fraction := FRACTION.search(name):
+        return fraction[1].replace("over", "/")
+    parts = [part for part in name.replace("{", "_").replace("}", "_").split("_") if part]
+    words = [word for part in parts for word in (part, *WORD.findall(part))]
+    said = [word for word in words if word.lower() in PARTS]
+    if not said and parts and (len(parts) > 1 or len(parts[-1]) > 2):
+        last = [parts[-1], *WORD.findall(parts[-1])[1:]]
+        said = [w for w in last if w in UNITS or (len(w) > 2 and w.lower() in UNITS)]
+    return said[0] if said else ""
