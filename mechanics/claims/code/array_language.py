@@ -83,11 +83,29 @@ def transposed(a: Any) -> Any:
 def block(*rows: tuple[Any, ...]) -> Any:
     """[a b; c d]"""
     beside = [
-        np.concatenate(parts, axis=1)
+        _concatenated(parts, 1)
         for row in rows
         if (parts := [table(part) for part in row if np.size(part)])
     ]
-    return tidy(np.concatenate(beside, axis=0)) if beside else np.zeros((0, 0), dtype=object)
+    return tidy(_concatenated(beside, 0)) if beside else np.zeros((0, 0), dtype=object)
+
+
+def _concatenated(parts: list[Any], axis: int) -> Any:
+    """Matrices side by side, or one below the other.
+
+    Raises
+    ------
+    ValueError
+        Where their sizes do not fit.
+    """
+    sizes = [part.shape[1 - axis] for part in parts]
+    if len({*sizes}) > 1:
+        what, many = ("rows", "entries") if axis == 0 else ("parts of a row", "rows")
+        raise ValueError(
+            f"{what} of a matrix have {' and '.join(map(str, dict.fromkeys(sizes)))} {many}: a"
+            " blank before a sign, as in [a -b], makes two entries"
+        )
+    return np.concatenate(parts, axis=axis)
 
 
 def places(index: Any, size: int) -> list[int]:
