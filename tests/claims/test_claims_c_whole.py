@@ -51,3 +51,21 @@ def test_what_c_does_with_integers_is_no_formula_of_reals(above, body, formula):
 )  # fmt: skip
 def test_integers_beside_doubles_are_doubles(above, body, formula):
     assert verdict(above, body, formula) == "PROVED"
+
+
+CPP = [
+    ("constexpr int l = 5;", "double half = l/2;", HALVED),
+    ("constexpr auto l = 5;", "auto half = l/2;", HALVED),
+    ("const int l = 100000;", "", "3*g/(2.0*l)*sin(th) + 3*u/(l*l*m)"),
+    ("#define l 5", "double half = l/2;", HALVED),
+]
+
+
+@pytest.mark.parametrize("suffix", [".cpp", ".ino"])
+@pytest.mark.parametrize(("above", "body", "formula"), CPP)
+def test_integers_of_cpp_are_told_from_parameters(tmp_path, suffix, above, body, formula):
+    file = tmp_path / f"mine{suffix}"
+    head = "double acc(double th, double u, double m, double g)"
+    file.write_text(f"#include <cmath>\n{above}\n{head}\n{{ {body} return {formula}; }}\n")
+    with pytest.raises(InputError, match="an integer of the code stands for a parameter"):
+        mechanics.check(SCENE, file, blame=False)

@@ -304,14 +304,30 @@ def power(a: Any, b: Any) -> Any:
     return found
 
 
+def refuse_reals(*numbers: Any) -> None:
+    """Refuse integers of C++ that stand for parameters, which are real numbers.
+
+    Raises
+    ------
+    ValueError
+    """
+    if any(isinstance(number, float) for number in numbers):
+        raise ValueError(
+            "an integer of the code stands for a parameter, a real number, and C++ computes with"
+            " it as with integers: write it with a point, as 4.0"
+        )
+
+
 def quotient(a: Any, b: Any) -> Any:
     """a / b of integers, towards zero."""
+    refuse_reals(a, b)
     found = abs(a) // abs(b)
     return found if (a < 0) == (b < 0) else -found
 
 
 def unsigned(a: Any) -> Any:
     """An integer of C without a sign."""
+    refuse_reals(a)
     if isinstance(a, int | np.integer) and not 0 <= a < 2**32:
         raise ValueError(f"{a} becomes unsigned, another number: write it with a sign")
     return a
@@ -319,6 +335,7 @@ def unsigned(a: Any) -> Any:
 
 def signed(a: Any, bits: int) -> Any:
     """An integer of C with a sign."""
+    refuse_reals(a)
     if isinstance(a, int | np.integer) and not -(2 ** (bits - 1)) <= a < 2 ** (bits - 1):
         raise ValueError(f"{a} does not fit into an integer of {bits} bits")
     return a
