@@ -26,6 +26,7 @@ def verdict(above: str, body: str, formula: str, arguments: str = "double m, dou
         ("#define l 5\n#define twice (2*l)\n#define other (3/twice)", "", f"{RATES} + 0*other"),
         ("static const int l = 5;", "double half = l/2;", HALVED),
         ("static const int l = 5;\nstatic const double half = l/2;", "", HALVED),
+        ("", "int l = 5; double half = l/2;", HALVED),
         ("#define L 5", "double half = L/2;", HALVED.replace("l*l", "L*L")),
         ("#define l 5", "int k = 2; double half = l/k;", HALVED),
         ("#define l 5", "double half = (double) (l/2);", HALVED),
@@ -46,6 +47,7 @@ def test_what_c_does_with_integers_is_no_formula_of_reals(above, body, formula):
         ("#define l 5", "double half = (double) l/2;", HALVED),
         ("#define l 5.0", "double half = l/2;", HALVED),
         ("static const int l = 5;", "", RATES),
+        ("", "const int l = 5;", RATES),
         ("static const double l = 5;", "double half = l/2;", HALVED),
     ],
 )  # fmt: skip
