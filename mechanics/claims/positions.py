@@ -6,7 +6,7 @@ x = L sin(phi)    y = -L cos(phi)    dx = der(x)    V = m g y, where nothing say
 import re
 from collections.abc import Iterator, Sequence
 
-from sympy import Expr, S, zeros
+from sympy import Expr, Heaviside, S, sign, zeros
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.definitions import definitions, used
@@ -72,6 +72,8 @@ def body_at(scene: Scene, value: Expr | MatrixBase) -> str:
         return ""
     moving = {*scene.q, *scene.u}
     if not value.free_symbols & moving or value.free_symbols & {*scene.ud}:
+        return ""
+    if value.has(sign, Heaviside):  # their rates are no functions
         return ""
     for name, component in _components(scene):
         for other in (component, -component):

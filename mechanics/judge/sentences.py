@@ -82,6 +82,8 @@ HEADING = re.compile(r"^[ \t]*#+[ \t]*", re.MULTILINE)
 COMMENT = re.compile(r"#|//|/\*|%|\"")
 MARKED = "\u27e8= \u27e9"
 """What stands for a formula that is judged by itself."""
+TURNED = re.compile(r"^\W*(?P<name>[^\W\d]\w*)[ \t]*=(?!=)(?=[^\n=]*\b(?P=name)\b)[^\n=]*$")
+"""A name that is made another value of itself: theta = pi - theta."""
 TWO_WORDS = re.compile(r"[A-Za-z]{2,},? +[A-Za-z]{2,}")
 
 
@@ -140,7 +142,7 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
 
 def _formula(line: re.Match[str]) -> str:
     """A line of a comment with a formula: what has words is said, and not computed."""
-    spoken = TWO_WORDS.search(line[0]) or FLAWED.search(line[0]) or DENIAL.search(line[0])
+    spoken = any(words.search(line[0]) for words in (TWO_WORDS, FLAWED, DENIAL, TURNED))
     return line[0] if spoken else MARKED
 
 

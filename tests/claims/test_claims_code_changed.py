@@ -70,6 +70,7 @@ KEPT = [
     CLASS.format(made="self.l = l"),
     CLASS.format(made="self.l = float(length)"),
     CLASS.format(made="self.l, self.g = length, gravity"),
+    CLASS.format(made="mass_of_rod = m\n        self.l, self.m = l, mass_of_rod"),
     CLASS.format(made="self.l = 2*half_length"),
     RECORD.format(frozen="", made="self.l = float(self.l)"),
     AROUND.format(made="l = float(l)"),

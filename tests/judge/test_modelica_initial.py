@@ -53,7 +53,18 @@ def test_the_radius_by_another_name_is_the_radius(declared, initial):
         ("initial equation\n  theta = 0.1; der(theta) = 0;", ""),
         ("initial equation\n  w = 0;\n  theta = 0.1;", ""),
         ("initial equation\n  a = 0;", "  a = der(w);\n"),
+        ("initial equation\n  a = 0;", "  der(w) = a;\n"),
     ],
 )
 def test_where_a_motion_begins_is_no_equation(initial, beside):
     assert {*verdicts(", R; Real a;", initial, "g/R", beside)} == {Verdict.PROVED}
+
+
+def test_what_an_equation_only_uses_is_defined_at_the_begin():
+    text = (
+        "model B\n  Real theta, w, torque; parameter Real R, g, omega;\n"
+        "initial equation\n  torque = 2*g/R*sin(theta);\nequation\n  der(theta) = w;\n"
+        "  omega^2*cos(theta)*sin(theta) - der(w) = torque;\nend B;\n"
+    )
+    (found,) = mechanics.check(SCENE, text, blame=False).judged
+    assert found.finding.verdict is not Verdict.PROVED

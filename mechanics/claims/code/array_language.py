@@ -83,11 +83,29 @@ def transposed(a: Any) -> Any:
 def block(*rows: tuple[Any, ...]) -> Any:
     """[a b; c d]"""
     beside = [
-        np.concatenate(parts, axis=1)
+        _concatenated(parts, 1)
         for row in rows
         if (parts := [table(part) for part in row if np.size(part)])
     ]
-    return tidy(np.concatenate(beside, axis=0)) if beside else np.zeros((0, 0), dtype=object)
+    return tidy(_concatenated(beside, 0)) if beside else np.zeros((0, 0), dtype=object)
+
+
+def _concatenated(parts: list[Any], axis: int) -> Any:
+    """Matrices side by side, or one below the other.
+
+    Raises
+    ------
+    ValueError
+        Where their sizes do not fit.
+    """
+    sizes = [part.shape[1 - axis] for part in parts]
+    if len({*sizes}) > 1:
+        what, many = ("rows", "entries") if axis == 0 else ("parts of a row", "rows")
+        raise ValueError(
+            f"{what} of a matrix have {' and '.join(map(str, dict.fromkeys(sizes)))} {many}: a"
+            " blank before a sign, as in [a -b], makes two entries"
+        )
+    return np.concatenate(parts, axis=axis)
 
 
 def places(index: Any, size: int) -> list[int]:
@@ -286,14 +304,30 @@ def power(a: Any, b: Any) -> Any:
     return found
 
 
+def refuse_reals(*numbers: Any) -> None:
+    """Refuse integers of C++ that stand for parameters, which are real numbers.
+
+    Raises
+    ------
+    ValueError
+    """
+    if any(isinstance(number, float) for number in numbers):
+        raise ValueError(
+            "an integer of the code stands for a parameter, a real number, and C++ computes with"
+            " it as with integers: write it with a point, as 4.0"
+        )
+
+
 def quotient(a: Any, b: Any) -> Any:
     """a / b of integers, towards zero."""
+    refuse_reals(a, b)
     found = abs(a) // abs(b)
     return found if (a < 0) == (b < 0) else -found
 
 
 def unsigned(a: Any) -> Any:
     """An integer of C without a sign."""
+    refuse_reals(a)
     if isinstance(a, int | np.integer) and not 0 <= a < 2**32:
         raise ValueError(f"{a} becomes unsigned, another number: write it with a sign")
     return a
@@ -301,6 +335,7 @@ def unsigned(a: Any) -> Any:
 
 def signed(a: Any, bits: int) -> Any:
     """An integer of C with a sign."""
+    refuse_reals(a)
     if isinstance(a, int | np.integer) and not -(2 ** (bits - 1)) <= a < 2 ** (bits - 1):
         raise ValueError(f"{a} does not fit into an integer of {bits} bits")
     return a

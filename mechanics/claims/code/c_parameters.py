@@ -67,7 +67,7 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> Passed:
         if not all(meanings) or any(_assigned_again(text, name) for name, _ in pairs):
             return match[0]
         whole = {n: int(v) for n, v in pairs if kind not in REALS and WHOLE.fullmatch(v)}
-        if kind == "int" and (len(whole) < len(pairs) or _is_inside(text, match)):
+        if kind == "int" and (len(whole) < len(pairs) or any(_counts(text, n) for n in whole)):
             return match[0]
         integers.update(whole)
         for (name, number), meaning in zip(pairs, meanings, strict=True):
@@ -81,9 +81,11 @@ def with_parameters(text: str, vocabulary: Vocabulary) -> Passed:
     return Passed(_passed(found, list(notes)), tuple(notes.values()), integers)
 
 
-def _is_inside(text: str, match: re.Match[str]) -> bool:
-    """Whether it stands in a function, where an integer may be a size; places are kept."""
-    return text.count("{", 0, match.start()) != text.count("}", 0, match.start())
+def _counts(text: str, name: str) -> bool:
+    """Whether an integer is a size, a place or a bound of a loop."""
+    return (
+        re.search(rf"\[[^][]*\b{name}\b|\bfor\s*\([^{{}}]*?\b{name}\b[^{{}}]*?\)", text) is not None
+    )
 
 
 def _passed(text: str, names: Sequence[str]) -> str:

@@ -95,6 +95,7 @@ def _same(name: str, passed: str, meaning: set[str]) -> bool:
     short, long = (one.strip("_").lower().replace("_", "") for one in (name, passed))
     letters = iter(long)
     spelled = long[:1] == short[:1] and all(letter in letters for letter in short)
+    spelled = spelled or short.startswith(long)
     return spelled or {*passed.lower().strip("_").split("_")} <= meaning
 
 

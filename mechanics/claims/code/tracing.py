@@ -17,6 +17,7 @@ import numpy as np
 from sympy import Expr, Matrix, Piecewise
 from sympy.logic.boolalg import Boolean
 
+from mechanics.claims.code import array_language
 from mechanics.claims.code.assignments import recorded
 from mechanics.claims.code.closure_numbers import held
 from mechanics.claims.code.explorer import MOST_PATHS, Explorer
@@ -215,7 +216,7 @@ def _raises(error: Exception) -> bool:
 
 def _where(function: Callable[..., Any], error: BaseException, given: Given) -> str:
     """In which line of a function something failed, how, and what its arguments were read as."""
-    words = f": {type(error).__name__}: {' '.join(str(error).split())}{_unnamed(function)}"
+    words = f": {_words(error)}{_unnamed(function)}"
     line, code = _line(function, error)
     if not line:
         return words
@@ -223,6 +224,20 @@ def _where(function: Callable[..., Any], error: BaseException, given: Given) -> 
     read = [f"{name} is read as {' '.join(str(entry) for entry in given[name])}" for name in held]
     more = f" ({', '.join(read)}: if it is not, give --name '{held[0]}=...')" if held else ""
     return f"{words}{line}: {code}{more}"
+
+
+def _words(error: BaseException) -> str:
+    """What an error says, for people."""
+    words = " ".join(str(error).split())
+    if isinstance(error, UnboundLocalError) and (name := re.search(r"'(\w+)'", words)):
+        return (
+            f"{name[1]} is set in the function and read before that: give the new one another name,"
+            " or pass it as an argument"
+        )
+    frames = traceback.extract_tb(error.__traceback__)
+    if isinstance(error, ValueError) and frames[-1].filename == array_language.__file__:
+        return words
+    return f"{type(error).__name__}: {words}"
 
 
 def _line(function: Callable[..., Any], error: BaseException) -> tuple[str, str]:

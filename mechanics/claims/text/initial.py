@@ -19,8 +19,11 @@ INITIAL = re.compile(
 STATEMENT = re.compile(r"[^;]+;?")
 EQUATION = re.compile(r"^[ \t]*(?:initial[ \t]+)?(?:equation|algorithm)\b", re.MULTILINE)
 RATE = re.compile(r"\bder[ \t]*\([ \t]*(\w+)[ \t]*\)")
-SOLE = re.compile(r"^[ \t]*(\w+)[ \t]*=(?!=)|(?<![:=<>])=[ \t]*(\w+)[ \t]*;", re.MULTILINE)
-"""A name that is a side of an equation."""
+SOLE = re.compile(
+    r"(?:^|;)[ \t]*(\w+)[ \t]*=(?!=)|\bder[ \t]*\([ \t]*\w+[ \t]*\)[ \t]*=[ \t]*(\w+)[ \t]*;",
+    re.MULTILINE,
+)
+"""A name that an equation says: a = F/m; der(v) = a."""
 ASSIGNED = re.compile(r"\b([^\W\d]\w*)[ \t]*:=")
 ALGORITHM = re.compile(
     r"^[ \t]*(?:initial[ \t]+)?algorithm\b.*?"

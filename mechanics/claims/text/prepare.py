@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 from mechanics.claims.latex.bars import barred
 from mechanics.claims.text.declarations import without_declarations
-from mechanics.claims.text.initial import INITIAL
 from mechanics.claims.text.line_continuation import on_one_line, sentences
 from mechanics.claims.text.markdown import without_markdown
 from mechanics.program.c.tokens import blanked
@@ -100,7 +99,7 @@ OVER_TIMES = re.compile(
 
 def comments(text: str) -> Iterator[tuple[int, str]]:
     """What `prepared` blanks though it may hold a formula: its place, and its words."""
-    for words in (COMMENT, SLASHES, BEHIND, BLOCK, IN_STARS, INITIAL):
+    for words in (COMMENT, SLASHES, BEHIND, BLOCK, IN_STARS):
         for match in words.finditer(text):
             yield match.start(), match[0].lstrip("%#/ \t")
 
