@@ -82,17 +82,16 @@ def gives_constants(line: Line, naming: Naming) -> bool:
     plain = [side.name for side in line.sides if isinstance(side, Name)]
     if FIELD.search(line.source) and len({naming.lookup(name) for name in plain}) > 1:
         return False  # m = p.l
-    numbers = any(not names(side) for side in line.sides)
-    return gives(line, naming) and all(
-        is_constant(name, naming) or (numbers and is_input(name, naming)) for name in plain
-    )
+    return gives(line, naming) and all(is_constant(name, naming) for name in plain)
 
 
-def is_input(name: str, naming: Naming) -> bool:
-    """Whether a name is that of an input: what it is given is an example."""
-    found = naming.lookup(name)
+def gives_an_input(line: Line, naming: Naming) -> bool:
+    """Whether a name of an input is set to a number: in code that is an example, too."""
+    left, *others = line.sides
+    found = naming.lookup(left.name) if isinstance(left, Name) and not left.order else None
     inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
-    return found is not None and not found[1] and found[0] in inputs
+    is_input = found is not None and not found[1] and found[0] in inputs
+    return is_input and len(others) == 1 and not names(others[0])
 
 
 def is_constant(name: str, naming: Naming) -> bool:

@@ -85,10 +85,14 @@ def _right_with(truth: Equations, row: Published, table: Mapping[Symbol, Expr]) 
 
 
 def _stated(truth: Equations, written: Written) -> dict[Symbol, Expr]:
-    """Values of parameters and inputs that stand anywhere in the text, the same in all places."""
+    """Values of parameters and inputs in the text, the same in all places.
+
+    In LaTeX what stands behind the sentence is of something else.
+    """
+    text = written.text if written.notation == "text" else written.text[: _end(written)]
     free = _free(truth.scene, written.naming)
     found: dict[Symbol, set[Rational]] = {}
-    for one in STATED.finditer(written.text):
+    for one in STATED.finditer(text):
         if (own := free(one["name"])) is not None:
             found.setdefault(own, set()).add(Rational(one["value"]))
     return {
@@ -108,13 +112,18 @@ def _free(scene: Scene, naming: Naming) -> Callable[[str], Symbol | None]:
     return symbol
 
 
+def _end(written: Written) -> int:
+    """Where the sentence of a statement ends."""
+    sentence = sentence_around(written.text, written.start)
+    return written.text.find(sentence, max(0, written.start - len(sentence))) + len(sentence)
+
+
 def _given(truth: Equations, written: Written) -> Iterator[tuple[Symbol, Expr]]:
     """Symbols of the scene with what the text up to the end of its sentence puts for them."""
     scene, naming = truth.scene, written.naming
     symbol = _free(scene, naming)
     sentence = sentence_around(written.text, written.start)
-    end = written.text.find(sentence, max(0, written.start - len(sentence))) + len(sentence)
-    text = " ".join(written.text[:end].split())
+    text = " ".join(written.text[: _end(written)].split())
 
     if IDLE.search(sentence):
         yield from ((one, S.Zero) for one in scene.input_symbols)

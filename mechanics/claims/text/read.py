@@ -15,7 +15,15 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedTok
 
 from mechanics.claims.claim import Trees
 from mechanics.claims.functions import FUNCTIONS
-from mechanics.claims.lines import Entry, Line, Unread, gives_constants, is_constant, value
+from mechanics.claims.lines import (
+    Entry,
+    Line,
+    Unread,
+    gives_an_input,
+    gives_constants,
+    is_constant,
+    value,
+)
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.text.assignments import in_sequence
@@ -166,6 +174,7 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         line = Line(sides, tag[1] if tag else "", start, source, tuple(notes), others)
         told = VALUE.fullmatch(source)
         given = is_constant(told[1], naming) if told else gives_constants(line, naming)
+        given = given or (rest.startswith(";") and gives_an_input(line, naming))
         found.append(value(source, start) if given else line)
     return found
 
