@@ -274,7 +274,11 @@ IDIOMS = re.compile(
     r"(?:(?:(?:higher|second)[- ]order|quadratic) terms"
     r"|terms (?:of (?:higher|second) order|that (?:include|contain) this factor))"
     r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
-    r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b",
+    r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b"
+    r"|\bif \u27e8\w+\u27e9 (?:is|denotes) the (?:(?:mass|length|position|displacement|radius) of"
+    r"|distance (?:from|between|of)|angle (?:the|that|between|from|with|which|made|measured))\b"
+    r"|[(\uff08]\s*\u2248\s*(?!0+(?:\.0*)?\D)\d[\d.]*[^()\d\uff08\uff09]{0,9}[)\uff09]"
+    r"|(?<=[\u30a0-\u30ff])[\uff1d\u30a0](?=[\u30a0-\u30ff])",
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""
