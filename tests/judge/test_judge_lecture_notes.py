@@ -24,6 +24,7 @@ def verdict(text: str, name: str = "pendulum") -> str:
         r"The bob hangs at the distance $l = 2 A/3$ from the pivot.",
         r"$$T = T_a + T_b = \frac12 m l^2\dot\theta^2$$",
         r"If $\theta$ is the angle between the string and the vertical, it can be any.",
+        r"The angular speed is $\omega = \dot\theta \ne l$.",
         "Gravity is $g$ (\u2248 9.81).",
         "\u30aa\u30a4\u30e9\u30fc\uff1d\u30e9\u30b0\u30e9\u30f3\u30b8\u30e5",
     ],
@@ -146,3 +147,18 @@ def test_a_height_of_which_the_text_speaks_is_no_guess(said: str) -> None:
 )
 def test_what_has_no_mass_is_read_in_other_languages(words: str) -> None:
     assert verdict(f"{words}\n\n{RIGHT}") == "PROVED"
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        ".. math::\n    %s\n    :label: swing\n\nThat is all.",
+        "**Swing** (of the bob):\n%s",
+        "**Swing to and fro** (with gravity):\n\n%s",
+    ],
+)
+def test_headings_and_labels_of_a_formula_are_none(page: str) -> None:
+    latex = "math" in page
+    right = r"l\ddot\theta = -g\sin\theta" if latex else "l*theta'' = -g*sin(theta)"
+    assert verdict(page.replace("%s", right)) == "PROVED"
+    assert verdict(page.replace("%s", right.replace("g", "l"))) == "REFUTED"
