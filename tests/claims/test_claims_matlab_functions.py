@@ -259,3 +259,27 @@ def test_a_file_that_a_function_runs_first_gives_the_values_of_what_it_has() -> 
     assert function(a=3.0, k=2.0) == 6.0
     with pytest.raises(Unread, match="run"):
         functions('function y = f(a)\nk = 2;\nrun("values.m");\ny = k*a;\nend\n', "k")
+
+
+MAKES = """function [model, count] = make()
+import casadi.*
+k = 3;
+x = SX.sym('x');  % where it is
+v = SX.sym('v');
+F = MX.sym('F');
+rhs = vertcat(v, ...
+  max(F - k*x, x));
+y = vertcat(x, v);
+count = length(y);
+model = Function('f', {y, F}, {rhs}, {'y', 'F'}, {'rhs'});
+end
+"""
+
+
+def test_a_function_of_casadi_is_what_it_is_made_of() -> None:
+    (function,) = functions(MAKES)
+    assert list(function(y=np.array([1.0, 5.0]), F=7.0)) == [5.0, 4.0]
+    with pytest.raises(Unread):
+        functions(MAKES.replace("vertcat(x, v)", "vertcat(x, x)"))
+    with pytest.raises(Unread):
+        functions(MAKES.replace("{rhs}", "{rhs, y}"))

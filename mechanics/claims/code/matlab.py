@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.matlab_casadi import as_it_makes
 from mechanics.claims.code.python_page import (
     Page,
     Unread,
@@ -108,7 +109,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     Unread
         For what is not read, by line and column.
     """
-    text = OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text)
+    text = as_it_makes(OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text))
     root = tree(_language, text, "tree-sitter-matlab")
     _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
