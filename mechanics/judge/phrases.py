@@ -282,6 +282,12 @@ IDIOMS = re.compile(
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""
+UNDRIVEN = re.compile(
+    r"\b(?:without|no) (?:(?:an|any) )?(?:external|applied|driving|control) "
+    r"(?:force|torque|input)s?\b",
+    re.IGNORECASE,
+)
+"""What a scene without inputs has."""
 UNUSUAL = re.compile(
     r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff"
     r"\u00a1\u00ab\u00bb\u3001\u3002\u3008-\u3011\u3014-\u301b\uff0c\uff0e\uff1a\uff1b\uff08\uff09\uff61"

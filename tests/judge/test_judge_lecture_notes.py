@@ -25,6 +25,7 @@ def verdict(text: str, name: str = "pendulum") -> str:
         r"$$T = T_a + T_b = \frac12 m l^2\dot\theta^2$$",
         r"If $\theta$ is the angle between the string and the vertical, it can be any.",
         r"The angular speed is $\omega = \dot\theta \ne l$.",
+        "Without an external torque the equation is as follows.",
         "Gravity is $g$ (\u2248 9.81).",
         "\u30aa\u30a4\u30e9\u30fc\uff1d\u30e9\u30b0\u30e9\u30f3\u30b8\u30e5",
     ],

@@ -200,6 +200,7 @@ def test_words_in_code_of_any_language_are_of_the_classes_of_a_text(
 
 LIMITS = [
     r"Unlike the true model, the author has",
+    r"Without an external torque we have",
     r"This is for a thread with a bob and holds only for small $\theta$:",
     r"Die Reibung wird nicht vernachlässigt.",
     r"\[ g = 10 \text{ unless it is measured} \]",
