@@ -54,12 +54,13 @@ def read_sympy(
     Parameters
     ----------
     scene : Scene
-    thing : Expr, Eq, Matrix, KanesMethod, LagrangesMethod or System
+    thing : Expr, Eq, Matrix, KanesMethod, LagrangesMethod, System or a tuple of them
         An expression alone is taken to be zero where it holds an acceleration.
     names, about
         As for `read_source`.
     """
-    rows = sides_of(thing)
+    things = thing if isinstance(thing, tuple) else (thing,)
+    rows = [row for one in things for row in sides_of(one)]
     used = [name for sides in rows for side in sides for name in _names(side)]
     given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene), given)
