@@ -15,6 +15,7 @@ from mechanics.claims.kinds import angular, kinds
 from mechanics.claims.names import GREEK, Match, Naming
 from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, families, key
+from mechanics.claims.step_indices import at_different_steps
 from mechanics.claims.tree import Name
 from mechanics.scene import Scene
 from mechanics.scene.symbols import DOTS
@@ -106,8 +107,24 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
         [(lambda name, other: True, "the only input that is left")],
     )
     every = (*short, *momenta, *found_moving, *found_still, *found_inputs)
-    left_over = (moving | still) - {match.name for match in every}
+    apart = _at_different_steps(naming, used, every)
+    first = {n for n in still if n.endswith("_0") and f"{n[:-1]}1" not in still | moving}
+    first = {m.name for m in every if m.name in first and m.meaning in vocabulary.functions}
+    unlike = {key(name) for name in apart | first}
+    every = tuple(match for match in every if key(match.name) not in unlike)
+    left_over = (moving | still) - {match.name for match in every} - apart - first
     return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
+
+
+def _at_different_steps(naming: Naming, used: Sequence[Name], matches: Iterable[Match]) -> set[str]:
+    """Names of functions of time at a step of their own, as ``u_{k-1}`` beside ``theta_k``."""
+    given = {key(name) for name in naming.given}
+    naming = replace(naming, guessed=(*naming.guessed, *matches))
+    names = dict.fromkeys(one.name for one in used if key(one.name) not in given)
+    found = [(name, naming.lookup(name)) for name in names]
+    moves = naming.vocabulary.functions
+    apart = at_different_steps([(name, of[0]) for name, of in found if of and of[0] in moves])
+    return apart | {base for name in apart for base, _ in bases(name)}
 
 
 def _is_open(naming: Naming, name: str) -> bool:

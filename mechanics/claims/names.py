@@ -17,6 +17,7 @@ from sympy.physics.vector import dynamicsymbols
 from mechanics.claims.kinds import angular
 from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, key
+from mechanics.claims.step_indices import steps_told
 from mechanics.claims.tree import Call, Name, Node, Table, parts
 from mechanics.errors import InputError
 from mechanics.kinematics.symbolic import Kinematics
@@ -358,6 +359,8 @@ def unexplained(scene: Scene, unknown: Sequence[str]) -> str:
     told = [(name, another_quantity(name)) for name in dict.fromkeys(unknown)]
     if said := [f"{name} says '{word}'" for name, word in told if word]:
         return f"{', '.join(said)}, which no name of the scene does: define it by the scene's"
+    if steps := steps_told(dict.fromkeys(unknown)):
+        return f"{steps}: the scene's names are of one instant: say what they mean"
     missing = ", ".join(dict.fromkeys(unknown))
     vocabulary = Vocabulary(scene)
     known = ", ".join([*vocabulary.functions, *vocabulary.constants])

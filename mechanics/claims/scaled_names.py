@@ -1,6 +1,6 @@
 """Names that say another quantity than the letter they begin with: nobody guesses what they are.
 
-theta_deg    omega_rpm    R_mm    u_kNm    l_half    half_l    l_1over2    diameter
+theta_deg    omega_rpm    R_mm    u_kNm    l_half    half_l    l_1over2    diameter    u_max
 """
 
 import re
@@ -15,6 +15,8 @@ UNITS = frozenset(OF_UNITS.split())
 OF_PARTS = "half halves halved semi quarter third double doubled twice full whole diameter diam dia"
 PARTS = frozenset(OF_PARTS.split())
 """Words for a part or a multiple."""
+OTHERS = frozenset(("max", "min", "ref", "des", "eq"))
+"""Words for a bound, an aim or a state at rest."""
 FRACTION = re.compile(r"(?<=_)(\d+over\d+)$")
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|k?N(?:mm?|cm)?(?![a-z])")
 
@@ -25,7 +27,7 @@ def another_quantity(name: str) -> str:
         return fraction[1].replace("over", "/")
     parts = [part for part in name.replace("{", "_").replace("}", "_").split("_") if part]
     words = [word for part in parts for word in (part, *WORD.findall(part))]
-    said = [word for word in words if word.lower() in PARTS]
+    said = [word for word in words if word.lower() in PARTS | OTHERS]
     if not said and parts and (len(parts) > 1 or len(parts[-1]) > 2):
         last = [parts[-1], *WORD.findall(parts[-1])[1:]]
         said = [w for w in last if w in UNITS or (len(w) > 2 and w.lower() in UNITS)]

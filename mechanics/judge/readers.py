@@ -1,5 +1,6 @@
 """Whatever a person has, as statements: text, files, SymPy's objects, code."""
 
+import inspect
 import re
 from collections.abc import Mapping
 from contextlib import suppress
@@ -20,7 +21,8 @@ from mechanics.claims.code.read_arrays import (
     read_arrays,
     read_cpp,
 )
-from mechanics.claims.code.sympy_objects import is_sympy, read_sympy
+from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
+from mechanics.claims.code.tracing import OtherKindError
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.errors import InputError, WrongKindError
 from mechanics.judge.sources import Beside
@@ -40,7 +42,10 @@ def spread(equations: Any) -> list[Any]:
     things = list(equations) if isinstance(equations, list | tuple) else [equations]
     found: list[Any] = []
     for thing in things:
-        if isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
+        if isinstance(thing, list | tuple) and thing:
+            inner = spread(thing)
+            found += [tuple(inner)] if all(map(is_sympy, inner)) else inner
+        elif isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
             found += [Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items()]
         else:
             found.append(thing)
@@ -69,7 +74,7 @@ def read(
 
     Parameters
     ----------
-    thing : str, bytes, Path, SymPy object, CasADi Function, callable or Beside
+    thing : str, bytes, Path, SymPy object or a tuple of them, CasADi Function, callable or Beside
     names, notation, about
         As for `mechanics.check`.
     function : str, optional
@@ -116,14 +121,33 @@ def read(
         return read_source(scene, thing, names=names, notation=notation, about=about)
     if isinstance(thing, casadi.Function):
         return read_casadi(scene, thing, names, about)
-    if is_sympy(thing):
+    if is_sympy(thing) or (isinstance(thing, tuple) and all(map(is_sympy, thing))):
         return read_sympy(scene, thing, names, about)
     if isinstance(thing, ModuleType) or not callable(thing):
         raise WrongKindError(
             f"check: {type(thing).__name__} found: pass LaTeX, text, a Path, a SymPy object, a"
             " CasADi Function or a Python function"
         )
-    return read_function(scene, thing, names, about)
+    try:
+        return read_function(scene, thing, names, about)
+    except OtherKindError:
+        if (objects := _returned(thing)) is None:
+            raise
+    return read_sympy(scene, objects, names, about)
+
+
+def _returned(function: Any) -> Any:
+    """SymPy's objects that a function without arguments returns each time; None for others."""
+    wanted = inspect.signature(function).parameters.values()
+    if any(
+        p.default is p.empty and p.kind not in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in wanted
+    ):
+        return None
+    first, again = tuple(spread(function())), tuple(spread(function()))
+    if not first or not all(map(is_sympy, (*first, *again))):
+        return None
+    same = [*map(sides_of, first)] == [*map(sides_of, again)]
+    return first if same else None
 
 
 def _no_path(text: str) -> None:

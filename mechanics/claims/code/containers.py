@@ -12,6 +12,8 @@ from dis import get_instructions
 from functools import cached_property, partial
 from typing import Any
 
+from sympy.core.function import UndefinedFunction
+
 from mechanics.claims.code.objects import attributes, setter, with_methods
 
 Put = Callable[[Any], None]
@@ -25,6 +27,11 @@ LIBRARIES = frozenset({"numpy", "scipy", "sympy", "casadi"})
 def library(module: str) -> bool:
     """Whether a module is none of a person's."""
     return module.partition(".")[0] in sys.stdlib_module_names | LIBRARIES
+
+
+def of_library(kind: type) -> bool:
+    """Whether a class is none of a person's; that of SymPy's ``u(t)`` has no module."""
+    return isinstance(kind, UndefinedFunction) or library(kind.__module__ or "")
 
 
 def with_numbers(value: Any, asked: frozenset[str], learn: Learn) -> Any:

@@ -18,7 +18,7 @@ import numpy as np
 from sympy import Basic
 
 from mechanics.claims.code.closure_numbers import content
-from mechanics.claims.code.containers import library
+from mechanics.claims.code.containers import of_library
 from mechanics.claims.code.objects import attributes, methods_of, names_in
 from mechanics.claims.code.tracer import Traced
 
@@ -77,7 +77,7 @@ def _reached(function: Any, known: set[int]) -> Iterator[tuple[str, Any]]:
 
 def _of_kind(kind: type, name: str, known: set[int]) -> Iterator[tuple[str, Any]]:
     """What is kept in a class of a person's, and what its methods reach."""
-    if library(kind.__module__):
+    if of_library(kind):
         return
     for method in methods_of(kind).values():
         yield from _reached(method, known)

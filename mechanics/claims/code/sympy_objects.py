@@ -54,16 +54,18 @@ def read_sympy(
     Parameters
     ----------
     scene : Scene
-    thing : Expr, Eq, Matrix, KanesMethod, LagrangesMethod or System
+    thing : Expr, Eq, Matrix, KanesMethod, LagrangesMethod, System or a tuple of them
         An expression alone is taken to be zero where it holds an acceleration.
     names, about
         As for `read_source`.
     """
-    rows = sides_of(thing)
+    things = thing if isinstance(thing, tuple) else (thing,)
+    rows = [row for one in things for row in sides_of(one)]
     used = [name for sides in rows for side in sides for name in _names(side)]
     given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene), given)
-    naming = replace(naming, guessed=guess(naming, used, ()))
+    named = [name for name in used if "(" not in name.name]
+    naming = replace(naming, guessed=guess(naming, named, ()))
     statements = [
         _statement(scene, naming, sides, str(i), about) for i, sides in enumerate(rows, 1)
     ]
@@ -134,7 +136,7 @@ def _kane(method: KanesMethod) -> list[Sides]:
 
 def _names(side: Any) -> list[Name]:
     """Every name in an expression, with the order of its derivative, in order of their names."""
-    side = side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
+    side = _done(side)
     found = [Name(0, *_function(d)) for d in side.atoms(Derivative)]
     found += [Name(0, *_function(f), True) for f in side.atoms(AppliedUndef)]
     found += [Name(0, s.name) for s in side.free_symbols if s != dynamicsymbols._t]
@@ -191,6 +193,25 @@ def _plain(naming: Naming, side: Any, unknown: list[str], told: list[str] | None
     return side.xreplace(table)
 
 
+def _other_time(naming: Naming, sides: Sides) -> str:
+    """What is applied to anything but the time, or depends on it and is constant in the scene."""
+    held = naming.vocabulary.scene.parameters
+    found = [f for side in sides for f in _done(side).atoms(AppliedUndef)]
+    for function in sorted(found, key=str):
+        name, _ = _function(function)
+        if "(" in name and not naming.knows(name):
+            return f"{name} is not at the time t: it is no name of the scene's"
+        constant = naming.lookup(name)
+        if constant is not None and any(p.name == constant[0] for p in held):
+            return f"{function} is a function of time: {constant[0]} of the scene is constant"
+    return ""
+
+
+def _done(side: Any) -> Any:
+    """With all derivatives formed that can be."""
+    return side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
+
+
 def _symbol(naming: Naming, name: str, order: int, unknown: list[str]) -> Symbol:
     try:
         symbol = naming.symbol(name, order)
@@ -217,7 +238,8 @@ def _statement(
         quantity, note = MassMatrix(), "a square matrix alone is read as the mass matrix"
     else:
         quantity, plain, note = kind_of(scene, plain)
-    doubt = unexplained(scene, unknown) if unknown else ""
+    doubt = _other_time(naming, sides)
+    doubt = doubt or (unexplained(scene, unknown) if unknown else "")
     doubt = doubt or (f"{told[0]}, the scene's is not" if told else "")
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
         doubt = "an expression without an equals sign: say what it is about"

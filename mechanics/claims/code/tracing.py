@@ -80,6 +80,10 @@ class _Way:
     failure: str = ""
 
 
+class OtherKindError(InputError):
+    """A function returns neither numbers nor arrays."""
+
+
 def trace(
     function: Callable[..., Any], given: Given, standing: Mapping[str, Expr] = NONE
 ) -> Outputs:
@@ -295,7 +299,7 @@ def _matrix(part: Any, explorer: Explorer, title: str) -> Matrix:
         raise InputError(f"{title} returns an array of shape {array.shape}: vectors and matrices")
     entries = [expression_of(entry, explorer) for entry in array.flat]
     if any(entry is None for entry in entries):
-        raise InputError(f"{title} returns {type(part).__name__}: numbers and arrays are known")
+        raise OtherKindError(f"{title} returns {type(part).__name__}: numbers and arrays are known")
     explorer.outputs += [gathered(asked_of(entry)) for entry in array.flat]
     for entry in array.flat:
         if isinstance(entry, Traced) and entry.formula is not None:

@@ -25,7 +25,7 @@ from sympy import Expr
 
 from mechanics.claims.code import linear_systems
 from mechanics.claims.code.closure_numbers import content, foreign, named
-from mechanics.claims.code.containers import library
+from mechanics.claims.code.containers import library, of_library
 from mechanics.claims.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
 from mechanics.claims.code.objects import class_with_methods, methods_of, with_methods
 from mechanics.claims.code.tracer import Traced
@@ -364,7 +364,7 @@ def stand_in(value: Any, made: Made) -> Any:
     if isinstance(value, types.MethodType) and isinstance(value.__func__, types.FunctionType):
         return value if foreign(value.__func__) else copy_of(value, made)
     kind = value if isinstance(value, type) else type(value)
-    if isinstance(value, types.ModuleType) or library(kind.__module__):
+    if isinstance(value, types.ModuleType) or of_library(kind):
         return value
     return _class_copy(value, made) if kind is value else _object_copy(value, made)
 

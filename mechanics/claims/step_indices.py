@@ -1,0 +1,46 @@
+r"""Indices of time steps: they are dropped where all that moves is taken at one step.
+
+\theta_k, u_k    ->    theta, u          \theta_k, u_{k-1}    are no names of one instant
+"""
+
+import re
+from collections.abc import Iterable
+
+from mechanics.claims.spelled_rates import bases, key
+
+STEP = re.compile(r"_?(?P<step>[ijkn](?:[mp+-]?\d+|minus\d+|plus\d+)?)(?:_(?:d|dd|dot|ddot))?$")
+
+
+def step_of(name: str, meaning: str) -> str:
+    """The step at which a name is taken that stands for a function of time; empty for none.
+
+    Parameters
+    ----------
+    name : str
+        The person's.
+    meaning : str
+        The scene's, without its rate.
+    """
+    whole = key(meaning)
+    if key(name) == whole or any(base == whole for base, _ in bases(name)):
+        return ""
+    part = STEP.search(name) if "_" in name else None
+    return part["step"] if part and not whole.endswith(part["step"]) else ""
+
+
+def at_different_steps(names: Iterable[tuple[str, str]]) -> set[str]:
+    """Names taken at a step, where what moves is not taken at one step altogether.
+
+    Parameters
+    ----------
+    names : iterable of (str, str)
+        Of a person, with what they stand for in the scene.
+    """
+    steps = {name: step_of(name, meaning) for name, meaning in names}
+    return {n for n, step in steps.items() if step} if len({*steps.values()}) > 1 else set()
+
+
+def steps_told(names: Iterable[str]) -> str:
+    """Names that are taken at different steps, in words; empty where there are none."""
+    steps = {name: part["step"] for name in names if (part := STEP.search(name)) and "_" in name}
+    return f"{', '.join(steps)} are taken at different steps" if len({*steps.values()}) > 1 else ""
