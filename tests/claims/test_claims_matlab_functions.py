@@ -232,3 +232,10 @@ def test_what_a_line_undoes_is_not_passed_over(lines: str, words: str) -> None:
         return
     with pytest.raises(Unread, match=words):
         functions(text)
+
+
+@pytest.mark.parametrize("body", ["n = 9007199254740993; y = n*x;", "y = x*3^40;"])
+def test_integers_that_no_double_is_are_refused(body: str) -> None:
+    with pytest.raises((ValueError, Unread), match="more than a double holds exactly"):
+        (one,) = functions(f"function y = f(x)\n{body}\nend")
+        one(x=1.0)

@@ -15,7 +15,6 @@ from typing import Any
 
 from mechanics.claims.code import array_language
 from mechanics.claims.code.cpp_integers import (
-    EXACT,
     Kind,
     joined_kind,
     kind_of,
@@ -32,6 +31,7 @@ from mechanics.claims.code.cpp_types import (
     unread_types,
 )
 from mechanics.claims.code.python_page import (
+    EXACT,
     Page,
     Unread,
     first_error,
