@@ -854,6 +854,8 @@ def _value(node: Any, scope: Scope) -> str:
             return f"({yes} if {condition} else {no})"
         case "initializer_list":
             return f"block({joined([f'({_value(part, scope)},)' for part in named(node)])})"
+        case "compound_literal_expression" if is_integral(words(node.child_by_field_name("type"))):
+            raise refuse(node, "what is made an integer is not read: write it as double")
         case "compound_literal_expression":
             return _value(node.child_by_field_name("value"), scope)
         case "cast_expression" if words(node.child_by_field_name("type")) in ("double", "float"):
