@@ -39,7 +39,11 @@ def exact(a: Any) -> Any:
     ValueError
     """
     for one in np.ravel(a):
-        if not isinstance(one, float) and isinstance(one, int | np.integer) and abs(one) > EXACT:
+        if (
+            not isinstance(one, float)
+            and isinstance(one, int | np.integer)
+            and abs(int(one)) > EXACT
+        ):
             raise ValueError(f"{one} is more than a double holds exactly: write it with a point")
     return a
 
