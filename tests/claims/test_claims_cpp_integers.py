@@ -30,6 +30,9 @@ def value(before: str, inside: str, formula: str, origin: str = "page.cpp") -> f
         ("double k(uint8_t n) { return n; }", "", "k(259)", "n is uint8_t: 259"),
         ("uint8_t k() { return 259; }", "", "k()", "what is returned is uint8_t: 259"),
         ("", "int n = 2000000000;", "n*2", "32 bits: 4000000000"),
+        ("const float n = 0.1;", "", "n", "float n = is rounded to single precision"),
+        ("", "float n{0.1};", "n", "is rounded to single precision"),
+        ("", "const auto n = uint8_t{259};", "n", "made an integer"),
         ("", "double n = 9007199254740993;", "n", "more than a double holds"),
     ],
 )

@@ -283,3 +283,10 @@ def test_a_function_of_casadi_is_what_it_is_made_of() -> None:
         functions(MAKES.replace("vertcat(x, v)", "vertcat(x, x)"))
     with pytest.raises(Unread):
         functions(MAKES.replace("{rhs}", "{rhs, y}"))
+
+
+@pytest.mark.parametrize("body", ["n = 9007199254740993; y = n*x;", "y = x*3^40;"])
+def test_integers_that_no_double_is_are_refused(body: str) -> None:
+    with pytest.raises((ValueError, Unread), match="more than a double holds exactly"):
+        (one,) = functions(f"function y = f(x)\n{body}\nend")
+        one(x=1.0)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.claims.code.python_page import LONGEST
+from mechanics.claims.code.python_page import EXACT, LONGEST
 
 ALL = slice(None)
 LARGEST = 4096
@@ -31,11 +31,28 @@ def table(a: Any) -> Any:
     return array.reshape(1, 1) if array.ndim == 0 else array.reshape(array.shape[0], -1)
 
 
+def exact(a: Any) -> Any:
+    """What is computed of integers, which Python has of any size and a double has not.
+
+    Raises
+    ------
+    ValueError
+    """
+    for one in np.ravel(a):
+        if (
+            not isinstance(one, float)
+            and isinstance(one, int | np.integer)
+            and abs(int(one)) > EXACT
+        ):
+            raise ValueError(f"{one} is more than a double holds exactly: write it with a point")
+    return a
+
+
 def times(a: Any, b: Any) -> Any:
     """a*b"""
     if not (isinstance(a, np.ndarray) and isinstance(b, np.ndarray)):
-        return a * b
-    return tidy(table(a) @ table(b))
+        return exact(a * b)
+    return exact(tidy(table(a) @ table(b)))
 
 
 def same_shape(a: Any, b: Any) -> tuple[Any, Any]:
@@ -48,19 +65,19 @@ def same_shape(a: Any, b: Any) -> tuple[Any, Any]:
 def plus(a: Any, b: Any) -> Any:
     """a + b"""
     a, b = same_shape(a, b)
-    return a + b
+    return exact(a + b)
 
 
 def minus(a: Any, b: Any) -> Any:
     """a - b"""
     a, b = same_shape(a, b)
-    return a - b
+    return exact(a - b)
 
 
 def each_times(a: Any, b: Any) -> Any:
     """a .* b"""
     a, b = same_shape(a, b)
-    return a * b
+    return exact(a * b)
 
 
 def each_over(a: Any, b: Any) -> Any:
@@ -72,7 +89,7 @@ def each_over(a: Any, b: Any) -> Any:
 def each_power(a: Any, b: Any) -> Any:
     """a .^ b"""
     a, b = same_shape(a, b)
-    return a**b if isinstance(a, np.ndarray) else power(a, b)
+    return exact(a**b) if isinstance(a, np.ndarray) else power(a, b)
 
 
 def transposed(a: Any) -> Any:
@@ -297,7 +314,7 @@ def power(a: Any, b: Any) -> Any:
     if isinstance(b, np.ndarray):
         raise ValueError("a power whose exponent is an array is not read")
     if not isinstance(a, np.ndarray):
-        return a**b
+        return exact(a**b)
     if b != int(b) or b == 0:
         raise ValueError(f"a matrix to the power of {b} is not read")
     one = inverse(a) if b < 0 else a

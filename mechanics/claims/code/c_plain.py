@@ -25,6 +25,9 @@ SINGLE = (
 )  # fmt: skip
 """Functions of the C library, and what they take."""
 
+ROUNDED = (
+    "is rounded to single precision among doubles, which is no exact formula: write it as a double"
+)
 SINGLE_NOTE = "single precision (float, sinf, 0.5f) is read as exact numbers"
 
 CALLED = re.compile(r"\s*\(")
@@ -33,7 +36,7 @@ STRUCT = re.compile(
 )
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
 TO_SINGLE = re.compile(
-    r"\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*=(?!=)"
+    r"\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*(?:=(?!=)|\{)|\bstatic_cast\s*<\s*float\s*>"
     r"|(?<![\w.])[\d.]+[fF]\s*/\s*\d+(?![\w.])"
     r"|(?<![\w.])(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b"
 )
@@ -73,11 +76,8 @@ def plain(text: str, origin: str) -> Plain:
         that is no argument, by line and column.
     """
     doubled, notes = in_doubles(text)
-    if rounded := _rounded(_blank(text)) if notes else None:
-        raise ExpressionError(
-            f"{_place(text, rounded.start(), origin)}: {rounded[0]} is rounded to single precision"
-            " among doubles, which is no exact formula: write it as a double"
-        )
+    if rounded := made_single(text) if notes else None:
+        raise ExpressionError(f"{_place(text, rounded.start(), origin)}: {rounded[0]} {ROUNDED}")
     records = re.search(r"\bstruct\b", doubled) is not None
     for name in DEFINE.findall(_blank(text)) if records or notes else ():
         if name in SINGLE or name in WORDS:
@@ -99,8 +99,9 @@ def in_doubles(text: str) -> tuple[str, tuple[str, ...]]:
     return doubled, (SINGLE_NOTE,) if doubled != text else ()
 
 
-def _rounded(text: str) -> re.Match[str] | None:
+def made_single(text: str) -> re.Match[str] | None:
     """What is no number of single precision, and made one beside doubles: ``0.1f``, a cast."""
+    text = _blank(text)
     if not re.search(r"\bdouble\b", text):
         return None
     for one in TO_SINGLE.finditer(text):

@@ -8,14 +8,14 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.c_plain import ROUNDED, made_single
 from mechanics.claims.code.cpp_integers import (
-    EXACT,
     Kind,
     joined_kind,
     kind_of,
@@ -32,6 +32,7 @@ from mechanics.claims.code.cpp_types import (
     unread_types,
 )
 from mechanics.claims.code.python_page import (
+    EXACT,
     Page,
     Unread,
     first_error,
@@ -154,6 +155,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
     _refuse_constructors(root, used)
+    _refuse_single(root, used)
     bits = 16 if origin.endswith(SMALL) else 32
     constants, kinds = _numbers(root, used, bits)
     members = integer_members(root, unread)
@@ -251,6 +253,27 @@ def _refuse_conditions(root: Any) -> None:
         )  # fmt: skip
         if not guard and (name is None or words(name) != "__cplusplus"):
             raise refuse(node, "what is compiled depends on a condition: write one branch")
+
+
+def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
+    """Refuse numbers of single precision among doubles, in functions and what they use of the file.
+
+    Raises
+    ------
+    Unread
+    """
+    names = {words(one) for node in nodes.values() for one in within(node, "identifier")}
+    outside = [
+        one for one in within(root, "declaration", "field_declaration")
+        if _owner(one) is None and names & {
+            words(n) for n in within(one, "identifier", "field_identifier")
+        }
+    ]  # fmt: skip
+    parts = [*outside, *nodes.values()]
+    doubles = " double" * any(re.search(r"\bdouble\b", words(part)) for part in parts)
+    for part in parts:
+        if (found := made_single(words(part) + doubles)) is not None:
+            raise refuse(part, f"{found[0]} {ROUNDED}")
 
 
 def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:
@@ -854,6 +877,8 @@ def _value(node: Any, scope: Scope) -> str:
             return f"({yes} if {condition} else {no})"
         case "initializer_list":
             return f"block({joined([f'({_value(part, scope)},)' for part in named(node)])})"
+        case "compound_literal_expression" if is_integral(words(node.child_by_field_name("type"))):
+            raise refuse(node, "what is made an integer is not read: write it as double")
         case "compound_literal_expression":
             return _value(node.child_by_field_name("value"), scope)
         case "cast_expression" if words(node.child_by_field_name("type")) in ("double", "float"):

@@ -9,8 +9,8 @@ those of both signs. What is held is no more than a double holds exactly.
 import re
 from typing import NamedTuple
 
-EXACT = 2**53
-"""Integers up to it are doubles."""
+from mechanics.claims.code.python_page import EXACT
+
 LITERAL = re.compile(r"[-+]?\d+([uUlL]*)")
 
 

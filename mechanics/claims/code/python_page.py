@@ -18,6 +18,8 @@ from mechanics.errors import InputError
 WIDTH = 4
 LONGEST = 64
 """Turns of a loop."""
+EXACT = 2**53
+"""Integers up to it are doubles."""
 
 
 class Unread(InputError):
@@ -105,6 +107,10 @@ class Page:
         except SyntaxError as error:
             what = (error.text or "").strip()
             raise Unread(f"line {error.lineno}: {what!r} is not read") from None
+        for one in ast.walk(parsed):
+            number = one.value if isinstance(one, ast.Constant) else None
+            if isinstance(number, int) and number > EXACT:
+                raise Unread(f"{number} is more than a double holds exactly: write it with a point")
         try:
             exec(compile(parsed, origin, "exec"), space)
         except ValueError as error:
