@@ -124,7 +124,7 @@ def assemble(
         text,
         [*(verbatim(text) if notation == "latex" else comments(text))],
     )
-    lines = with_state_space(lines, naming)
+    lines = with_state_space(lines, naming, text)
     lines, told = told_once(without_unknown_rates(lines, naming))
     places = places_of(lines, naming, text)
     lines = [*places.values(), *lines]

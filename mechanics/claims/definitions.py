@@ -240,6 +240,9 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
         if isinstance(line, Line) and _only_names(line, lines, naming, once):
             words = f"{line.source[:60]}: names what another line gives"
             line = Aside(words, line.at)
+        if isinstance(line, Line) and (other := _multiple(line, naming, once)):
+            words = f"{line.source[:60]}: says what {other} is, which nothing else uses"
+            line = Aside(words, line.at)
         if isinstance(line, Line) and len(line.sides) > 2:
             first, *rest = line.sides
             told = _told_in_turn(line, counts, naming, known)
@@ -326,6 +329,25 @@ def _only_names(line: Line, lines: Sequence[Entry], naming: Naming, once: Contai
     return (first.name, first.order) in named
 
 
+def _multiple(line: Line, naming: Naming, once: Container[str]) -> str:
+    """The name that nothing else uses, a multiple of a parameter by a line: l = L/2; else empty."""
+    first, side = line.sides[0], line.sides[-1]
+    held = names(side)
+    if len(line.sides) != 2 or not isinstance(first, Name) or len(held) != 1:
+        return ""
+    name = held[0].name
+    numbers = [constant(factor) for factor in _factors(side) if not isinstance(factor, Name)]
+    own = naming.target(first.name) is not None and not naming.is_function(first.name)
+    plain = own and numbers and all((number or 0) > 0 for number in numbers)
+    free = name in once and naming.target(name) is None and not held[0].order
+    return name if plain and free and not first.order else ""
+
+
+def _factors(node: Node) -> list[Node]:
+    inside = node.factors if isinstance(node, Product) else ()
+    return [one for factor in inside for one in _factors(factor)] if inside else [node]
+
+
 def _energy(name: str) -> str:
     """The energy that a name is, or is a part of: V, V_eff; empty where it is none."""
     return ENERGY_NAMES.get(name) or ENERGY_NAMES.get(name.partition("_")[0], "")
@@ -354,9 +376,12 @@ def _named(
 def _is_law(energy: str, side: Node) -> bool:
     """Whether a side is T - V for a Lagrangian, T + V for an energy, T + V_g + V_s with several.
 
-    A Lagrangian T + U has the force function, U = -V.
+    So is T_c + T_p for a kinetic energy. A Lagrangian T + U has the force function, U = -V.
     """
     terms = side.terms if isinstance(side, Sum) else ()
+    if energy in ("kinetic energy", "potential energy") and len(terms) > 1:
+        low = [t.name for t in terms if isinstance(t, Name) and t.name not in ENERGY_NAMES]
+        return len(low) == len(terms) and {_energy(name) for name in low} == {energy}
     if energy == "energy" and len(terms) > 2 and all(isinstance(term, Name) for term in terms):
         kinds = [_energy(term.name) for term in terms if isinstance(term, Name)]
         return sorted(kinds) == ["kinetic energy", *["potential energy"] * (len(terms) - 1)]

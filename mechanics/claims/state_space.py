@@ -5,6 +5,7 @@ r"""A linear model by its matrices: s' = A s + B u, where s = (x, x', theta, the
 The text has to say what the state is; a row that only says that x' is the rate of x says nothing.
 """
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -20,7 +21,17 @@ State = tuple[tuple[str, int], ...]
 """Coordinates and the orders of their rates."""
 
 
-def with_state_space(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+SPOKEN = re.compile(
+    r"(?:\$|\\\()\s*(?:\\left\s*)?\[(?P<cells>[^][$=&]+?)(?:\\right\s*)?\]"
+    r"\s*\^\s*\{?\s*(?:T|\\top|\\intercal|\\mathsf\s*\{?T\}?)\s*\}?\s*(?:\$|\\\))"
+)
+"""A column that stands by itself between words: $[x, \\dot{x}]^T$."""
+CELL = re.compile(
+    r"\s*(?:\\(?P<dot>d?dot)\s*(?:\{\s*)?)?\\?(?P<name>[A-Za-z]+)\s*\}?(?:_\s*\{?(?P<low>\w+)\}?)?\s*\}?\s*"
+)
+
+
+def with_state_space(lines: Sequence[Entry], naming: Naming, text: str = "") -> list[Entry]:
     """The lines; matrices A and B of a state that the text gives, as the equations that they are.
 
     Parameters
@@ -28,12 +39,14 @@ def with_state_space(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     lines : sequence of Entry
     naming : Naming
         A scene or person that has a name A means that.
+    text : str
+        Where a column between words may be the state.
     """
     found = {
         name: line for line in lines
         if isinstance(line, Line) and (name := _matrix_name(line, naming))
     }  # fmt: skip
-    state = next((s for line in lines if (s := _state(line, naming))), None)
+    state = next((s for line in lines if (s := _state(line, naming))), _spoken(text, naming))
     scene = naming.vocabulary.scene
     inputs = [Name(-1, symbol.name) for symbol in scene.input_symbols]
     held = {n.name for n in used([line for line in lines if line not in found.values()])}
@@ -97,6 +110,29 @@ def _table(node: Node) -> Sequence[Sequence[Node]] | None:
     return node.rows if isinstance(node, Table) else None
 
 
+def _spoken(text: str, naming: Naming) -> State | None:
+    """The only column between words that has all coordinates and their rates."""
+    found = {_of_cells(column["cells"].split(","), naming) for column in SPOKEN.finditer(text)}
+    return found.pop() if len(found) == 1 else None
+
+
+def _of_cells(cells: Sequence[str], naming: Naming) -> State | None:
+    matches = [CELL.fullmatch(cell) for cell in cells]
+    known: list[tuple[str, int]] = []
+    for cell in matches:
+        name = (cell["name"] + (f"_{cell['low']}" if cell["low"] else "")) if cell else ""
+        if cell is None or (target := naming.lookup(name)) is None:
+            return None
+        known.append((target[0], target[1] + len((cell["dot"] or "").removesuffix("ot"))))
+    return _whole(known, naming)
+
+
+def _whole(known: Sequence[tuple[str, int]], naming: Naming) -> State | None:
+    """The state, where it has each coordinate and each rate once."""
+    wanted = {(q.name, order) for q in naming.vocabulary.scene.q for order in (0, 1)}
+    return tuple(known) if {*known} == wanted and len(known) == len(wanted) else None
+
+
 def _state(line: Entry, naming: Naming) -> State | None:
     """All coordinates and their rates in the order of a column or row."""
     for side in line.sides[1:] if isinstance(line, Line) else ():
@@ -112,7 +148,6 @@ def _state(line: Entry, naming: Naming) -> State | None:
             (target[0], target[1] + cell.order) for target, cell in zip(targets, cells, strict=True)
             if target is not None and isinstance(cell, Name)
         )  # fmt: skip
-        wanted = {(q.name, order) for q in naming.vocabulary.scene.q for order in (0, 1)}
-        if len(known) == len(cells) and {*known} == wanted and len(known) == len(wanted):
-            return known
+        if len(known) == len(cells) and (state := _whole(known, naming)):
+            return state
     return None

@@ -29,6 +29,7 @@ from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
 from mechanics.grading.script_formulas import is_name, lines_of
+from mechanics.grading.unset_attributes import with_unset
 from mechanics.judge.sources import Beside, on_the_file
 
 GONE = re.compile(
@@ -264,8 +265,13 @@ def _placeholders(kind: type, names: Mapping[str, Any]) -> dict[str, Any]:
         if isinstance(inner, type) and inner.__module__ == "submission" and inner is not kind:
             found[name] = inner(**_placeholders(inner, names))
         else:
-            found[name] = Unsaid(1.5 + len(found) * 0.37)
-            found[name].name = name
+            found[name] = _unsaid(name, len(found))
+    return found
+
+
+def _unsaid(name: str, count: int) -> Unsaid:
+    found = Unsaid(1.5 + count * 0.37)
+    found.name = name
     return found
 
 
@@ -282,6 +288,7 @@ def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[st
         return names, []
     try:
         made = classes[-1](**_placeholders(classes[-1], names))
+        with_unset(made, _unsaid)
     except Exception as error:
         words = f"{classes[-1].__name__}() ends in {type(error).__name__}: {error}"
         raise InputError(f"file {path}: {words}: have a function, or values for all") from None

@@ -21,6 +21,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
 from mechanics.judge.convention_filter import glance
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
+from mechanics.judge.multiples_of_parameters import multiples_for
 from mechanics.judge.numbers_of_parameters import values_for
 from mechanics.judge.rounding import is_rounding
 from mechanics.judge.small_angles import as_said
@@ -182,12 +183,18 @@ def _candidates(
     fitted = values_for(truth, rows, free)
     # A side that names no parameter has numbers for all of them, and what is 1 shows nowhere.
     units = units or not held & {*scene.parameters}
-    plain = all(not v.is_Rational or v in values or (units and v == 1) for v in fitted.values())
+
+    def plain(some: Values) -> bool:
+        return all(not v.is_Rational or v in values or (units and v == 1) for v in some.values())
+
     # As many equations as numbers: several values that fit them all are no chance.
     measured = {abs(n) for n in atoms if n.q not in OF_MECHANICS or abs(n) > 4}
     several = len(measured) >= sum(v != 1 for v in fitted.values()) > 1
-    if fitted and (plain or several):
+    if fitted and (plain(fitted) or several):
         yield fitted
+    if units and not fitted:
+        parameters = [p for p in scene.parameters if p in held]
+        yield from filter(plain, multiples_for(truth, rows, free, parameters))
 
 
 def _elsewhere(scene: Scene) -> set[Symbol]:

@@ -32,6 +32,7 @@ HEADS = (
 )  # fmt: skip
 """First nouns of what a name is, and their units."""
 SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)
+TORSION = re.compile(r"\b(?:torsion(?:al)?|rotational)\b", re.IGNORECASE)
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
@@ -259,7 +260,8 @@ def _other_kind(unit: str, words: str) -> bool:
         return False
     for noun, of in HEADS:
         if re.search(rf"\b(?:{noun})$", head.strip()):
-            return dimension_of_unit(of, "") != dimension_of_unit(unit, "")
+            turns = noun == "stiffness" and TORSION.search(words)
+            return dimension_of_unit("N*m" if turns else of, "") != dimension_of_unit(unit, "")
     return False
 
 

@@ -45,7 +45,6 @@ KEY = re.compile(
 ELEMENT = re.compile(r"<\s*/?\s*([A-Za-z][\w-]*)\b([^<>]*)>")
 HIDES = re.compile(r"\b(?:hidden|style|class|color|size|alt|title)\b", re.IGNORECASE)
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
-QUOTED = re.compile(r"^[ \t]*>[ \t]*\S", re.MULTILINE)
 STRUCK = re.compile(r"~~[^~]+~~")
 UNSEEN = re.compile(r"<!--(?![\w\s-]*-->)|^\[//\]:", re.MULTILINE)
 """A comment that may hold more than words, such as ``<!--more-->``."""
@@ -69,8 +68,6 @@ def unread_markup(text: str) -> Iterator[str]:
     for element in ELEMENT.finditer(text):
         if element[1].lower() not in ELEMENTS or HIDES.search(element[2]):
             yield f"the element <{element[1]}>"
-    if QUOTED.search(text):
-        yield "a quotation"
     if STRUCK.search(text) or UNSEEN.search(text):
         yield "what is struck out or commented out"
 

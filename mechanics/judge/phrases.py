@@ -274,10 +274,20 @@ IDIOMS = re.compile(
     r"(?:(?:(?:higher|second)[- ]order|quadratic) terms"
     r"|terms (?:of (?:higher|second) order|that (?:include|contain) this factor))"
     r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
-    r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b",
+    r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b"
+    r"|\bif \u27e8\w+\u27e9 (?:is|denotes) the (?:(?:mass|length|position|displacement|radius) of"
+    r"|distance (?:from|between|of)|angle (?:the|that|between|from|with|which|made|measured))\b"
+    r"|[(\uff08]\s*\u2248\s*(?!0+(?:\.0*)?\D)\d[\d.]*[^()\d\uff08\uff09]{0,9}[)\uff09]"
+    r"|(?<=[\u30a0-\u30ff])[\uff1d\u30a0](?=[\u30a0-\u30ff])",
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""
+UNDRIVEN = re.compile(
+    r"\b(?:without|no) (?:(?:an|any) )?(?:external|applied|driving|control) "
+    r"(?:force|torque|input)s?\b",
+    re.IGNORECASE,
+)
+"""What a scene without inputs has."""
 UNUSUAL = re.compile(
     r"[^\w\s.,;:()\[\]{}'\"\u2018\u2019\u201c\u201d&*#+=%|<>/@\\^$!?\u2026~`\u2010-\u2015\u2022\u00b7\u2192\u21d2\u00b0\ufeff"
     r"\u00a1\u00ab\u00bb\u3001\u3002\u3008-\u3011\u3014-\u301b\uff0c\uff0e\uff1a\uff1b\uff08\uff09\uff61"

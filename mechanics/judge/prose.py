@@ -15,6 +15,7 @@ from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import is_model, model_words
+from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentences import marked, sentences
@@ -88,7 +89,10 @@ def prose_of(
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     for text, notation in written.items():
-        hidden = unread_markup(marked(text)) if notation == "latex" else ()
+        hidden = list(unread_markup(marked(text))) if notation == "latex" else []
+        # What a formula continues with on a new line is no quotation.
+        if notation == "latex" and QUOTED.search(marked(text)) and foreign_quotation(text):
+            hidden.append("a quotation")
         markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
         limits |= dict.fromkeys(markup)
         against |= dict.fromkeys(declared_otherwise(facts, text))

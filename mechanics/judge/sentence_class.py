@@ -36,7 +36,9 @@ def class_of(
     facts: SceneFacts, sentence: Sentence, comparison: Comparison
 ) -> tuple[SentenceClass, str]:
     """The class of a sentence, and why it is limiting."""
-    if words := _limiting(sentence, comparison.rest):
+    driven = facts.inputs or facts.scene.explicit_time
+    rest = comparison.rest if driven else p.UNDRIVEN.sub(" ", comparison.rest)
+    if words := _limiting(sentence, rest):
         return SentenceClass.LIMITS, ", ".join(words[:3])
     if _connects(facts, comparison.rest) and not TASK.search(sentence.words):
         return SentenceClass.READ, ""

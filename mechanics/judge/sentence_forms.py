@@ -14,7 +14,8 @@ INVERSE = re.compile(
     rf"\b[Tt]he ((?:total |whole )?{QUANTITY} of (?:the )?(?:\w+ )?\w+) (?:is|equals|be) {NAME}"
 )
 OWNED = re.compile(
-    rf"\b(\w+) (?:of|has|with|have) (?:the |a |an )?({QUANTITY}) {NAME}"
+    rf"\b((?:(?:torsion(?:al)?|rotational) )?\w+) (?:of|has|with|have) (?:the |a |an )?"
+    rf"({QUANTITY}) {NAME}"
     rf"(?:(?:,| and) (?:of )?(?:the |a )?({QUANTITY}) {NAME})?"
 )
 BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")

@@ -149,3 +149,22 @@ def test_a_function_of_another_module_is_not_the_one_of_that_name(line: str) -> 
 def test_that_rounding_is_not_judged_is_said(value: str, told: int) -> None:
     translated = in_python(f"f(x) = {value}", "page.jl", lambda name: False)
     assert len([one for one in translated.remarks if "single precision" in one]) == told
+
+
+MAKER = '''%s
+function oscillator(; k=1, m=2)
+    """Makes the rates of a mass on a spring."""
+    function rates(t, y)
+        """The rates at a time."""
+        x, v = y
+        [v, -k/m*x]
+    end
+end
+'''
+
+
+def test_a_function_that_one_makes_has_its_arguments() -> None:
+    (function,) = functions(MAKER % "", "k", "m")
+    assert list(function(y=np.array([3.0, 5.0]), k=4.0, m=2.0)) == [5.0, -6.0]
+    with pytest.raises(Unread):
+        functions(MAKER % "k = 3", "k", "m")

@@ -7,7 +7,7 @@ import pytest
 from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
-from benchmarks.corpus.builders import P, two_link_arm
+from benchmarks.corpus.builders import P, pendulum, two_link_arm
 from benchmarks.corpus.scenes.arms_chasers_discs import feder
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
@@ -232,3 +232,54 @@ def test_what_a_line_undoes_is_not_passed_over(lines: str, words: str) -> None:
         return
     with pytest.raises(Unread, match=words):
         functions(text)
+
+
+@pytest.mark.parametrize(
+    ("head", "last", "verdict"),
+    [
+        ("s.l = 0.7; % m\ns.g = 9.81;", "-s.g/s.l*sin(x(1))", "PROVED"),
+        ("s.l = 0.7;\ns.g = 9.81;", "-2*s.g/s.l*sin(x(1))", "REFUTED"),
+        ("s.l = 0.7;\nl = 2*s.l;", "-g/l*sin(x(1))", "UNDECIDED"),
+        ("s.l = 0.7;\nr.l = 0.9;\n", "-g/s.l*sin(x(1))", "UNDECIDED"),
+    ],
+)
+def test_a_script_has_the_fields_of_its_record(head: str, last: str, verdict: str) -> None:
+    m, l, g = P("m:kg l:m g:m/s^2")
+    scene = pendulum(dynamicsymbols("theta"), m, 0, l, g)
+    text = f"{head}\ndx = zeros(2, 1);\ndx(1) = x(2);\ndx(2) = {last};\n"
+    try:
+        found = mechanics.check(scene, text, blame=False).verdict.name
+    except InputError:
+        found = "UNDECIDED"
+    assert found == verdict
+
+
+def test_a_file_that_a_function_runs_first_gives_the_values_of_what_it_has() -> None:
+    (function,) = functions('function y = f(a)\nrun("values.m");\ny = k*a;\nend\n', "k")
+    assert function(a=3.0, k=2.0) == 6.0
+    with pytest.raises(Unread, match="run"):
+        functions('function y = f(a)\nk = 2;\nrun("values.m");\ny = k*a;\nend\n', "k")
+
+
+MAKES = """function [model, count] = make()
+import casadi.*
+k = 3;
+x = SX.sym('x');  % where it is
+v = SX.sym('v');
+F = MX.sym('F');
+rhs = vertcat(v, ...
+  max(F - k*x, x));
+y = vertcat(x, v);
+count = length(y);
+model = Function('f', {y, F}, {rhs}, {'y', 'F'}, {'rhs'});
+end
+"""
+
+
+def test_a_function_of_casadi_is_what_it_is_made_of() -> None:
+    (function,) = functions(MAKES)
+    assert list(function(y=np.array([1.0, 5.0]), F=7.0)) == [5.0, 4.0]
+    with pytest.raises(Unread):
+        functions(MAKES.replace("vertcat(x, v)", "vertcat(x, x)"))
+    with pytest.raises(Unread):
+        functions(MAKES.replace("{rhs}", "{rhs, y}"))

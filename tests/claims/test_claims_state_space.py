@@ -30,6 +30,15 @@ def test_a_wrong_entry_is_refuted(right: str, wrong: str) -> None:
     assert verdict(MODEL.replace(right, wrong)) == "REFUTED"
 
 
+def test_a_column_between_words_is_the_state() -> None:
+    spoken = MODEL.replace("The state is $s = [", "State space, $[").replace("about $s = 0$", "")
+    assert verdict(spoken) == "PROVED"
+    assert verdict(spoken.replace("{3g}", "{2g}")) == "REFUTED"
+    turned = spoken.replace(r"[\theta, \dot\theta]", r"[\dot\theta, \theta]")
+    assert verdict(turned) != "PROVED"
+    assert verdict(f"{spoken} $[\\dot\\theta, \\theta]^T$") != "PROVED"
+
+
 @pytest.mark.parametrize("said", ["[\\theta, \\dot\\theta]^T", "Linearised about $s = 0$"])
 def test_what_the_text_does_not_say_is_not_shown(said: str) -> None:
     assert verdict(MODEL.replace(said, "[x, y]" if "theta" in said else "")) != "PROVED"

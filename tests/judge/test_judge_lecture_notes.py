@@ -21,6 +21,13 @@ def verdict(text: str, name: str = "pendulum") -> str:
         r"The angular speed is $\omega = \dot\theta$.",
         r"$\frac d{dt}\frac{\partial L}{\partial\dot\theta}=\frac{\partial L}{\partial\theta}$ so",
         r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{l/g}$.",
+        r"The bob hangs at the distance $l = 2 A/3$ from the pivot.",
+        r"$$T = T_a + T_b = \frac12 m l^2\dot\theta^2$$",
+        r"If $\theta$ is the angle between the string and the vertical, it can be any.",
+        r"The angular speed is $\omega = \dot\theta \ne l$.",
+        "Without an external torque the equation is as follows.",
+        "Gravity is $g$ (\u2248 9.81).",
+        "\u30aa\u30a4\u30e9\u30fc\uff1d\u30e9\u30b0\u30e9\u30f3\u30b8\u30e5",
     ],
 )
 def test_what_the_scene_says_too_does_not_stop_a_page(words: str) -> None:
@@ -35,6 +42,11 @@ def test_what_the_scene_says_too_does_not_stop_a_page(words: str) -> None:
         "We ignore gravity.",
         "We neglect terms that are not small.",
         r"The force is $R = 3 m g$.",
+        r"The bob hangs at the distance $l = 2 A/3$ from the pivot, where $A = 7 m$.",
+        r"$$T = T_a + V_b = \frac12 m l^2\dot\theta^2$$",
+        r"If $\theta$ is the angle of rest, we have",
+        "It holds for angles (\u2248 0).",
+        "\u3042\uff1d\u3042",
         r"With the period $T$ we have $2\pi = \omega T$, and $T = 2\pi\sqrt{g/l}$.",
     ],
 )
@@ -136,3 +148,18 @@ def test_a_height_of_which_the_text_speaks_is_no_guess(said: str) -> None:
 )
 def test_what_has_no_mass_is_read_in_other_languages(words: str) -> None:
     assert verdict(f"{words}\n\n{RIGHT}") == "PROVED"
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        ".. math::\n    %s\n    :label: swing\n\nThat is all.",
+        "**Swing** (of the bob):\n%s",
+        "**Swing to and fro** (with gravity):\n\n%s",
+    ],
+)
+def test_headings_and_labels_of_a_formula_are_none(page: str) -> None:
+    latex = "math" in page
+    right = r"l\ddot\theta = -g\sin\theta" if latex else "l*theta'' = -g*sin(theta)"
+    assert verdict(page.replace("%s", right)) == "PROVED"
+    assert verdict(page.replace("%s", right.replace("g", "l"))) == "REFUTED"

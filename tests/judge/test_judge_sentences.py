@@ -200,6 +200,7 @@ def test_words_in_code_of_any_language_are_of_the_classes_of_a_text(
 
 LIMITS = [
     r"Unlike the true model, the author has",
+    r"Without an external torque we have",
     r"This is for a thread with a bob and holds only for small $\theta$:",
     r"Die Reibung wird nicht vernachlässigt.",
     r"\[ g = 10 \text{ unless it is measured} \]",
@@ -250,7 +251,12 @@ MARKUP = [
     ("<details>%s</details>", "details"),
     ("<p style='display:none'>%s</p>", "<p>"),
     ("<!-- %s -->", "commented"),
-    ("> %s", "quotation"),
+    (">! %s", "quotation"),
+    ("> [!note]- Fold\n> %s", "quotation"),
+    ("> > %s", "quotation"),
+    ("Ann wrote:\n\n> %s", "quotation"),
+    ("> %s\n\nI doubt it.", "quotation"),
+    ("> %s\n> \u2014 Ann", "quotation"),
     ("~~%s~~", "struck"),
 ]
 
@@ -263,6 +269,23 @@ def test_a_formula_is_stated_only_inside_markup_that_shows_it_plainly(
     answer = check(truths["rod_pendulum"], around.replace("%s", formula), blame=False)
     assert answer.verdict is Verdict.UNDECIDED
     assert any(told in entry.finding.evidence for entry in answer.judged)
+
+
+@pytest.mark.parametrize(
+    ("around", "verdict"),
+    [
+        ("### Rod\n\n> %s", "PROVED"),
+        ("> - the mass $m$\n> - the length $l$\n\nThe rod obeys %s", "PROVED"),
+        ("> [!note] Rod\n> %s", "PROVED"),
+        ("> This is wrong: %s", "UNDECIDED"),
+    ],
+)
+def test_a_quotation_is_text_of_the_page(
+    truths: dict[str, Equations], around: str, verdict: str
+) -> None:
+    formula = f"${EQUATIONS['rod_pendulum']}$"
+    answer = check(truths["rod_pendulum"], around.replace("%s", formula), blame=False)
+    assert answer.verdict.name == verdict
 
 
 @pytest.mark.parametrize("said", ["g = -9.81", "m = 0"])

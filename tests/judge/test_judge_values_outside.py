@@ -8,7 +8,7 @@ from mechanics import check
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
-from systems import rod_pendulum
+from systems import double_pendulum, rod_pendulum
 
 C = "#include <math.h>\n{head}\ndouble f(double theta, double theta_dot, double u{rest}) {{\n"
 C += "return 3*{g}/(2*l)*sin(theta) + 3*u/(m*l*l);\n}}\n"
@@ -125,3 +125,23 @@ def test_what_a_model_of_modelica_declares_is_compared(
     path = tmp_path / "P.mo"
     path.write_text(MODELICA.format(l="1", g="10").replace(old, new, 1))
     assert check(truth, path, blame=False).verdict.name == verdict
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("", "UNDECIDED"), ("-", "REFUTED")])
+def test_a_parameter_that_code_makes_of_another_is_told(
+    tmp_path: Path, sign: str, verdict: str
+) -> None:
+    path = tmp_path / "chain.m"
+    path.write_text(f"""function dy = chain(t, y)
+    % y: [phi1; phi2; phi1_dot; phi2_dot]
+    m1 = 0.4; m2 = 0.3; g = 9.81; l1 = 1.2; l2 = 0.5*l1;
+    d = y(1) - y(2);
+    A = [(m1 + m2)*l1, m2*l2*cos(d); l1*cos(d), l2];
+    b = [-m2*l2*y(4)^2*sin(d) - (m1 + m2)*g*sin(y(1)); {sign}l1*y(3)^2*sin(d) - g*sin(y(2))];
+    dy = [y(3); y(4); A\\b];
+    end
+    """)
+    found = check(double_pendulum.scene(), path, blame=False)
+    assert found.verdict.name == verdict
+    said = [words for entry in found.judged for words in entry.right_if]
+    assert any("l2 = l1/2" in words for words in said) is (verdict == "UNDECIDED")

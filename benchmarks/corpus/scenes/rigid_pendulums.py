@@ -4,7 +4,7 @@ springs."""
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum, spring_pendulum
+from benchmarks.corpus.builders import P, double_pendulum, pendulum, roller, spring_pendulum
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -389,26 +389,8 @@ def straight():
 def hollow():
     """A solid cylinder m, r rolls inside a hollow one R; theta of the line of centres from the
     vertical."""
-    theta = dynamicsymbols("theta")
     m, R, r, g = P("m:kg R:m r:m g:m/s^2", typical="1 0.5 0.1 9.81")
-    N, O = ReferenceFrame("N"), Point("O")
-    out = sin(theta) * N.x - cos(theta) * N.y
-    along = cos(theta) * N.x + sin(theta) * N.y
-    C = O.locatenew("C", (R - r) * out)
-    K = C.locatenew("K", r * out)
-    B = N.orientnew("B", "Axis", (-(R - r) / r * theta, N.z))
-    return Scene(
-        "cylinder in a cylinder",
-        N,
-        O,
-        coordinates=(theta,),
-        loads=(gravity(-g * N.y),),
-        bodies=(RigidBody("cylinder", C, B, m, m * r**2 / 2),),
-        reactions=(
-            reaction("f", at=K, on="cylinder", by=None, along=along),
-            reaction("N", at=K, on="cylinder", by=None, along=-out),
-        ),
-    )
+    return roller(m, R, r, g, m * r**2 / 2)
 
 
 def cartesian():

@@ -133,7 +133,10 @@ def get(a: Any, *indices: Any) -> Any:
     if len(indices) == 2:
         rows, columns = (places(i, n) for i, n in zip(indices, array.shape, strict=True))
         return tidy(array[np.ix_(rows, columns)])
-    flat = array.ravel(order="F")[places(indices[0], array.size)]
+    wanted = places(indices[0], array.size)
+    if wanted and max(wanted) >= array.size:
+        raise ValueError(f"entry {max(wanted) + 1} of an array of {array.size} is read")
+    flat = array.ravel(order="F")[wanted]
     row = array.shape[0] == 1 and not isinstance(indices[0], slice)
     return tidy(flat.reshape(1, -1) if row else flat)
 
@@ -325,19 +328,28 @@ def quotient(a: Any, b: Any) -> Any:
     return found if (a < 0) == (b < 0) else -found
 
 
-def unsigned(a: Any) -> Any:
-    """An integer of C without a sign."""
-    refuse_reals(a)
-    if isinstance(a, int | np.integer) and not 0 <= a < 2**32:
-        raise ValueError(f"{a} becomes unsigned, another number: write it with a sign")
-    return a
+def held(a: Any, what: str, low: int, high: int) -> Any:
+    """An integer of C++, or an array of these, where one of this kind is kept or computed.
 
+    Parameters
+    ----------
+    a : number or array
+    what : str
+        Its name and kind.
+    low, high : int
+        The numbers of that kind.
 
-def signed(a: Any, bits: int) -> Any:
-    """An integer of C with a sign."""
-    refuse_reals(a)
-    if isinstance(a, int | np.integer) and not -(2 ** (bits - 1)) <= a < 2 ** (bits - 1):
-        raise ValueError(f"{a} does not fit into an integer of {bits} bits")
+    Raises
+    ------
+    ValueError
+        For another number: C++ makes one of the kind of it, or leaves open what happens.
+    """
+    for one in np.ravel(a):
+        refuse_reals(one)
+        if not isinstance(one, int | np.integer | np.bool_):
+            raise ValueError(f"{what}: its value is not known: write it as double")
+        if not low <= one <= high:
+            raise ValueError(f"{what}: {one} does not fit: write it as double")
     return a
 
 

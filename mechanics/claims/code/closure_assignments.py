@@ -116,7 +116,7 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
         assigned += [(f".{name}", node) for name, node in _stores(kind.body)]
         for method in kind.body:
             if isinstance(method, ast.FunctionDef):
-                own = method.name in ("__init__", "__post_init__")
+                own = method.name in ("__init__", "__post_init__") or _only_sets(method)
                 stores = list(_stores(method.body))
                 assigned += [(n, v if own else None) for n, v in stores if n.startswith(".")]
                 local += [(n, v) for n, v in stores if own and not n.startswith(".")]
@@ -127,6 +127,13 @@ def _object(bound: Any, file: Scope) -> Iterator[Scope]:
     same = {v.id: _attribute(n) for n, v in once.items() if isinstance(v, ast.Name)}
     names = {**_once(local), **same}
     yield Scope(once, values, Scope(names, values, file))
+
+
+def _only_sets(method: ast.FunctionDef) -> bool:
+    """Whether a method without arguments only assigns, once each and without calls."""
+    plain = all(isinstance(s, ast.Assign | ast.AnnAssign | ast.Expr) for s in method.body)
+    calls = any(isinstance(node, ast.Call) for node in ast.walk(method))
+    return plain and not calls and len(method.args.args) == 1 and not method.decorator_list
 
 
 def _attribute(key: str) -> ast.expr:

@@ -102,6 +102,11 @@ def _formula(
             return _named(f".{name}", scope, known, numbers, depth)
         case ast.Attribute(value=ast.Name(id="math" | "np" | "numpy"), attr="pi"):
             return sympy.pi
+        case ast.Attribute(value=owner, attr=name) if name in known:
+            number = _field(owner, name, scope)
+            if number is None or numbers.setdefault(known[name], number) != number:
+                return None
+            return known[name]
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             found = of(inner)
             return None if found is None else -found
@@ -113,6 +118,23 @@ def _formula(
             a, b = of(left), of(right)
             return None if a is None or b is None else _both(a, operation, b)
     return None
+
+
+def _field(owner: ast.expr, name: str, scope: Scope | None) -> Fraction | None:
+    """The number that a record of the object has by a name: self.params.m, or p.m of p."""
+    own = isinstance(owner, ast.Attribute) and isinstance(owner.value, ast.Name)
+    key = f".{owner.attr}" if isinstance(owner, ast.Attribute) else getattr(owner, "id", "")
+    while scope is not None and key not in scope.values and key not in scope.assigned:
+        scope = scope.around
+    if scope is None:
+        return None
+    if own and key in scope.values:
+        value = (
+            vars(scope.values[key]).get(name) if hasattr(scope.values[key], "__dict__") else None
+        )
+        return Fraction(value) if value is not None and is_number(value) else None
+    node = None if own else scope.assigned.get(key)
+    return _field(node, name, scope) if isinstance(node, ast.Attribute) else None
 
 
 def _both(a: Expr, operation: ast.operator, b: Expr) -> Expr | None:

@@ -10,9 +10,18 @@ order, and Eigen's q(1) an entry.
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import reduce
 from typing import Any
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.cpp_integers import (
+    EXACT,
+    Kind,
+    joined_kind,
+    kind_of,
+    kind_of_literal,
+    promoted,
+)
 from mechanics.claims.code.cpp_types import (
     INTEGERS,
     integer_members,
@@ -47,15 +56,12 @@ PAIRS = ("make_pair", "make_tuple")
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
-UNSIGNED = re.compile(r"\b(?:unsigned|byte|word|size_t|uint\w*_t)\b")
 
 OWN_KIND = re.compile(
     rf"\btypedef\s+(?:{INTEGERS.pattern}\s+)+(\w+)\s*;"
     rf"|\busing\s+(\w+)\s*=\s*(?:{INTEGERS.pattern}\s*)+;"
 )
 """A name of the file for a kind of integers."""
-WIDE = re.compile(r"\b(?:long|(?:u?int(?:32|64)|size|ptrdiff)_t)\b|\d[uU]?[lL]")
-"""What makes integers longer than an int."""
 OVERLOADED = re.compile(r"\busing\s+(?:namespace\s+std|std::abs)\b|<(?:math|stdlib)\.h>")
 """Where abs is that of real numbers, too."""
 SMALL = ".ino"
@@ -82,8 +88,10 @@ class Scope:
         Numbers that it writes where its caller says.
     changed : set of str
         What it assigns.
-    whole : bool
-        Whether it returns an integer.
+    kinds : dict of str to Kind
+        Of its integers, and of arrays of these.
+    whole : Kind or None
+        The kind of integers that it returns.
     """
 
     arguments: list[str]
@@ -92,7 +100,7 @@ class Scope:
     printed: dict[str, "Scope"]
     constants: dict[str, str] = field(default_factory=dict)
     locals: set[str] = field(default_factory=set)
-    integers: set[str] = field(default_factory=set)
+    kinds: dict[str, Kind] = field(default_factory=dict)
     aliases: dict[str, str] = field(default_factory=dict)
     filled: dict[str, None] = field(default_factory=dict)
     free: dict[str, None] = field(default_factory=dict)
@@ -100,15 +108,13 @@ class Scope:
     shapes: dict[str, int] = field(default_factory=dict)
     outputs: list[str] = field(default_factory=list)
     changed: set[str] = field(default_factory=set)
-    unsigned: set[str] = field(default_factory=set)
-    wide: set[str] = field(default_factory=set)
     open: set[str] = field(default_factory=set)
     pointers: set[str] = field(default_factory=set)
     defaults: dict[str, str] = field(default_factory=dict)
     bits: int = 32
     overloaded: bool = False
     returns: bool = True
-    whole: bool = False
+    whole: Kind | None = None
     numbers: bool = False
 
 
@@ -148,7 +154,8 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
     _refuse_constructors(root, used)
-    constants, integers = _numbers(root, used)
+    bits = 16 if origin.endswith(SMALL) else 32
+    constants, kinds = _numbers(root, used, bits)
     members = integer_members(root, unread)
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
     heads = (
@@ -160,10 +167,9 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     bodies: dict[str, Page] = {}
     for name in order:
         _refuse_shadows(nodes[name], set())
-        scope = _scope(nodes[name], structs, nodes, scopes)
-        scope.constants, scope.integers = {**constants}, {*integers, *scope.integers}
-        scope.bits = 16 if origin.endswith(SMALL) else 32
-        scope.overloaded = scope.bits == 16 or OVERLOADED.search(text) is not None
+        scope = _scope(nodes[name], structs, nodes, scopes, bits)
+        scope.constants, scope.kinds = {**constants}, {**kinds, **scope.kinds}
+        scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
@@ -247,13 +253,13 @@ def _refuse_conditions(root: Any) -> None:
             raise refuse(node, "what is compiled depends on a condition: write one branch")
 
 
-def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]]:
-    """Macros and constants of the file and of its classes, and which of them are integers.
+def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:
+    """Macros and constants of the file and of its classes, and the kinds of those of integers.
 
     Members that are no constants are arguments: a value that objects begin with is none of theirs.
     """
     constants: dict[str, str] = {}
-    integers: set[str] = set()
+    kinds: dict[str, Kind] = {}
     used = {words(one) for node in nodes.values() for one in within(node, "identifier")}
     tokens = {words(leaf) for node in nodes.values() for leaf in tokens_of(node)}
     for one in within(root, "preproc_def", "preproc_function_def"):
@@ -266,8 +272,10 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
         if name not in used or not NUMBER.fullmatch(number) or name in constants:
             raise refuse(one, "a macro that is no number is not read")
         constants[safe(name)] = number.rstrip("fFlLuU")
-        integers |= {safe(name)} if WHOLE.fullmatch(number) else set()
-    scope = Scope([], {}, {}, {}, constants=constants)
+        if (literal := kind_of_literal(number.lstrip("+-"), bits)) is not None:
+            _refuse_inexact(one, number)
+            kinds[safe(name)] = literal
+    scope = Scope([], {}, {}, {}, constants=constants, kinds=kinds, bits=bits)
     for node in within(root, "declaration", "field_declaration"):
         fixed = {"const", "constexpr"} & {*words(node).split()}
         if _owner(node) if node.type == "declaration" else not fixed:
@@ -279,7 +287,7 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
             if value is None or len(values) > 1:
                 continue
             name = safe(words(within(declarator, "identifier", "field_identifier")[0]))
-            own = replace(scope, free={}, numbers=True, integers=integers)
+            own = replace(scope, free={}, numbers=True)
             try:
                 number = _constant(node, declarator, value, own)
             except Unread:
@@ -291,14 +299,40 @@ def _numbers(root: Any, nodes: dict[str, Any]) -> tuple[dict[str, str], set[str]
             if own.free and name not in used:
                 continue
             scope.free |= own.free
+            whole = _kind(value, own)
+            if is_integral(kind):
+                number = _held(node, number, name, kind_of(kind, bits), whole)
+                kinds[name] = kind_of(kind, bits)
+            elif kind == "auto" and whole:
+                kinds[name] = promoted(whole, bits)
             constants[name] = number
-            whole = _whole(value, own)
-            if is_integral(kind) and not whole:
-                raise refuse(node, "what is rounded to an integer is not read")
-            integers |= {name} if is_integral(kind) or (kind == "auto" and whole) else set()
     if unknown := scope.free:
         raise refuse(root, f"{', '.join(unknown)}: nothing gives it a value")
-    return constants, integers
+    return constants, kinds
+
+
+def _held(node: Any, value: str, name: str, kind: Kind, given: Kind | None) -> str:
+    """A value where an integer of this kind is kept.
+
+    Raises
+    ------
+    Unread
+        For a real number, and for an integer that does not fit.
+    """
+    if given is None:
+        raise refuse(node, "what is rounded to an integer is not read")
+    (low, high), what = kind.limits, f"{name} is {kind.words}"
+    if WHOLE.fullmatch(value):
+        if not low <= int(value) <= high:
+            raise refuse(node, f"{what}: {int(value)} does not fit: write it as double")
+        return value
+    return f"held({value}, {what!r}, {low}, {high})"
+
+
+def _refuse_inexact(node: Any, number: str) -> None:
+    """Refuse an integer that no double is."""
+    if WHOLE.fullmatch(number) and abs(int(number.rstrip("uUlL"))) > EXACT:
+        raise refuse(node, f"{number} is more than a double holds exactly: write it with a point")
 
 
 def _refuse_shadows(node: Any, outside: set[str]) -> None:
@@ -411,12 +445,13 @@ def _variable(declarator: Any) -> str:
 
 
 def _scope(
-    node: Any, structs: dict[str, Any], functions: dict[str, Any], printed: dict[str, Scope]
-) -> Scope:
+    node: Any, structs: dict[str, Any], functions: dict[str, Any], printed: dict[str, Scope],
+    bits: int,
+) -> Scope:  # fmt: skip
     parameters = _declarator(node).child_by_field_name("parameters")
     arguments: list[str] = []
     fields: dict[str, list[str]] = {}
-    outputs, references, integers, unsigned = [], set(), set(), set()
+    outputs, references, kinds = [], set(), {}
     open_ones, pointers, defaults = set(), set(), {}
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
@@ -429,8 +464,7 @@ def _scope(
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
         if is_integral(kind):
-            integers.add(arguments[-1])
-            unsigned |= {arguments[-1]} if UNSIGNED.search(kind) else set()
+            kinds[arguments[-1]] = kind_of(kind, bits)
         if kind == "auto" or _is_type(one.child_by_field_name("type")):
             open_ones.add(arguments[-1])
         if (default := one.child_by_field_name("default_value")) is not None:
@@ -439,14 +473,15 @@ def _scope(
             outputs.append(arguments[-1])
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
-    scope = Scope(arguments, fields, functions, printed)
-    scope.references, scope.integers, scope.unsigned = references, integers, unsigned
+    scope = Scope(arguments, fields, functions, printed, kinds=kinds, bits=bits)
+    scope.references = references
     scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
     kind = words(node.child_by_field_name("type") or node)
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
     } | {_root(one) for one in within(node, "update_expression")}
-    scope.changed, scope.locals, scope.whole = changed, changed - {*arguments}, is_integral(kind)
+    scope.changed, scope.locals = changed, changed - {*arguments}
+    scope.whole = kind_of(kind, bits) if is_integral(kind) else None
     if kind in ("void", "int"):
         scope.returns = False
         scope.outputs = [o for o in outputs if o in changed]
@@ -471,7 +506,7 @@ def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: 
     if not main and not scope.returns:
         raise refuse(node, f"{name} returns no number, and another function calls it")
     given = [a for a in scope.arguments if a in used or not main]
-    if main and (whole := [a for a in given if a in scope.integers]):
+    if main and (whole := [a for a in given if a in scope.kinds]):
         raise refuse(node, f"{whole[0]} is an integer: it is not read as a number")
     extra = [n for n in scope.free if n not in given]
     page.put(line_of(node), 0, f"def {name}({joined([*given, *extra])}):", opens=True)
@@ -517,9 +552,10 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, _changed(named(node)[0], scope))
         case "return_statement":
             if scope.returns:
-                if scope.whole and not _whole(named(node)[0], scope):
-                    raise refuse(node, "what is rounded to an integer is not read")
-                value = _value(named(node)[0], scope)
+                given = named(node)[0]
+                value = _value(given, scope)
+                if scope.whole:
+                    value = _held(node, value, "what is returned", scope.whole, _kind(given, scope))
                 page.put(
                     line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
                 )
@@ -547,7 +583,7 @@ def _counting(node: Any, scope: Scope) -> str:
     )
     plain = re.fullmatch(r"(\w+)\s*<\s*(\w+)", words(until))
     counter = plain[1] if plain else ""
-    start = re.fullmatch(rf"(?:int|size_t|unsigned)\s+{counter}\s*=\s*(\d+)\s*;", words(first))
+    start = re.fullmatch(rf"(int|size_t|unsigned)\s+{counter}\s*=\s*(\d+)\s*;", words(first))
     if not (plain and start and words(step) in (f"++{counter}", f"{counter}++")):
         raise refuse(node)
     body = node.child_by_field_name("body")
@@ -555,8 +591,8 @@ def _counting(node: Any, scope: Scope) -> str:
     if changed & {counter, plain[2]}:
         raise refuse(node, "a loop that changes its counter is not read")
     scope.locals.add(counter)
-    scope.integers.add(counter)
-    return f"for {counter} in range({start[1]}, {plain[2]}):"
+    scope.kinds[counter] = kind_of(start[1], scope.bits)
+    return f"for {counter} in range({start[2]}, {plain[2]}):"
 
 
 def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
@@ -579,14 +615,7 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
                 raise refuse(one, "what is rounded to an integer is not read")
             if "bool" in kind and re.search(r"\d", words(value)) and not _compared(value):
                 raise refuse(one, "what is rounded to an integer is not read")
-            scope.integers.add(name)
-            scope.unsigned |= {name} if UNSIGNED.search(kind) else set()
-            scope.wide |= {name} if WIDE.search(kind) else set()
-            bits = 64 if name in scope.wide else scope.bits
-            if value is not None and WHOLE.fullmatch(words(value)) and (
-                int(_number(value)) >> (bits - 1)
-            ):  # fmt: skip
-                raise refuse(one, f"it does not fit into an integer of {bits} bits")
+            scope.kinds[name] = kind_of(kind, scope.bits)
         inner_names = {safe(words(n)) for n in within(value, "identifier")} if value else set()
         second = declarator.type in ("reference_declarator", "pointer_declarator")
         if second and (value is None or value.type != "new_expression") and (
@@ -600,30 +629,42 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if target:
             scope.aliases[name] = target
             continue
-        if kind == "auto" and value is not None and _whole(value, scope):
-            scope.integers.add(name)
+        given = _kind(value, scope) if kind == "auto" and value is not None else None
+        if given is not None:
+            scope.kinds[name] = promoted(given, scope.bits)
         array = declarator.type == "array_declarator"
         inner = named(value) if value is not None and value.type == "initializer_list" else []
         number = inner[0] if len(inner) == 1 and _is_scalar(kind) and not array else value
         if number is not None and number.type == "number_literal" and name not in scope.locals:
-            if scope.constants.get(name, _number(number)) != _number(number):
+            text = _number(number)
+            if is_integral(kind):
+                text = _held(one, text, name, scope.kinds[name], _kind(number, scope))
+            if scope.constants.get(name, text) != text:
                 raise refuse(one, f"{name} is the name of two numbers: rename one")
-            scope.constants[name] = _number(number)
+            scope.constants[name] = text
             continue
         if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
             scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
-        empty = value is not None and value.type == "new_expression"
+        bare = value is not None and value.type == "initializer_list" and not inner
+        empty = value is not None and (
+            value.type == "new_expression" or (bare and not _is_scalar(kind))
+        )
         if value is None or empty or (value.type == "argument_list" and not _is_scalar(kind)):
             page.put(line, depth, f"{name} = None")
-        elif value.type == "initializer_list" and _is_scalar(kind) and not array:
-            page.put(line, depth, f"{name} = {_value(inner[0], scope) if inner else '0.0'}")
         else:
-            page.put(line, depth, f"{name} = {_value(value, scope)}")
+            if value.type == "initializer_list" and _is_scalar(kind) and not array:
+                text = _value(inner[0], scope) if inner else "0" if is_integral(kind) else "0.0"
+            else:
+                nested = len(inner) == 1 and inner[0].type == "initializer_list"
+                text = _value(inner[0] if nested and "array<" in kind else value, scope)
+            if is_integral(kind) and not _compared(value):
+                text = _held(one, text, name, scope.kinds[name], _kind(value, scope))
+            page.put(line, depth, f"{name} = {text}")
 
 
 def _is_scalar(kind: str) -> bool:
-    return kind in ("double", "float", "auto") or is_integral(kind)
+    return kind in ("double", "float", "auto") or (is_integral(kind) and "<" not in kind)
 
 
 def _compared(node: Any) -> bool:
@@ -649,7 +690,9 @@ def _changed(node: Any, scope: Scope) -> str:
         if node.child_by_field_name("argument").type != "identifier":
             raise refuse(node)
         value = f"({name} {sign} 1)"
-        return f"{name} = {f'unsigned{value}' if name in scope.unsigned else value}"
+        if name in scope.kinds:
+            value = _held(node, value, name, scope.kinds[name], scope.kinds[name])
+        return f"{name} = {value}"
     if node.type in ("comma_expression", "binary_expression"):
         return _streamed(node, scope)
     if node.type != "assignment_expression":
@@ -659,13 +702,9 @@ def _changed(node: Any, scope: Scope) -> str:
     if sign != "=":
         if sign[0] not in OPERATIONS:
             raise refuse(node)
-        value = f"{OPERATIONS[sign[0]]}({_value(left, scope)}, {value})"
-    if _root(left) in scope.integers and not _whole(right, scope):
-        raise refuse(node, "what is rounded to an integer is not read")
-    if _root(left) in scope.unsigned:
-        value = f"unsigned({value})"
-    elif _root(left) in scope.integers:
-        value = f"signed({value}, {_bits(left, scope)})"
+        value = _computed(sign[0], (left, right), (_value(left, scope), value), scope)
+    if (kind := scope.kinds.get(_root(left))) is not None:
+        value = _held(node, value, words(left), kind, _kind(right, scope))
     if left.type == "identifier":
         name = safe(words(left))
         if name in scope.pointers:
@@ -725,6 +764,7 @@ def _number(node: Any) -> str:
     text = words(node).replace("'", "")
     if not NUMBER.fullmatch(text):
         raise refuse(node)
+    _refuse_inexact(node, text)
     return text.rstrip("fFlLuU")
 
 
@@ -740,33 +780,26 @@ def _read(name: str, scope: Scope) -> str:
 
 def _whole(node: Any, scope: Scope) -> bool:
     """Whether it is an integer of C."""
-    return _numbers_in(node, scope) is not None
+    return _kind(node, scope) is not None
 
 
-def _is_unsigned(node: Any, scope: Scope) -> bool:
-    """Whether it is an integer without a sign."""
-    return _numbers_in(node, scope) is True
-
-
-def _numbers_in(node: Any, scope: Scope) -> bool | None:
-    """Whether an integer is unsigned; None for what is no integer."""
+def _kind(node: Any, scope: Scope) -> Kind | None:
+    """The kind of an integer; None for what is no integer."""
     parts: list[Any] = []
+    plain = Kind("int", scope.bits)
     match node.type:
         case "number_literal":
-            text = words(node).replace("'", "")
-            return "u" in text.lower() if WHOLE.fullmatch(text) else None
+            return kind_of_literal(words(node).replace("'", ""), scope.bits)
         case "true" | "false":
-            return False
+            return plain
         case "identifier" | "qualified_identifier":
-            name = safe(words(node).split("::")[-1])
-            return name in scope.unsigned if name in scope.integers else None
+            return scope.kinds.get(safe(words(node).split("::")[-1]))
         case "subscript_expression":
-            name = _root(node)
-            return name in scope.unsigned if name in scope.integers else None
+            return scope.kinds.get(_root(node))
         case "field_expression" if node.child_by_field_name("argument").type == "this":
-            return False if words(node.child_by_field_name("field")) in scope.integers else None
+            return scope.kinds.get(words(node.child_by_field_name("field")))
         case "unary_expression" | "binary_expression" if _compared(node):
-            return False
+            return plain
         case "parenthesized_expression" | "initializer_list" | "binary_expression":
             parts = named(node)
         case "unary_expression":
@@ -776,14 +809,19 @@ def _numbers_in(node: Any, scope: Scope) -> bool | None:
         case "call_expression":
             name = _called(node.child_by_field_name("function"))
             if name.endswith(".size"):
-                return True
+                return kind_of("size_t", scope.bits)
             if name in scope.printed:
-                return False if scope.printed[name].whole else None
+                return scope.printed[name].whole
+            if name in scope.locals and name in scope.kinds:  # v(1) of an array
+                return scope.kinds[name]
             if name in ("abs", "max", "min"):
                 parts = named(node.child_by_field_name("arguments"))
-    signs = [_numbers_in(part, scope) for part in parts]
-    empty = node.type != "initializer_list" and not signs
-    return None if empty or None in signs else any(signs)
+    kinds = [_kind(part, scope) for part in parts]
+    if node.type == "initializer_list" and not kinds:
+        return plain
+    if not kinds or None in kinds:
+        return None
+    return reduce(lambda a, b: joined_kind(a, b, scope.bits), kinds, kinds[0])
 
 
 def _value(node: Any, scope: Scope) -> str:
@@ -804,7 +842,8 @@ def _value(node: Any, scope: Scope) -> str:
             if sign not in ("+", "-", "!"):
                 raise refuse(node)
             value = f"({'not ' if sign == '!' else sign}{inner})"
-            return f"unsigned{value}" if sign == "-" and _is_unsigned(node, scope) else value
+            kind = _kind(node, scope) if sign == "-" else None
+            return _limited(value, kind) if kind else value
         case "binary_expression":
             return _binary(node, scope)
         case "conditional_expression":
@@ -832,18 +871,13 @@ def _binary(node: Any, scope: Scope) -> str:
     sides = [node.child_by_field_name(f) for f in ("left", "right")]
     sign = words(node.child_by_field_name("operator"))
     left, right = (_value(side, scope) for side in sides)
-    if not scope.numbers and any(_is_unsigned(side, scope) for side in sides) and (
-        all(_whole(side, scope) for side in sides)
-    ):  # fmt: skip
-        left, right = f"unsigned({left})", f"unsigned({right})"
     if sign in OPERATIONS:
-        if scope.numbers:
-            return f"({left} {sign} {right})"
-        value = f"{OPERATIONS[sign]}({left}, {right})"
-        if left.startswith("unsigned("):
-            return f"unsigned({value})"
-        whole = all(_whole(side, scope) for side in sides)
-        return f"signed({value}, {_bits(node, scope)})" if whole else value
+        return _computed(sign, (sides[0], sides[1]), (left, right), scope)
+    one, other = (_kind(side, scope) for side in sides)
+    if one is not None and other is not None and sign in (*COMPARED, "/"):
+        both = joined_kind(one, other, scope.bits)
+        if both.unsigned:  # C++ makes both so
+            left, right = _limited(left, both), _limited(right, both)
     if sign == "/":
         if all(_whole(side, scope) for side in sides):
             return f"quotient({left}, {right})"
@@ -853,10 +887,21 @@ def _binary(node: Any, scope: Scope) -> str:
     raise refuse(node)
 
 
-def _bits(node: Any, scope: Scope) -> int:
-    """How many bits integers have there."""
-    names = {safe(words(one)) for one in within(node, "identifier")}
-    return 64 if WIDE.search(words(node)) or names & scope.wide else scope.bits
+def _computed(sign: str, sides: tuple[Any, Any], values: tuple[str, str], scope: Scope) -> str:
+    """A sum, difference or product, in the kind of integers that C++ computes it in."""
+    one, other = (_kind(side, scope) for side in sides)
+    both = None if one is None or other is None else joined_kind(one, other, scope.bits)
+    left, right = (_limited(v, both) if both and both.unsigned else v for v in values)
+    plain = f"({left} {sign} {right})"
+    value = plain if scope.numbers else f"{OPERATIONS[sign]}({left}, {right})"
+    return _limited(value, both) if both else value
+
+
+def _limited(value: str, kind: Kind) -> str:
+    """A value that is computed in a kind of integers, and not changed by that."""
+    what = "a number without a sign (unsigned)" if kind.unsigned else f"{kind.bits} bits"
+    low, high = kind.limits
+    return f"held({value}, {what!r}, {low}, {high})"
 
 
 def _field(node: Any, scope: Scope) -> str:
@@ -924,8 +969,6 @@ def _call_of(name: str, node: Any, scope: Scope) -> str:
     """A call of a function of the file, which is passed the members that it reads."""
     callee, given = scope.printed[name], named(node.child_by_field_name("arguments"))
     for argument, value in zip(callee.arguments, given, strict=False):
-        if argument in callee.integers and not _whole(value, scope):
-            raise refuse(value, "what is rounded to an integer is not read")
         if argument in callee.open and _whole(value, scope):
             raise refuse(value, f"{argument} of {name} is an integer here: write its type")
     left = [callee.defaults.get(argument, "") for argument in callee.arguments[len(given) :]]
@@ -934,5 +977,10 @@ def _call_of(name: str, node: Any, scope: Scope) -> str:
     passed = [n for n in callee.free if n not in callee.arguments]
     if hidden := [n for n in passed if n in scope.locals or n in scope.arguments]:
         raise refuse(node, f"{', '.join(hidden)} means two things: rename one")
-    values = [*(_value(v, scope) for v in given), *left, *(_read(n, scope) for n in passed)]
+    passed_values = [
+        _held(v, _value(v, scope), argument, callee.kinds[argument], _kind(v, scope))
+        if argument in callee.kinds and argument in callee.arguments else _value(v, scope)
+        for argument, v in zip(callee.arguments, given, strict=False)
+    ]  # fmt: skip
+    values = [*passed_values, *left, *(_read(n, scope) for n in passed)]
     return f"{name}({joined(values)})"

@@ -190,6 +190,7 @@ def name_of(node: Any) -> str:
 
 def _functions(root: Any) -> Iterator[Function]:
     """Those with a name of their own: ``function f(x) ... end`` and ``f(x) = ...``."""
+    ours = {words(target) for target, _, one in _assigned(root) if _around(one) is None}
     for node in within(root, "function_definition", "assignment"):
         parts = named(node)
         head = parts[0]
@@ -198,9 +199,18 @@ def _functions(root: Any) -> Iterator[Function]:
         if head.type != "call_expression" or named(head)[0].type != "identifier":
             continue
         body = parts[1:] if node.type == "function_definition" else parts[-1:]
+        if _makes(body) and not ours & {words(i) for i in within(named(head)[1], "identifier")}:
+            continue  # of values for the one inside, which has their names
         one = Function(node, head, body)
         one.takes = any(part.type != "unary_typed_expression" for part in named(named(head)[1]))
         yield one
+
+
+def _makes(body: list[Any]) -> bool:
+    """Whether a function only returns one that is defined in it."""
+    inside = [part for one in body for part in (named(one) if one.type == "block" else [one])]
+    kinds = [part.type for part in inside if part.type not in ("string_literal", "line_comment")]
+    return kinds == ["function_definition"]
 
 
 def _argument(one: Function, node: Any) -> None:

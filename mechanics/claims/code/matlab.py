@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.matlab_casadi import as_it_makes
 from mechanics.claims.code.python_page import (
     Page,
     Unread,
@@ -108,7 +109,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     Unread
         For what is not read, by line and column.
     """
-    text = OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text)
+    text = as_it_makes(OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text))
     root = tree(_language, text, "tree-sitter-matlab")
     _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
@@ -459,6 +460,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             {*words(node).split()} & {*scope.arguments, *scope.locals}
         ):  # fmt: skip
             raise refuse(node, "what syms makes a symbol has a value already")
+        case "function_call" if words(_name(node)) == "run" and node == _first(_around(node)):
+            page.put(line, depth, "pass")  # the file gives values to the scene's names
         case "function_call" if words(_name(node)) == "error" and depth == 1:
             page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN:
@@ -469,6 +472,12 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")
         case _:
             raise refuse(node)
+
+
+def _first(function: Any) -> Any:
+    """The first statement of a function, before which no name has a value but the arguments."""
+    blocks = [c for c in function.children if c.type == "block"] if function is not None else []
+    return next((part for b in blocks for part in named(b) if part.type != "comment"), None)
 
 
 def _last(function: Any) -> Any:

@@ -105,7 +105,10 @@ class Page:
         except SyntaxError as error:
             what = (error.text or "").strip()
             raise Unread(f"line {error.lineno}: {what!r} is not read") from None
-        exec(compile(parsed, origin, "exec"), space)
+        try:
+            exec(compile(parsed, origin, "exec"), space)
+        except ValueError as error:
+            raise Unread(str(error)) from None
         return space
 
 

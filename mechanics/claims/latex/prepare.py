@@ -55,6 +55,10 @@ OPERATOR = re.compile(r"\s*(?:[-+*/=^_\u2212]|\\(?:cdot|times|frac|pm)(?![A-Za-z
 WORDS = re.compile(r"\\(?:text(?:rm|it)?|mathrm|mbox)\s*\{[^{}]*\}|[^A-Za-z0-9\\]")
 
 
+OPTION = re.compile(r"^[ \t]+:(?:label|name|nowrap|no-wrap|class):[^\n$\\]*$", re.MULTILINE)
+"""Of a formula in reStructuredText, which prints nothing but a number."""
+
+
 def prepared(text: str) -> str:
     """The text with blanks for comments, frames, and braces under formulas with their labels.
 
@@ -65,6 +69,8 @@ def prepared(text: str) -> str:
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     text = LEADER.sub(lambda m: " " * len(m[0]), text)
+    if ".. math::" in text:
+        text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))
     text = DECIMAL.sub(lambda m: m[0].replace("{,}", ".").ljust(len(m[0])), text)
     text = NEW_LINE.sub(r"\\\\      ", text)

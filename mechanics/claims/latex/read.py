@@ -186,6 +186,7 @@ SUMMED = f"a side with {SUM} is what the others are"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
+UNLIKE = re.compile(r"\\neq?")
 SMALL_ANGLE = re.compile(
     r"\\?(?:sin|cos|tan)(?:\{?\(?\\?[\w{}]+\)?\}?)(?:\\approx|\\simeq|\\sim|\u2248)"
     r"(?:1(?:-\\?[dt]?frac\{?[^=]{1,30}\}?)?|\{?\\?[\w{}]+\}?|0)|"
@@ -265,6 +266,7 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
             kept.append(piece)
     if not kept:
         return None
+    unlike, kept = _without_unlike(kept)
     start, end = _span(kept)
     if framed := FRAMED.search(whole[max(0, offset + start - 14) : offset + start]):
         start -= len(framed[0])
@@ -287,7 +289,7 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
             sides.append([])
         else:
             sides[-1].append(piece)
-    notes: list[str] = []
+    notes = ["conditions in the text are not used"] if unlike else []
     if len(sides) > 2 and len(kept := [side for side in sides if not _summed(side)]) > 1:
         notes += [SUMMED] if len(kept) < len(sides) else []
         sides = kept
@@ -353,6 +355,16 @@ def _others(
             words = " ".join(text[slice(*fold.slash)].split())
             found.setdefault(nodes, f"/{words} is /({words}): write the brackets")
     return tuple((words, nodes) for nodes, words in found.items())
+
+
+def _without_unlike(pieces: Pieces) -> tuple[bool, Pieces]:
+    r"""Whether a name behind ``\ne`` ends a chain of equalities, a = b \ne c, and the chain."""
+    *chain, sign, last = [None, None, *pieces]
+    ends = isinstance(sign, Token) and sign.type == "ORDER" and UNLIKE.fullmatch(sign.value)
+    plain = isinstance(last, Tree) and not is_kind(last, "SIGN", "REL")
+    if not ends or not plain or not any(p is not None and is_kind(p, "REL") for p in chain):
+        return False, pieces
+    return True, pieces[:-2]
 
 
 def _condition(pieces: Pieces, source: str, at: int) -> Aside:

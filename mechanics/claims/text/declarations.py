@@ -61,6 +61,14 @@ FIELD = re.compile(
     r"[^\W\d]\w*\.(?=[^\W\d_]\w*\b(?![ \t]*\())(?!(?:T|dt|diff)\b)"
 )
 """What a parameter is a field of: param.m."""
+FILLED = re.compile(
+    r"^[ \t]*([^\W\d]\w*)\.([^\W\d]\w*)[ \t]*=[ \t]*"
+    r"\d[\d.]*(?:[eE][-+]?\d+)?[ \t]*;?[ \t]*(?:[%#].*)?$",
+    re.MULTILINE,
+)
+"""A record that a script gives a number: param.m = 2;"""
+BARE = re.compile(r"(?<![\w.])[^\W\d]\w*\b(?!\.\w)")
+"""A name that is no field, and of no record."""
 FILLER = "\ue002"
 """What stands for it: no blank, which sets entries of a matrix apart."""
 SIZED = re.compile(
@@ -143,7 +151,7 @@ def without_declarations(text: str) -> str:
             text = lines.sub(_blank, text)
         text = LISTED.sub(lambda m: f"{' ' * len(m[1])}{m[2]} ", text)
     if not HEADER.search(text):
-        return text
+        return _without_owner(text)
     text = HEADER.sub(_blank, text)
     if MODEL.search(text):
         text = _model(text)
@@ -151,6 +159,20 @@ def without_declarations(text: str) -> str:
     text = WHOLE_ROW.sub(lambda m: f"({m[1]})".ljust(len(m[0])), text)
     text = DECLARED.sub(_blank, text)
     return FIELD.sub(lambda m: FILLER * len(m[0]), text)
+
+
+def _without_owner(text: str) -> str:
+    """A script with the fields of its one record of numbers, which no other name is, as names."""
+    filled = [(m[1], m[2]) for m in FILLED.finditer(text)]
+    if len({owner for owner, _ in filled}) != 1:
+        return text
+    code = re.sub(r"[%#].*", "", text)
+    bare = {m[0] for m in BARE.finditer(code)}
+    owner = filled[0][0]
+    fields = set(re.findall(rf"(?<![\w.]){owner}\.(\w+)", code))
+    if bare & fields or owner in bare:
+        return text
+    return re.sub(rf"(?<![\w.]){owner}\.(?=[^\W\d])", lambda m: FILLER * len(m[0]), text)
 
 
 def _blank(match: re.Match[str]) -> str:

@@ -57,7 +57,8 @@ LEADS = re.compile(
     r"^[ \t]*(?:where|here|with|and|then|hence|thus|so|therefore)[ \t]*[,:]?[ \t]*$"
     r"|(?<=[\w)])[ \t]+(?:then|hence|thus|so|therefore|where|with)[ \t]*$"
     r"|^[ \t]*(?:[^\W\d_]+[ \t]+){2,8}where[ \t]+(?=\w+(?:\(\w\))?[ \t]*=)|(?<=[\w)]):[ \t]*$"
-    r"|(?<=[\w)\]])[ \t]+\((?=[^()\n]*\b(?:of|the|in|on|is|for|from)\b)[a-z][\w ,'-]*\)[ \t]*$",
+    r"|(?<=[\w)\]])[ \t]+\((?=[^()\n]*\b(?:of|the|in|on|is|for|from)\b)[a-z][\w ,'-]*\)[ \t]*$"
+    r"|^[ \t]*\*\*[^\W\d_][\w ,'-]*\*\*[ \t]*(?:\([\w ,'-]*\))?[ \t]*:[ \t]*$",
     re.MULTILINE | re.IGNORECASE,
 )
 """Words between equations, and behind them."""
