@@ -17,6 +17,8 @@ PARTS = frozenset(OF_PARTS.split())
 """Words for a part or a multiple."""
 OTHERS = frozenset(("max", "min", "ref", "des", "eq"))
 """Words for a bound, an aim or a state at rest."""
+GLUED = re.compile(rf"[A-Za-z]({'|'.join(sorted(OTHERS))})")
+"""Behind one letter: umax."""
 FRACTION = re.compile(r"(?<=_)(\d+over\d+)$")
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|k?N(?:mm?|cm)?(?![a-z])")
 
@@ -27,6 +29,7 @@ def another_quantity(name: str) -> str:
         return fraction[1].replace("over", "/")
     parts = [part for part in name.replace("{", "_").replace("}", "_").split("_") if part]
     words = [word for part in parts for word in (part, *WORD.findall(part))]
+    words += GLUED.findall(name) if GLUED.fullmatch(name) else []
     said = [word for word in words if word.lower() in PARTS | OTHERS]
     if not said and parts and (len(parts) > 1 or len(parts[-1]) > 2):
         last = [parts[-1], *WORD.findall(parts[-1])[1:]]

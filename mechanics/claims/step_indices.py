@@ -8,7 +8,11 @@ from collections.abc import Iterable
 
 from mechanics.claims.spelled_rates import bases, key
 
-STEP = re.compile(r"_?(?P<step>[ijkn](?:[mp+-]?\d+|minus\d+|plus\d+)?)(?:_(?:d|dd|dot|ddot))?$")
+STEP = re.compile(
+    r"_(?:\w*?(?P<moved>[ijknt](?:minus|plus)\w+?)|\d*(?P<at>[ijknt](?:[mp]\d+)?"
+    r"|prev|previous|last|old|next|new|delayed))(?:_(?:d|dd|dot|ddot))?$"
+)
+"""The step at the end of a name; what was written as k - 1 says so."""
 
 
 def step_of(name: str, meaning: str) -> str:
@@ -24,8 +28,13 @@ def step_of(name: str, meaning: str) -> str:
     whole = key(meaning)
     if key(name) == whole or any(base == whole for base, _ in bases(name)):
         return ""
-    part = STEP.search(name) if "_" in name else None
-    return part["step"] if part and not whole.endswith(part["step"]) else ""
+    step = _step(name)
+    return "" if whole.endswith(step) else step
+
+
+def _step(name: str) -> str:
+    part = STEP.search(name)
+    return (part["moved"] or part["at"]) if part else ""
 
 
 def at_different_steps(names: Iterable[tuple[str, str]]) -> set[str]:
@@ -42,5 +51,5 @@ def at_different_steps(names: Iterable[tuple[str, str]]) -> set[str]:
 
 def steps_told(names: Iterable[str]) -> str:
     """Names that are taken at different steps, in words; empty where there are none."""
-    steps = {name: part["step"] for name in names if (part := STEP.search(name)) and "_" in name}
+    steps = {name: step for name in names if (step := _step(name))}
     return f"{', '.join(steps)} are taken at different steps" if len({*steps.values()}) > 1 else ""

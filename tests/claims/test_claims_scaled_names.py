@@ -21,7 +21,7 @@ LAW = r"$$\ddot\theta=\frac{{3g}}{{2{0}}}\sin\theta+\frac{{3u}}{{m{0}^2}}$$"
         ("u_kNm", "kNm"), ("l_half", "half"), ("halfLength", "half"), ("diameter", "diameter"),
         ("l_full", "full"), ("l_1over2", "1/2"), ("theta_ddot", ""), ("m_kg", ""), ("l_c", ""),
         ("x_min", "min"), ("u_max", "max"),
-        ("theta_ref", "ref"), ("maximal", ""), ("m1", ""), ("tau_Nm", ""),
+        ("theta_ref", "ref"), ("umax", "max"), ("maximal", ""), ("m1", ""), ("tau_Nm", ""),
     ],
 )  # fmt: skip
 def test_what_a_name_says(name: str, word: str) -> None:

@@ -24,6 +24,7 @@ def test_one_step_is_read(step: str) -> None:
     [
         (r"\theta_k", "u_{k-1}"), (r"\theta_n", "u_{n+1}"), (r"\theta_{k-1}", "u_{k+1}"),
         (r"\theta_k", "u"), (r"\theta", "u_{k-1}"), (r"\theta_k", "u_n"), (r"\theta_k", "F_{k-1}"),
+        (r"\theta_t", r"u_{t-\tau}"), (r"\theta", r"u_{\mathrm{prev}}"),
     ],
 )  # fmt: skip
 def test_several_steps_are_open(angle: str, force: str) -> None:
@@ -31,7 +32,7 @@ def test_several_steps_are_open(angle: str, force: str) -> None:
 
 
 def test_names_that_are_given_are_taken() -> None:
-    names = {"theta_k": "theta", "u_km1": "u"}
+    names = {"theta_k": "theta", "u_kminus1": "u"}
     assert verdict(r"\theta_k", "u_{k-1}", names=names) == "PROVED"
 
 

@@ -16,7 +16,7 @@ ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
 DIFFERENCE = re.compile(r"(\d)\s*[-\u2212]\s*(\d)")
 """In a subscript: c_{1-2} is not c_{12}."""
-STEP = re.compile(r"([A-Za-z])\s*([-+\u2212])\s*(\d)")
+STEP = re.compile(r"(?<![A-Za-z])([ijknt])\s*([-+\u2212])\s*(\\?[A-Za-z0-9])")
 """In a subscript: x_{k-1} is neither x_{k+1} nor x_{k1}."""
 
 
@@ -92,7 +92,7 @@ def bare(text: str) -> str:
     # SymPy prints the symbol theta_ddot as \theta_{\dot{d}}.
     text = ACCENTED.sub(r"\2\1", text)
     text = DIFFERENCE.sub(r"\1minus\2", text)
-    text = STEP.sub(lambda m: m[1] + ("p" if m[2] == "+" else "m") + m[3], text)
+    text = STEP.sub(lambda m: f"{m[1]}{'plus' if m[2] == '+' else 'minus'} {m[3]}", text)
     text = RATIO.sub(lambda m: f"{m[1] or m[3]}over{m[2] or m[4]}", text)
     words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
     return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
