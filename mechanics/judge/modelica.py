@@ -107,6 +107,8 @@ def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
                 yield f"'{' '.join(one.split())[:60]}' is not read"
                 continue
             names[one.name] = one
+            if one.type in parts and one.attributes:
+                yield f"what {one.name} changes of {one.type} is not read"
             if one.type not in parts:  # what a part declares is its own
                 yield from _otherwise(facts, one, "" if title in parts else one.name)
         yield from _initially(names, model)
@@ -171,9 +173,10 @@ def _declarations(text: str) -> Iterator["Declared | str"]:
 
     code = STRING.sub(kept, WITHIN.sub(" ", without_comments(text, ".mo")))
     head, start = MODEL.search(code), EQUATIONS.search(code)
-    if head is None or start is None:
+    if head is None:
         return
-    body = re.sub(r"\A\s*\ue010\d+\ue011", "", code[head.end() : start.start()])
+    stop = start.start() if start else len(re.sub(r"\bend\s+\w+\s*;?\s*\Z", "", code))
+    body = re.sub(r"\A\s*\ue010\d+\ue011", "", code[head.end() : stop])
     own: dict[str, dict[str, str]] = {"Real": {}}
     for statement in _split(SECTION.sub(" ", body), ";"):
         words = statement.strip()

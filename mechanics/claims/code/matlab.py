@@ -443,6 +443,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
         case "for_statement":
             (iterator,) = (c for c in node.children if c.type == "iterator")
             counter, steps = named(iterator)
+            if steps.type not in ("range", "number") and not _is_row(steps):
+                raise refuse(iterator, "a loop goes through columns: loop over a range, as 1:3")
             page.put(line, depth, f"for {safe(words(counter))} in {_list(steps, scope)}:",
                      opens=True)  # fmt: skip
             _block(page, node, depth + 1, scope)
@@ -516,6 +518,12 @@ def _condition(node: Any, scope: Scope) -> str:
         if "true" in (words(left), words(right)) and "==" in words(node):
             return _condition(left if words(right) == "true" else right, scope)
     return expression(node, scope)
+
+
+def _is_row(node: Any) -> bool:
+    """Whether a matrix is written as one row of numbers."""
+    rows = named(node) if node.type == "matrix" else []
+    return len(rows) == 1 and all(part.type == "number" for part in named(rows[0]))
 
 
 def _list(node: Any, scope: Scope) -> str:

@@ -156,6 +156,16 @@ def read_function(
     return replace(found, remarks=(*found.remarks, *called.remarks))
 
 
+def _expanded(function: casadi.Function) -> casadi.Function:
+    """The function in scalar operations."""
+    try:
+        return function.expand()
+    except RuntimeError as error:
+        name = function.name()
+        words = f"function {name}: it cannot be expanded into scalars: write it with SX"
+        raise InputError(words) from error
+
+
 def read_casadi(
     scene: Scene,
     function: casadi.Function,
@@ -163,7 +173,7 @@ def read_casadi(
     about: str | None = None,
 ) -> Reading:
     """Statements of a CasADi function; arguments as for `read_function`, by their names."""
-    function = function if function.is_a("SXFunction") else function.expand()
+    function = function if function.is_a("SXFunction") else _expanded(function)
     wanted = [function.name_in(i) for i in range(function.n_in())]
     sizes = {name: function.numel_in(i) for i, name in enumerate(wanted)}
 

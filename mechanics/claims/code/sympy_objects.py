@@ -6,6 +6,7 @@ KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from sympy import (
@@ -13,6 +14,7 @@ from sympy import (
     Derivative,
     Eq,
     Expr,
+    Function,
     Matrix,
     MatrixSymbol,
     S,
@@ -207,6 +209,22 @@ def _other_time(naming: Naming, sides: Sides) -> str:
     return ""
 
 
+def _two_of_a_name(sides: Sides) -> str:
+    """Different symbols of one name, and functions of a person's own under SymPy's name."""
+    done = [_done(side) for side in sides]
+    symbols = sorted(
+        {s for side in done for s in side.free_symbols}, key=lambda symbol: symbol.name
+    )
+    for one, other in pairwise(symbols):
+        if one.name == other.name:
+            return f"two different symbols are called {one.name}"
+    for function in sorted({f for side in done for f in side.atoms(Function)}, key=str):
+        own = type(function).__module__ or ""
+        if not isinstance(function, AppliedUndef) and own.split(".")[0] != "sympy":
+            return f"{type(function).__name__} is a function of {own or 'nobody'}, not SymPy's"
+    return ""
+
+
 def _done(side: Any) -> Any:
     """With all derivatives formed that can be."""
     return side.doit() if hasattr(side, "doit") else sympify(side, strict=True)
@@ -238,7 +256,7 @@ def _statement(
         quantity, note = MassMatrix(), "a square matrix alone is read as the mass matrix"
     else:
         quantity, plain, note = kind_of(scene, plain)
-    doubt = _other_time(naming, sides)
+    doubt = _other_time(naming, sides) or _two_of_a_name(sides)
     doubt = doubt or (unexplained(scene, unknown) if unknown else "")
     doubt = doubt or (f"{told[0]}, the scene's is not" if told else "")
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:

@@ -321,7 +321,9 @@ class Items:
         return Power(at, self.group(radicand, at), inverse(index))
 
     def _matrix(self, base: Tree, at: int) -> Node:
-        table = base.children[1]
+        begin, table, *_ = base.children
+        if "vmatrix" in str(begin).lower():
+            raise Refused(at, "a determinant is not read: write it out")
         rows = [r.children for r in table.children if isinstance(r, Tree)]
         kept = [[c for c in row if isinstance(c, Tree)] for row in rows]
         kept = [row for row in kept if any(cell.children for cell in row)]
