@@ -216,7 +216,7 @@ def _two_of_a_name(sides: Sides) -> str:
         {s for side in done for s in side.free_symbols}, key=lambda symbol: symbol.name
     )
     for one, other in pairwise(symbols):
-        if one.name == other.name:
+        if one.name == other.name != TIME.name:
             return f"two different symbols are called {one.name}"
     for function in sorted({f for side in done for f in side.atoms(Function)}, key=str):
         own = type(function).__module__ or ""
