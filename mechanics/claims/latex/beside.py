@@ -4,6 +4,7 @@ a = b, c = d        a &= b & c &= d        a = b \quad c = d        a = b \quad 
 """
 
 import re
+from bisect import bisect
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -114,8 +115,11 @@ def _side_by_side(part: Pieces, columns: dict[int, int]) -> Iterator[Row]:
     """Equations that wide spaces or columns set apart."""
     relations = [i for i, piece in enumerate(part) if is_kind(piece, "REL")]
     cuts, doubt = [0], ""
+    runs = _runs(part)
+    starts = [start for start, _ in runs]
     for left, right in pairwise(relations):
-        inside = [run for run in _runs(part) if left < run[0] and run[1] < right]
+        # No run goes over a relation.
+        inside = runs[bisect(starts, left) : bisect(starts, right)]
         between = [run for run in inside if run[0] - 1 > left and run[1] + 1 < right]
         if len(between) > 1:
             between = [run for run in between if _column(part, run, columns)] or between
