@@ -162,7 +162,7 @@ def check(
     judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
     others = chain(
         unsaid(truth, judged, readings, statements, held, not (counted or region)),
-        other_readings(truth, statements),
+        other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
     judged = as_meant(judged)
@@ -307,12 +307,10 @@ def _right(truth: Equations, values: Values, apart: bool, statement: Statement) 
 
 
 def _by_letter(entry: Judged, settled: Settled) -> Judged:
-    """The entry with what the meaning of its letter says."""
-    if settled.finding is not None:
-        return replace(entry, finding=settled.finding, right_if=(), open=False)
-    if settled.right_if and not entry.finding.shown:
-        return replace(entry, right_if=(settled.right_if,), open=True)
-    return entry
+    """The entry; refuted where the meaning of its letter has another dimension."""
+    if settled.finding is None:
+        return entry
+    return replace(entry, finding=settled.finding, right_if=(), open=False)
 
 
 def _differs(finding: Finding) -> bool:

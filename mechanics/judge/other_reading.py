@@ -4,17 +4,17 @@ several that nobody chose is open.
     as it was read                                       another reading
     g sin(x) / 2 l    has no dimension beside x''        /2 l is /(2 l)
     return a, b       [1/s^2, m/s^2]: theta'', x''       the outputs are x'', theta''
+    T = m g l sin(x)  T is the kinetic energy            T is the torque (`mechanics.judge.letters`)
     p(t)              of the only momentum               p is an input (`mechanics.judge.unsaid`)
 
 The first reading whose terms have one dimension is taken. A statement that is refuted as it is read
 is open where another reading does not refute it, and none that is shown is refuted by that: "right
-if p is M". What a name on the left means is chosen before (`mechanics.judge.letters`).
+if p is M".
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.claim import Written
@@ -26,7 +26,7 @@ from mechanics.claims.tree import Node
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.judge.letters import has_meaning
+from mechanics.judge.letters import Known, has_meaning, other_meanings
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.dimensions import MixedDimensions, one_dimension
@@ -37,9 +37,6 @@ from mechanics.scene.quantities import (
     Identity,
     ReactionValue,
 )
-from mechanics.scene.unit_names import Dimension
-
-Known = Mapping[Symbol, Dimension | None]
 
 
 @dataclass(frozen=True)
@@ -58,7 +55,22 @@ class OtherReading:
     statements: Mapping[int, Statement | None]
 
 
-def other_readings(truth: Equations, statements: Sequence[Statement]) -> Iterator[OtherReading]:
+def other_readings(
+    truth: Equations, statements: Sequence[Statement], dimensions: bool = True
+) -> Iterator[OtherReading]:
+    """What may be meant otherwise: what is read otherwise, and names on the left.
+
+    Parameters
+    ----------
+    dimensions : bool
+        Whether dimensions tell: a number may stand for a parameter that has a value.
+    """
+    yield from _read_otherwise(truth, statements)
+    for words, meant in other_meanings(truth, statements, dimensions):
+        yield OtherReading(words, meant)
+
+
+def _read_otherwise(truth: Equations, statements: Sequence[Statement]) -> Iterator[OtherReading]:
     """What readers could have taken otherwise: slashes, and the order of what code returns."""
     calls: dict[str, dict[int, Statement]] = {}
     for k, statement in enumerate(statements):
@@ -78,7 +90,7 @@ def of_one_dimension(truth: Equations, statements: Sequence[Statement]) -> list[
     found = list(statements)
     if not any(s.others or s.taken for s in found) or not (known := known_dimensions(truth)):
         return found
-    for other in other_readings(truth, statements):
+    for other in _read_otherwise(truth, statements):
         pairs = [(k, found[k], meant) for k, meant in other.statements.items() if meant is not None]
         if not all(_agrees(truth, own, known) for _, own, _ in pairs) and all(
             _agrees(truth, meant, known) for *_, meant in pairs
