@@ -5,6 +5,8 @@
 
 import re
 
+SYMBOL = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
+"""A name with its subscript in a pattern, in LaTeX or plain."""
 NOUNS: tuple[tuple[str, str], ...] = (
     ("kinetic energy", "kinetic energy"),
     ("potential energy|potential", "potential energy"),

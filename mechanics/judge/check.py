@@ -6,6 +6,7 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from typing import Any
 
 from mechanics.blame.reference import Reference
@@ -24,15 +25,14 @@ from mechanics.judge.black_box import check_box
 from mechanics.judge.bounded_blame import blamed, declared_only
 from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
-from mechanics.judge.declared_convention import judge_under, only_change
+from mechanics.judge.declared_convention import Answer, judge_under, only_change
 from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.other_names import best_names, doubtful
-from mechanics.judge.other_reading import of_one_dimension, read_otherwise
-from mechanics.judge.outputs import of_one_order, right_otherwise
+from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
@@ -42,7 +42,7 @@ from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import source_of
 from mechanics.judge.special_case import in_special_case
-from mechanics.judge.unsaid import left_open
+from mechanics.judge.unsaid import unsaid
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -140,8 +140,8 @@ def check(
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = [_read(truth, part, names, notation, about, function) for part in parts]
-    every = (s for reading in readings for s in reading.statements)
-    statements = of_one_order(truth, [of_one_dimension(truth, s) for s in every])
+    every = [s for reading in readings for s in reading.statements]
+    statements = of_one_dimension(truth, every)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
@@ -152,28 +152,24 @@ def check(
     held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
-    if counted:
-        judged, told = judge_under(truth, statements, counted)
-        if said:
-            pairs = zip(judged, statements, strict=True)
-            judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
-    else:
-        plain = [at_rest(truth, statement) for statement in statements]
-        shown = partial(_right, truth, held, bool(region))
-        settled = settle(truth, plain, shown, dimensions=not held)
-        judged, told = _judged(truth, [s.statement for s in settled], held, region)
-        judged = tuple(map(_by_letter, judged, settled))
+    how = partial(_verdicts, truth, counted=counted, values=held, where=region)
+    judged, told = how(statements)
+    if said:
+        pairs = zip(judged, statements, strict=True)
+        judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
     judged = complete_residuals(truth, one_root_each(truth, judged, statements))
     untold = (*(() if convention else prose.against), *prose.limits)
     judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
-    judged = left_open(truth, judged, readings, held, not (counted or region))
-    judged = right_otherwise(judged, partial(_right, truth, held, bool(counted or region)))
+    others = chain(
+        unsaid(truth, judged, readings, statements, held, not (counted or region)),
+        other_readings(truth, statements, not held),
+    )
+    judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
     judged = as_meant(judged)
     if not (counted or held or region):
         judged = in_special_case(truth, judged)
     if blame:
         judged = _blamed(reference, judged, counted, held)
-    judged = tuple(read_otherwise(truth, entry) for entry in judged)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
     matches = {match.name: match for known in told_of for match in known}
@@ -226,16 +222,18 @@ def _check_program(
     """Verdicts on a scene whose equations stay a program."""
     truth = reference.truth
     readings = [read(truth.scene, thing, names, *how) for thing in things]
-    statements = [statement for reading in readings for statement in reading.statements]
-    settled = settle(truth, statements, partial(_right, truth, {}, False))
-    judged = tuple(
-        _by_letter(Judged(s.statement, judge(truth, s.statement, {})), s) for s in settled
-    )
+    every = [statement for reading in readings for statement in reading.statements]
+    statements = of_one_dimension(truth, every)
+    judged = _as_they_stand(truth, statements)
     matches = {match.name: match for reading in readings for match in reading.names}
     source = [text for part in things for text in source_of(part)]
     prose = prose_of(truth.scene, statements, [*matches.values()], source)
     untold = (*prose.against, *prose.limits)
-    judged = as_meant([as_told(entry, untold) for entry in judged])
+    judged = tuple(as_told(entry, untold) for entry in judged)
+    others = chain(
+        unsaid(truth, judged, readings, statements, {}, False), other_readings(truth, statements)
+    )
+    judged = as_meant(left_open(judged, others, partial(_as_they_stand, truth)))
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     if blame and _operations(truth) <= LARGEST_SEARCHED:
         judged = blamed(reference, judged)
@@ -245,6 +243,11 @@ def _check_program(
         )
     unjudged = (*prose.unjudged, *_definitions(readings))
     return Check(truth.scene, judged, tuple(matches.values()), remarks, None, unjudged)
+
+
+def _as_they_stand(truth: Equations, statements: Sequence[Statement]) -> tuple[Judged, ...]:
+    settled = settle(truth, statements, partial(_right, truth, {}, False))
+    return tuple(_by_letter(Judged(s.statement, judge(truth, s.statement, {})), s) for s in settled)
 
 
 def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
@@ -304,12 +307,10 @@ def _right(truth: Equations, values: Values, apart: bool, statement: Statement) 
 
 
 def _by_letter(entry: Judged, settled: Settled) -> Judged:
-    """The entry with what the meaning of its letter says."""
-    if settled.finding is not None:
-        return replace(entry, finding=settled.finding, right_if=(), open=False)
-    if settled.right_if and not entry.finding.shown:
-        return replace(entry, right_if=(settled.right_if,), open=True)
-    return entry
+    """The entry; refuted where the meaning of its letter has another dimension."""
+    if settled.finding is None:
+        return entry
+    return replace(entry, finding=settled.finding, right_if=(), open=False)
 
 
 def _differs(finding: Finding) -> bool:
@@ -338,10 +339,25 @@ def _helping(
     return words or right_where(truth, statements, findings), False
 
 
+def _verdicts(
+    truth: Equations, statements: Sequence[Statement], *, counted: Sequence[Declared],
+    values: Values, where: Sequence[Where], helps: bool = True,
+) -> Answer:  # fmt: skip
+    """Verdicts and remarks; beside a refutation the convention that helps, if that is asked."""
+    if counted:
+        return judge_under(truth, statements, counted)
+    plain = [at_rest(truth, statement) for statement in statements]
+    settled = settle(
+        truth, plain, partial(_right, truth, values, bool(where)), dimensions=not values
+    )
+    judged, told = _judged(truth, [s.statement for s in settled], values, where, helps)
+    return tuple(map(_by_letter, judged, settled)), told
+
+
 def _judged(
-    truth: Equations, statements: Sequence[Statement], values: Values, where: Sequence[Where]
-) -> tuple[tuple[Judged, ...], tuple[str, ...]]:  # fmt: skip
-    """Verdicts; beside a refutation the convention that would help."""
+    truth: Equations, statements: Sequence[Statement], values: Values, where: Sequence[Where],
+    helps: bool,
+) -> Answer:  # fmt: skip
     if where:
         found = (Judged(s, judge_where(truth, s, where)) for s in statements)
         return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
@@ -350,7 +366,7 @@ def _judged(
         statements, findings = small_angles_at(truth, statements, findings, values)
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
     statements, findings = as_said(truth, statements, findings)
-    if not any(map(_differs, findings)):
+    if not helps or not any(map(_differs, findings)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [
         k for k, s in enumerate(statements)

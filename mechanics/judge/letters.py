@@ -3,9 +3,9 @@
 T = m g cos(theta) + m l theta_dot^2    [T] = N    ->    no energy: T is read as the tension
 
 Meanings without the dimension of what was written are dead. Of the others those of the first rank
-count: what one of them proves is read so, and said. What only a meaning of a later rank proves is
-neither right nor wrong: "right if T is the torque". What the scene itself calls so, in the same
-dimension, or what the person says that it means, is nothing else.
+count: what one of them proves is read so, and said. Those of later ranks are other readings
+(`mechanics.judge.other_reading`): "right if T is the torque". What the scene itself calls so, in
+the same dimension, or what the person says that it means, is nothing else.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -35,6 +35,7 @@ MOMENTA = tuple(dimension_of_unit(unit, "") for unit in ("kg*m/s", "kg*m^2/s"))
 """Of momenta, those of angles among them."""
 
 Shown = Callable[[Statement], bool]
+Known = Mapping[Symbol, Dimension | None]
 
 
 @dataclass(frozen=True)
@@ -45,13 +46,10 @@ class Settled:
     ----------
     finding : Finding or None
         Where its dimension alone refutes it.
-    right_if : str
-        Another meaning under which it is right, in words.
     """
 
     statement: Statement
     finding: Finding | None = None
-    right_if: str = ""
 
 
 def settle(
@@ -70,42 +68,70 @@ def settle(
         Whether dimensions tell: a number may stand for a parameter that has a value.
     """
     settled = [Settled(statement) for statement in statements]
-    groups: dict[str, list[int]] = {}
-    for k, statement in enumerate(statements):
-        if statement.letter is not None and statement.row is not None:
-            groups.setdefault(statement.letter.name, []).append(k)
-    known = known_dimensions(truth) if groups and dimensions else {}
-    for places in groups.values():
+    known = _known(truth, statements, dimensions)
+    for places in _groups(statements):
         group = [statements[k] for k in places]
         for k, one in zip(places, _settled(truth, group, known, shown, table), strict=True):
             settled[k] = one
     return settled
 
 
+def other_meanings(
+    truth: Equations, statements: Sequence[Statement], dimensions: bool
+) -> Iterator[tuple[str, dict[int, Statement]]]:
+    """Meanings of later ranks of names on the left, in words, and their statements by places."""
+    known = _known(truth, statements, dimensions)
+    for places in _groups(statements):
+        group = [statements[k] for k in places]
+        letter = _letter(group[0])
+        try:
+            ranks = _living(truth, letter, _written(truth, group, known), known)
+        except MixedDimensions:
+            continue
+        for meaning in (word for rank in ranks[1:] for word in rank):
+            if any(True for _ in candidates(truth, meaning)):
+                meant = [replace(s, letter=replace(_letter(s), said=meaning)) for s in group]
+                words = f"{letter.name} is {_article(meaning)}: --name {letter.name}={meaning!r}"
+                yield words, dict(zip(places, meant, strict=True))
+
+
+def _groups(statements: Sequence[Statement]) -> list[list[int]]:
+    """Places of the statements of each name on the left."""
+    groups: dict[str, list[int]] = {}
+    for k, statement in enumerate(statements):
+        if statement.letter is not None and statement.row is not None:
+            groups.setdefault(statement.letter.name, []).append(k)
+    return list(groups.values())
+
+
+def _known(truth: Equations, statements: Sequence[Statement], dimensions: bool) -> Known:
+    """Dimensions of symbols, where names on the left ask for them."""
+    return known_dimensions(truth) if dimensions and any(s.letter for s in statements) else {}
+
+
+def _written(truth: Equations, group: Sequence[Statement], known: Known) -> Dimension | None:
+    """The dimension of what a name is said to be; None where it is not known, or is several."""
+    written = {_dimension(truth, _letter(s), known) for s in group} - {None}
+    return written.pop() if len(written) == 1 else None
+
+
 def _settled(
     truth: Equations, group: Sequence[Statement],
-    known: Mapping[Symbol, Dimension | None], shown: Shown, table: Table,
+    known: Known, shown: Shown, table: Table,
 ) -> list[Settled]:  # fmt: skip
     letter = _letter(group[0])
     try:
-        written = {_dimension(truth, _letter(s), known) for s in group} - {None}
+        one = _written(truth, group, known)
     except MixedDimensions:
         meaning = _of_some_term(truth, letter, known)
         return [Settled(_first(truth, s, meaning, table)) for s in group]
-    one = written.pop() if len(written) == 1 else None
     ranks = _living(truth, letter, one, known)
     if not ranks:
         return [_dead(truth, s, one) for s in group]
-    for rank, meanings in enumerate(ranks):
-        for meaning in meanings:
-            for found, words_of in _trials(truth, group, meaning, table):
-                if all(map(shown, found)):
-                    if rank == 0:
-                        return [_noted(s, letter, words_of) for s in found]
-                    said = f"{letter.name} is {_article(words_of)}"
-                    return [
-                        Settled(_first(truth, s, ranks[0][0], table), None, said) for s in group
-                    ]
+    for meaning in ranks[0]:
+        for found, words_of in _trials(truth, group, meaning, table):
+            if all(map(shown, found)):
+                return [_noted(s, letter, words_of) for s in found]
     return [_unproved(truth, s, ranks[0][0], table) for s in group]
 
 
@@ -122,9 +148,7 @@ def _letter(statement: Statement) -> Letter:
     return statement.letter
 
 
-def _dimension(
-    truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]
-) -> Dimension | None:
+def _dimension(truth: Equations, letter: Letter, known: Known) -> Dimension | None:
     """Of all sides that a letter is said to be."""
     scene = truth.scene
     sides = [scene.plain(side) for side in letter.sides]
@@ -132,7 +156,7 @@ def _dimension(
     return found.pop() if len(found) == 1 else None
 
 
-def has_meaning(truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]) -> bool:
+def has_meaning(truth: Equations, letter: Letter, known: Known) -> bool:
     """Whether a name on the left can mean something of the dimension of what was written.
 
     Parameters
@@ -147,9 +171,7 @@ def has_meaning(truth: Equations, letter: Letter, known: Mapping[Symbol, Dimensi
     return bool(_living(truth, letter, written, known))
 
 
-def _of_some_term(
-    truth: Equations, letter: Letter, known: Mapping[Symbol, Dimension | None]
-) -> str:
+def _of_some_term(truth: Equations, letter: Letter, known: Known) -> str:
     """The first meaning that has the dimension of one of the terms, which all others miss."""
     scene, found = truth.scene, set[Dimension]()
     for term in (t for side in letter.sides for t in _terms(scene.plain(side))):
@@ -174,7 +196,7 @@ def _terms(side: Expr) -> Iterator[Expr]:
 
 def _living(
     truth: Equations, letter: Letter, written: Dimension | None,
-    known: Mapping[Symbol, Dimension | None],
+    known: Known,
 ) -> list[tuple[str, ...]]:  # fmt: skip
     """Meanings by rank that have the dimension of what was written."""
     if letter.said:

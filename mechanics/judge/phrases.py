@@ -9,6 +9,8 @@ in capitals stand for what `SLOTS` has.
 
 import re
 
+from mechanics.claims.prose import SYMBOL
+
 SLOTS = {
     "NAME": r"⟨(?P<name>[A-Za-z]\w*)⟩",
     "IS": r"(?: ?(?:is|are|be|being|denotes?|means?|stands? for|,|:))?",
@@ -63,7 +65,7 @@ DIRECTIONS = (
     ),
     phrase(r"NAMEIS COUNTED from THE(?P<way>top|highest|bottom|lowest)\b"),
     phrase(
-        r"⟨=\s?\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)\s?=\s?0\s?⟩ "
+        rf"⟨=\s?{SYMBOL}\s?=\s?0\s?⟩ "
         r"(?:is|corresponds to|denotes|means|describes|in|at|being) THE"
         r"(?P<way>downward|upward|upright|inverted|hanging|horizontal)\b"
     ),

@@ -13,7 +13,7 @@ from mechanics.claims.latex.comments import verbatim, without_hidden
 from mechanics.claims.latex.prepare import CONDITION as OF_DISPLAY
 from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
-from mechanics.claims.prose import ENDS
+from mechanics.claims.prose import ENDS, SYMBOL
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.line_continuation import LABELLED
@@ -41,7 +41,7 @@ PLAIN = str.maketrans("\\$`{}", "     ")
 QUESTION = re.compile(r"\?+(?=\s|\Z)")
 INSIDE = re.compile(r"[.;!?](?=\s)")
 """What ends no sentence."""
-NAME = re.compile(r"\s*\\?(?:var)?([A-Za-z]+(?:_\{?\w+\}?)?)\s*")
+NAME = re.compile(rf"\s*{SYMBOL}\s*")
 WORD = re.compile(r"(?<![\w\u27e8'.])([^\W\d]\w*)(?![\w(\u27e9'\[])(?: ?:)?")
 FORMULA = re.compile("\u27e8= ([^\u27e9]*)\u27e9")
 BRACES = re.compile("(\u27e8[^\u27e9]*\u27e9)|[{}]")

@@ -16,7 +16,7 @@ from sympy.matrices import MatrixBase
 from mechanics.claims.claim import Written
 from mechanics.claims.latex.case_beside import case_of
 from mechanics.claims.names import Naming
-from mechanics.claims.prose import sentence_around
+from mechanics.claims.prose import SYMBOL, sentence_around
 from mechanics.equations import Equations
 from mechanics.judge.at_values import as_identity, put, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
@@ -25,11 +25,10 @@ from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 from mechanics.scene.published import Published
 
-BARE = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
 UNIT = r"(?:\\[,;:! ]|~|\s|\\?(?:mathrm|text|textrm|si|unit)\s*\{[^{}$]*\})*"
-GIVEN = re.compile(rf"\$\s*{BARE}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
+GIVEN = re.compile(rf"\$\s*{SYMBOL}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
 STATED = re.compile(
-    rf"(?:^|(?<=[\s,;($&~])|(?<=quad)){BARE}(?:\s*\[[^\]\n]*\])?\s*=\s*"
+    rf"(?:^|(?<=[\s,;($&~])|(?<=quad)){SYMBOL}(?:\s*\[[^\]\n]*\])?\s*=\s*"
     r"(?P<value>-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
     r"(?:[ ~]*(?:\[[^\]\n]*\]|(?:\\[,:])?\s*\\(?:mathrm|text|si|unit)\s*\{[^{}]*\}"
     r"|(?:[kcm]?m|k?g|N|s)\b[\w/^*]*))?"

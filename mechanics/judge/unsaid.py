@@ -8,15 +8,12 @@
     M is m, the same first letter                what else is left of that unit
     f returns accelerations, f takes no speeds   there is no list of them
 
-A way under which a wrong statement may be right, and none that was right gets wrong, leaves that
-statement open: "right if p is M". Where the ways cannot be listed it is open, too. A statement is
-REFUTED only where somebody said how it is to be read, where the names leave no choice, or where
-every other way refutes it as well. What has no other way is no guess: it makes no entry here.
+Where the ways cannot be listed a wrong statement is open, too. A statement is REFUTED only where
+somebody said how it is to be read, where the names leave no choice, or where every other way
+refutes it as well. What has no other way is no guess: it makes no entry here.
 
 Readers say what they guessed in `Match.why`, or, where no name of the scene stands for it, in
-`Statement.unsure`. Orders of a state and of what code returns are tried with the code itself
-(`Statement.taken`, `mechanics.judge.outputs`), and letters on the left by their meanings
-(`mechanics.judge.letters`).
+`Statement.unsure`.
 """
 
 from collections.abc import Iterator, Sequence
@@ -25,23 +22,21 @@ from itertools import islice, permutations, product
 
 from sympy import Expr, Symbol
 
-from mechanics.checks.ledger import check_row
 from mechanics.claims.assemble import used_names
 from mechanics.claims.code.arguments import GUESSED_ORDER, USUAL
 from mechanics.claims.guess import ONLY_MOMENTUM, TWIN
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match
 from mechanics.claims.spelled_rates import key
-from mechanics.claims.statement import Reading
+from mechanics.claims.statement import Reading, Statement
 from mechanics.claims.text.elements import BY_KIND, WHY
 from mechanics.compiled.fixed import fix
 from mechanics.equations import Equations
-from mechanics.errors import MechanicsError
 from mechanics.judge.at_values import Values, put
 from mechanics.judge.convention_filter import Table, glance
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.other_names import other_choices
-from mechanics.kernel import Verdict
+from mechanics.judge.other_reading import OtherReading, is_wrong
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols, rate_symbol
@@ -74,97 +69,96 @@ class Guess:
     of: str = ""
 
 
-def left_open(
-    truth: Equations, judged: Sequence[Judged], readings: Sequence[Reading], values: Values,
-    tries: bool,
-) -> tuple[Judged, ...]:  # fmt: skip
-    """Entries, open where they are wrong under a guess, and another way may be right.
+def unsaid(
+    truth: Equations, judged: Sequence[Judged], readings: Sequence[Reading],
+    statements: Sequence[Statement], values: Values, tries: bool,
+) -> Iterator[OtherReading]:  # fmt: skip
+    """Other ways to guess that may make a refuted statement right, and leave all right ones so.
 
     Parameters
     ----------
     readings : sequence of Reading
         That the entries are of, in order.
+    statements : sequence of Statement
+        Those of the entries as they were read.
     values : mapping of Symbol to Expr
         Of parameters, where these are given.
     tries : bool
         Whether other ways can be tried: statements are judged as the scene counts, everywhere.
     """
-    found, start = list(judged), 0
-    target = fix(truth, values) if values and tries else truth
+    start = 0
+    trial = _Trial(fix(truth, values) if values and tries else truth, values)
     for reading in readings:
         group = range(start, start + len(reading.statements))
         start = group.stop
-        claimed = [k for k in group if (s := found[k].statement).row is not None and not s.doubt]
-        wrong = [k for k in claimed if _is_wrong(found[k])]
+        claimed = [k for k in group if (s := judged[k].statement).row is not None and not s.doubt]
+        wrong = [k for k in claimed if is_wrong(judged[k]) and not judged[k].open]
         if not wrong:
             continue
-        now = replace(reading, statements=tuple(found[k].statement for k in claimed))
+        now = replace(reading, statements=tuple(judged[k].statement for k in claimed))
         shared = [g for g in _guesses(truth, now) if tries or g.opens or g.ways is None]
-        trial = _Trial(truth.scene, target, values if tries else {})
-        right = [_row(found[k]) for k in claimed if found[k].finding.shown]
+        right = [_row(judged[k]) for k in claimed if judged[k].finding.shown]
         for k in wrong:
-            words = list(found[k].statement.unsure)
-            held = used_names(found[k].statement.written)
+            words = list(judged[k].statement.unsure)
+            held = used_names(judged[k].statement.written)
             rests = [g for g in shared if not g.of or key(g.of) in held]
             words += [g.words for g in rests if g.ways is None or not tries]
+            yield from (OtherReading(one, {k: None}) for one in words)
             for guess in shared if tries and not words else ():
-                words += trial.words(_row(found[k]), guess.ways or (), right)
-            if words:
-                right_if = tuple(dict.fromkeys((*found[k].right_if, *words)))
-                found[k] = replace(found[k], right_if=right_if, open=True)
-    return tuple(found)
+                for one, table in trial.living(_row(judged[k]), guess.ways or (), right):
+                    yield OtherReading(one, {k: _meant(truth.scene, statements[k], table)})
 
 
 @dataclass(frozen=True)
 class _Trial:
-    """Rows under other ways, where parameters have values."""
+    """Rows under other ways, in one point of a field."""
 
-    scene: Scene
     target: Equations
     values: Values
 
-    def words(
+    def living(
         self, row: Published, ways: Sequence[tuple[str, Table]], right: Sequence[Published]
-    ) -> list[str]:
+    ) -> list[tuple[str, Table]]:
         """Ways under which a row may be right, and none of the right ones gets wrong."""
         some = zip(ways, self.possible(row, [table for _, table in ways]), strict=True)
         living = [way for way, may_be in some if may_be]
         return [
-            words for words, table in living
-            if not self._refuted(row, table)
-            and all(self.possible(other, [table]) == [True] for other in right)
+            (words, table) for words, table in living
+            if all(self.possible(other, [table]) == [True] for other in right)
         ]  # fmt: skip
 
     def possible(self, row: Published, tables: Sequence[Table]) -> list[bool]:
-        """Whether a row may be right under each table, in one point of a field."""
-        momenta = {s.name for p in momentum_symbols(self.scene) for s in (p, rate_symbol(p))}
-        if any(s.name in momenta for table in tables for s in table):
+        """Whether a row may be right under each table."""
+        momenta = momentum_symbols(self.target.scene)
+        names = {s.name for p in momenta for s in (p, rate_symbol(p))}
+        if any(s.name in names for table in tables for s in table):
             # A momentum is written out before a look.
             return [glance(self.target, [self._there(row, t)], [{}]) == [True] for t in tables]
         return glance(self.target, [self._there(row, {})], tables) if tables else []
 
     def _there(self, row: Published, table: Table) -> Published:
-        plain = each_side(row, self.scene.plain)
-        meant = each_side(plain, lambda side: side.xreplace(dict(table)))
+        meant = _put(self.target.scene, row, table)
         return put(in_plain_symbols(self.target.kinematics, meant), self.values)
 
-    def _refuted(self, row: Published, table: Table) -> bool:
-        try:
-            found = check_row(self.scene, self._there(row, table), self.target)
-        except MechanicsError:
-            return True  # it means nothing so
-        return found.verdict is Verdict.REFUTED
+
+def _put(scene: Scene, row: Published, table: Table) -> Published:
+    return each_side(row, lambda side: scene.plain(side).xreplace(dict(table)))
+
+
+def _meant(scene: Scene, statement: Statement, table: Table) -> Statement:
+    """A statement whose symbols stand for others."""
+    row, letter = statement.row, statement.letter
+    assert row is not None  # of what is claimed
+    if letter is not None:
+        sides = (scene.plain(side).xreplace(dict(table)) for side in letter.sides)
+        letter = replace(letter, sides=tuple(sides))
+    demands = statement.demands.put(table)
+    return replace(statement, row=_put(scene, row, table), letter=letter, demands=demands)
 
 
 def _row(entry: Judged) -> Published:
     assert entry.statement.row is not None  # of what is claimed
     return entry.statement.row
-
-
-def _is_wrong(entry: Judged) -> bool:
-    return (
-        entry.finding.verdict is Verdict.REFUTED and not entry.finding.undefined and not entry.open
-    )
 
 
 def _guesses(truth: Equations, reading: Reading) -> Iterator[Guess]:

@@ -4,10 +4,12 @@ import pytest
 
 import mechanics
 from mechanics.judge.check import derived
-from systems import cartpole, elastic_pendulum
+from systems import cartpole, elastic_pendulum, quadrotor, rod_pendulum
 
 PIVOT = derived(elastic_pendulum.scene())
 CART = derived(cartpole.scene())
+ROD = derived(rod_pendulum.scene())
+FLYER = derived(quadrotor.scene())
 
 
 @pytest.mark.parametrize(
@@ -47,3 +49,31 @@ def test_no_reading_makes_a_wrong_equation_right() -> None:
     assert not entry.right_if
     (entry,) = mechanics.check(CART, text.replace(r"g\cos", r"g\sin"), blame=False).judged
     assert entry.finding.shown
+
+
+OPEN = r"\ddot\theta = {}\frac{{3{}}}{{l}}\sin\theta\cos\theta/2\cos\theta + 3u/(m l^2)"
+
+
+@pytest.mark.parametrize(
+    ("sign", "gravity", "how"),
+    [
+        ("", "g", {}),
+        ("-", "g", {"convention": "other vertical"}),
+        ("", "g", {"where": "cos(theta) > 0"}),
+        ("", r"\cdot 9.81", {"values": {"g": 9.81}}),
+    ],
+)
+def test_what_dimensions_leave_open_is_read_otherwise_as_it_is_judged(
+    sign: str, gravity: str, how: dict
+) -> None:
+    told = r"/2\cos\theta is /(2\cos\theta): write the brackets"
+    (entry,) = mechanics.check(ROD, OPEN.format(sign, gravity), blame=False, **how).judged
+    assert (entry.verdict.name, entry.right_if) == ("UNDECIDED", (told,))
+    wrong = OPEN.format(sign, gravity).replace("3u", "4u")
+    assert mechanics.check(ROD, wrong, blame=False, **how).verdict.name == "REFUTED"
+
+
+def test_so_it_is_where_the_equations_of_a_scene_stay_a_program() -> None:
+    for end, verdict in ((" + m g z/2", "UNDECIDED"), ("", "REFUTED")):
+        text = r"V = m g z \cos\theta/2\cos\theta" + end
+        assert mechanics.check(FLYER, text, blame=False).verdict.name == verdict

@@ -4,6 +4,7 @@ import re
 
 from mechanics.claims.lines import Line
 from mechanics.claims.names import Naming
+from mechanics.claims.prose import SYMBOL
 from mechanics.claims.tree import Name, names
 
 SPACED = r"(?:\\q?quad|\\[,;: ]|~|&|\s)*"
@@ -12,7 +13,7 @@ FOR = rf"\\(?:text\w*|mbox|mathrm)\s*\{{\s*{WORD}\s*\}}"
 BEFORE = re.compile(rf"{FOR}{SPACED}$")
 BEHIND = re.compile(
     r"[^=]*=(?:(?!\\\\|\$\$|\\\]|\\end\b).)*?"
-    rf"{FOR}{SPACED}\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{{?\w+\}}?)?)\s*=\s*"
+    rf"{FOR}{SPACED}{SYMBOL}\s*=\s*"
     r"(?P<value>[-+]?(?:\\[dt]?frac\s*)?(?:[\d.{}/]|\\pi)+)",
     re.DOTALL,
 )
