@@ -1,6 +1,6 @@
 """Pendulum whose point of support is shaken up and down."""
 
-from sympy import cos, sin
+from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics.scene import Particle, Scene, gravity, parameters, reaction
@@ -27,22 +27,4 @@ def hanging():
         loads=(gravity(-g * N.y),),
         reactions=(reaction("T", at=P, on="bob", by=None, along=A.y),),
         example={"phi": 0.3},
-    )
-
-
-def upright():
-    """theta from upright; the support is a sin(w t) above its mean place."""
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (-theta, N.z))
-    S = O.locatenew("S", a * sin(w * t) * N.y)
-    P = S.locatenew("P", ell * A.y)
-    return Scene(
-        "Kapitza pendulum",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("T", at=P, on="bob", by=None, along=A.y),),
-        example={"theta": 0.3},
     )

@@ -46,19 +46,9 @@ def _cart_and_bob(names, mass_names, push, side, down, *, friction=None, inertia
     )  # fmt: skip
 
 
-def segway():
-    """Control lab: phi to the left of upright (a cart of mass M, a bob of mass m)."""
-    return _cart_and_bob("x phi", "M m l g", "u", -1, 1)
-
-
 def cart_left():
     """The same with theta and a force f."""
     return _cart_and_bob("x theta", "M m l g", "f", -1, 1)
-
-
-def wheeled():
-    """A rod with an inertia that hangs from a wheel without an inertia, friction b."""
-    return _cart_and_bob("x theta", "m__w m__b l g", "u", 1, -1, friction="b", inertia_of="I__b")
 
 
 def puffer():
