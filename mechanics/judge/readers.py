@@ -2,7 +2,7 @@
 
 import inspect
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -40,19 +40,26 @@ FILE = re.compile(
 def spread(equations: Any) -> list[Any]:
     """The things that a person passes, one by one.
 
-    What `sympy.solve` returns, ``{x.diff(t, 2): ...}``, is an equation for each entry.
+    What `sympy.solve` returns, ``{x.diff(t, 2): ...}``, is an equation for each entry. All objects
+    of SymPy's are one thing: a name means the same in all of them.
     """
-    things = list(equations) if isinstance(equations, list | tuple) else [equations]
-    found: list[Any] = []
-    for thing in things:
-        if isinstance(thing, list | tuple) and thing:
-            inner = spread(thing)
-            found += [tuple(inner)] if all(map(is_sympy, inner)) else inner
-        elif isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
-            found += [Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items()]
-        else:
-            found.append(thing)
-    return found
+    found = list(_flat(equations))
+    objects = tuple(thing for thing in found if is_sympy(thing))
+    if len(objects) < 2:
+        return found
+    first = next(k for k, thing in enumerate(found) if is_sympy(thing))
+    others = [thing for thing in found if not is_sympy(thing)]
+    return [*others[:first], objects, *others[first:]]
+
+
+def _flat(thing: Any) -> Iterator[Any]:
+    if isinstance(thing, list | tuple) and thing:
+        for one in thing:
+            yield from _flat(one)
+    elif isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
+        yield from (Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items())
+    else:
+        yield thing
 
 
 def _expression(name: Expr, value: Any) -> Expr:
@@ -174,7 +181,7 @@ def _returned(function: Any) -> Any:
         p.default is p.empty and p.kind not in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in wanted
     ):
         return None
-    first, again = tuple(spread(function())), tuple(spread(function()))
+    first, again = tuple(_flat(function())), tuple(_flat(function()))
     if not first or not all(map(is_sympy, (*first, *again))):
         return None
     same = [*map(sides_of, first)] == [*map(sides_of, again)]
