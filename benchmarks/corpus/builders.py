@@ -305,6 +305,17 @@ def held(point, on, **directions):
     return tuple(reaction(n, at=point, on=on, by=None, along=v) for n, v in directions.items())
 
 
+def of_one_particle(
+    title, N, O, coordinates, body, /, loads=(), example=None, inputs=(), **directions
+):
+    """A particle: its name, point and mass; reactions of the ground by their names."""
+    name, point, mass = body
+    return Scene(
+        title, N, O, coordinates=coordinates, inputs=inputs, loads=loads, example=example or {},
+        bodies=(Particle(name, point, mass),), reactions=held(point, name, **directions),
+    )  # fmt: skip
+
+
 def shared(first, *others):
     """One reaction in several places: a thread."""
     return replace(first, parts=others)

@@ -3,8 +3,8 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, on_walls, one_mass, two_masses
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, reaction, slide
+from benchmarks.corpus.builders import P, of_one_particle, on_walls, one_mass, two_masses
+from mechanics.scene import RigidBody, Scene, force, gravity, reaction, slide
 
 t = dynamicsymbols._t
 
@@ -106,18 +106,10 @@ def incline():
     """A block x up a smooth incline."""
     N, O, x, m, _theta, g, along, normal = _slope(1, "x")
     C = O.locatenew("C", x * along)
-    return Scene(
-        "block on an incline",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("block", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("R", at=C, on="block", by=None, along=normal),
-            reaction("side", at=C, on="block", by=None, along=N.z),
-        ),
-    )
+    return of_one_particle(
+        "block on an incline", N, O, (x,), ("block", C, m), (gravity(-g * N.y),), R=normal,
+        side=N.z,
+    )  # fmt: skip
 
 
 def vertical():

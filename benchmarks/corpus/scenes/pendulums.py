@@ -3,6 +3,7 @@
 from sympy import sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import of_one_particle
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -68,16 +69,10 @@ def _spherical(weight, length, field, drag):
         # -B.z is the string; out along B.x, round along A.y.
         v = length * theta.diff() * B.x + length * sin(theta) * phi.diff() * A.y
         loads.append(force("drag", P, -drag * v, on="bob"))
-    return Scene(
-        "spherical pendulum",
-        N,
-        O,
-        coordinates=(theta, phi),
-        bodies=(Particle("bob", P, weight),),
-        loads=tuple(loads),
-        reactions=(reaction("S", at=P, on="bob", by=None, along=B.z),),
-        example={"theta": 1.2, "phi_dot": 4.0},
-    )
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", P, weight), tuple(loads),
+        example={"theta": 1.2, "phi_dot": 4.0}, S=B.z,
+    )  # fmt: skip
 
 
 def double_upright():

@@ -4,7 +4,14 @@ springs."""
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum, roller, spring_pendulum
+from benchmarks.corpus.builders import (
+    P,
+    double_pendulum,
+    of_one_particle,
+    pendulum,
+    roller,
+    spring_pendulum,
+)
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -317,16 +324,10 @@ def spherical_up():
     A = N.orientnew("A", "Axis", (phi, N.z))
     out = sin(theta) * A.x + cos(theta) * A.z
     C = O.locatenew("C", l * out)
-    return Scene(
-        "spherical pendulum",
-        N,
-        O,
-        coordinates=(theta, phi),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("S", at=C, on="bob", by=None, along=out),),
-        example={"theta": 2.0, "varphi_dot": 1.0},
-    )
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", C, m), (gravity(-g * N.z),),
+        example={"theta": 2.0, "varphi_dot": 1.0}, S=out,
+    )  # fmt: skip
 
 
 def hoop():
@@ -338,17 +339,8 @@ def hoop():
     A = N.orientnew("A", "Axis", (Omega * t, N.z))
     out = sin(theta) * A.x - cos(theta) * A.z
     C = O.locatenew("C", a * out)
-    return Scene(
-        "bead on a hoop",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(
-            reaction("F_N", at=C, on="bead", by=None, along=-out),
-            reaction("side", at=C, on="bead", by=None, along=A.y),
-        ),
+    return of_one_particle(
+        "bead on a hoop", N, O, (theta,), ("bead", C, m), (gravity(-g * N.z),), F_N=-out, side=A.y
     )
 
 
@@ -359,19 +351,10 @@ def _wire(height, slope, m, omega, g):
     A = N.orientnew("A", "Axis", (omega * t, N.z))
     C = O.locatenew("C", r * A.x + height(r) * A.z)
     normal = (-slope(r) * A.x + A.z) / sqrt(1 + slope(r) ** 2)
-    return Scene(
-        "bead on a wire",
-        N,
-        O,
-        coordinates=(r,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(
-            reaction("normal", at=C, on="bead", by=None, along=normal),
-            reaction("side", at=C, on="bead", by=None, along=A.y),
-        ),
-        example={"r": 0.5},
-    )
+    return of_one_particle(
+        "bead on a wire", N, O, (r,), ("bead", C, m), (gravity(-g * N.z),), example={"r": 0.5},
+        normal=normal, side=A.y,
+    )  # fmt: skip
 
 
 def parabola():

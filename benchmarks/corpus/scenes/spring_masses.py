@@ -3,9 +3,8 @@
 from sympy import cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_masses
+from benchmarks.corpus.builders import P, of_one_particle, one_mass, two_masses
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
@@ -82,18 +81,11 @@ def incline():
     N, O = ReferenceFrame("N"), Point("O")
     along = cos(theta) * N.x - sin(theta) * N.y
     C = O.locatenew("C", x * along)
-    return Scene(
-        "cart on an incline",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("cart", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, -k * (x - x0) * along, on="cart")),
-        reactions=(
-            reaction("R", at=C, on="cart", by=None, along=sin(theta) * N.x + cos(theta) * N.y),
-            reaction("side", at=C, on="cart", by=None, along=N.z),
-        ),
-    )
+    return of_one_particle(
+        "cart on an incline", N, O, (x,), ("cart", C, m),
+        (gravity(-g * N.y), force("spring", C, -k * (x - x0) * along, on="cart")),
+        R=sin(theta) * N.x + cos(theta) * N.y, side=N.z,
+    )  # fmt: skip
 
 
 def cylinder():

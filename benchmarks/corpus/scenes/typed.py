@@ -3,7 +3,7 @@
 from sympy import cos, cot, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from benchmarks.corpus.builders import P, bead_on_parabola, two_bobs
+from benchmarks.corpus.builders import P, bead_on_parabola, of_one_particle, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -118,9 +118,9 @@ def string_and_spring():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", -(l + L) * B.y)
-    return Scene(
-        "elastic pendulum", N, O, coordinates=(l, theta), bodies=(Particle("block", P, m),),
-        loads=(gravity(-g * N.y), spring("k", O, P, k)),
+    return of_one_particle(
+        "elastic pendulum", N, O, (l, theta), ("block", P, m),
+        (gravity(-g * N.y), spring("k", O, P, k)),
     )  # fmt: skip
 
 
@@ -136,11 +136,9 @@ def tilted_wire():
     N, O = _ground()
     H = N.orientnew("H", "Axis", (w * t, N.z))
     P = O.locatenew("P", r * sin(a) * H.x + r * cos(a) * H.z)
-    return Scene(
-        "bead on a tilted wire", N, O, coordinates=(r,), bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("R_1", at=P, on="bead", by=None, along=H.y),
-                   reaction("R_2", at=P, on="bead", by=None, along=cos(a) * H.x - sin(a) * H.z)),
+    return of_one_particle(
+        "bead on a tilted wire", N, O, (r,), ("bead", P, m), (gravity(-g * N.z),), R_1=H.y,
+        R_2=cos(a) * H.x - sin(a) * H.z,
     )  # fmt: skip
 
 
@@ -190,11 +188,10 @@ def oily_hoop():
     H = N.orientnew("H", "Axis", (w * t, N.z))
     B = H.orientnew("B", "Axis", (-phi, H.y))
     P = O.locatenew("P", -r * B.z)
-    return Scene(
-        "bead on a hoop", N, O, coordinates=(phi,), bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.z), force("oil", P, -b * phi.diff() * B.x, on="bead")),
-        reactions=(reaction("across", at=P, on="bead", by=None, along=H.y),
-                   reaction("inwards", at=P, on="bead", by=None, along=B.z)),
+    return of_one_particle(
+        "bead on a hoop", N, O, (phi,), ("bead", P, m),
+        (gravity(-g * N.z), force("oil", P, -b * phi.diff() * B.x, on="bead")), across=H.y,
+        inwards=B.z,
     )  # fmt: skip
 
 
@@ -206,11 +203,9 @@ def cone():
     H = N.orientnew("H", "Axis", (theta, N.z))
     P = O.locatenew("P", r * H.x + r * cot(alpha) * N.z)
     normal = sin(alpha) * N.z - cos(alpha) * H.x
-    return Scene(
-        "particle in a cone", N, O, coordinates=(r, theta), bodies=(Particle("particle", P, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("R", at=P, on="particle", by=None, along=normal),),
-    )  # fmt: skip
+    return of_one_particle(
+        "particle in a cone", N, O, (r, theta), ("particle", P, m), (gravity(-g * N.z),), R=normal
+    )
 
 
 def atwood():
@@ -357,7 +352,7 @@ def orbit():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", r * B.x)
-    return Scene(
-        "orbit", N, O, coordinates=(r, theta), bodies=(Particle("body", P, m),),
-        loads=(force("pull", P, -m * mu / r**2 * B.x, on="body"),), example={"r": 1.3},
+    return of_one_particle(
+        "orbit", N, O, (r, theta), ("body", P, m),
+        (force("pull", P, -m * mu / r**2 * B.x, on="body"),), example={"r": 1.3},
     )  # fmt: skip
