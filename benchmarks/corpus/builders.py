@@ -300,9 +300,9 @@ def roller(m, R, r, g, inertia):
     )
 
 
-def held(point, on, **directions):
-    """Reactions of the ground at a point of a body, by their names and directions."""
-    return tuple(reaction(n, at=point, on=on, by=None, along=v) for n, v in directions.items())
+def held(point, on, by=None, /, **directions):
+    """Reactions of the ground or a body at a point of a body, by their names and directions."""
+    return tuple(reaction(n, at=point, on=on, by=by, along=v) for n, v in directions.items())
 
 
 def of_one_particle(

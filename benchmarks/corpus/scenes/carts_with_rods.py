@@ -3,12 +3,11 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, cart_pole, cart_with_rods
+from benchmarks.corpus.builders import P, cart_pole, cart_with_rods, held
 from mechanics.scene import (
     RigidBody,
     Scene,
     gravity,
-    reaction,
     torque,
 )
 
@@ -144,10 +143,5 @@ def wip():
         inputs=(u,),
         bodies=(RigidBody("wheel", C, A, mw, Jw), RigidBody("pendulum", D, B, mp, Jp - mp * l**2)),
         loads=(gravity(-g * N.y), torque("motor", -u * N.z, on="wheel", by="pendulum")),
-        reactions=(
-            reaction("f", at=K, on="wheel", by=None, along=N.x),
-            reaction("n", at=K, on="wheel", by=None, along=N.y),
-            reaction("X", at=C, on="pendulum", by="wheel", along=N.x),
-            reaction("Y", at=C, on="pendulum", by="wheel", along=N.y),
-        ),
+        reactions=(*held(K, "wheel", f=N.x, n=N.y), *held(C, "pendulum", "wheel", X=N.x, Y=N.y)),
     )

@@ -3,7 +3,7 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P
+from benchmarks.corpus.builders import P, held
 from benchmarks.corpus.free_bodies import craft, turning_body
 from mechanics.scene import (
     Particle,
@@ -124,8 +124,7 @@ def hole():
         reactions=(
             *line.reactions,
             reaction("table", at=C, on="ball", by=None, along=N.z),
-            reaction("x", at=H, on="weight", by=None, along=N.x),
-            reaction("y", at=H, on="weight", by=None, along=N.y),
+            *held(H, "weight", x=N.x, y=N.y),
         ),
     )
 

@@ -3,8 +3,8 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, of_one_particle, on_walls, one_mass, two_masses
-from mechanics.scene import RigidBody, Scene, force, gravity, reaction, slide
+from benchmarks.corpus.builders import P, held, of_one_particle, on_walls, one_mass, two_masses
+from mechanics.scene import RigidBody, Scene, force, gravity, slide
 
 t = dynamicsymbols._t
 
@@ -143,8 +143,5 @@ def disk():
         coordinates=(x,),
         bodies=(RigidBody("disk", C, B, m, m * r**2 / 2),),
         loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("f", at=K, on="disk", by=None, along=-along),
-            reaction("n", at=K, on="disk", by=None, along=normal),
-        ),
+        reactions=held(K, "disk", f=-along, n=normal),
     )

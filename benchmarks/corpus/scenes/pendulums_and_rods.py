@@ -6,6 +6,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from benchmarks.corpus.builders import (
     P,
     double_pendulum,
+    held,
     of_one_particle,
     pendulum,
     spring_pendulum,
@@ -19,7 +20,6 @@ from mechanics.scene import (
     holonomic,
     parameters,
     pin,
-    reaction,
     torque,
 )
 
@@ -129,10 +129,7 @@ def cartesian():
         bodies=(Particle("bob", C, m),),
         loads=(gravity(-g * N.y),),
         constraints=(holonomic("rod", x**2 + y**2 - L**2, "Fo"),),
-        reactions=(
-            reaction("Fo", at=C, on="bob", by=None, along=(-x * N.x - y * N.y) / sqrt(x**2 + y**2)),
-            reaction("side", at=C, on="bob", by=None, along=N.z),
-        ),
+        reactions=held(C, "bob", Fo=(-x * N.x - y * N.y) / sqrt(x**2 + y**2), side=N.z),
         example={"x": 0.6, "y": -0.8},
     )
 

@@ -3,7 +3,7 @@
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, bead_on_parabola, of_one_particle, two_bobs
+from benchmarks.corpus.builders import P, bead_on_parabola, held, of_one_particle, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -45,8 +45,7 @@ def damped_pendulum():
         "damped pendulum", N, O, coordinates=(theta,), inputs=(u,),
         bodies=(RigidBody("bob", P, B, m, 0),),
         loads=(gravity(-g * N.y), torque("drive", (u - b * theta.diff()) * N.z, on="bob")),
-        reactions=(reaction("X", at=O, on="bob", by=None, along=N.x),
-                   reaction("Y", at=O, on="bob", by=None, along=N.y)),
+        reactions=held(O, "bob", X=N.x, Y=N.y),
     )  # fmt: skip
 
 
@@ -113,10 +112,8 @@ def arm():
         bodies=(RigidBody("link 1", P, A, m1, 0), RigidBody("link 2", Q, B, m2, 0)),
         loads=(gravity(-g * N.y), torque("shoulder", u * N.z, on="link 1"),
                torque("elbow", v * N.z, on="link 2", by="link 1")),
-        reactions=(reaction("X_1", at=O, on="link 1", by=None, along=N.x),
-                   reaction("Y_1", at=O, on="link 1", by=None, along=N.y),
-                   reaction("X_2", at=P, on="link 2", by="link 1", along=N.x),
-                   reaction("Y_2", at=P, on="link 2", by="link 1", along=N.y)),
+        reactions=(*held(O, "link 1", X_1=N.x, Y_1=N.y),
+                   *held(P, "link 2", "link 1", X_2=N.x, Y_2=N.y)),
     )  # fmt: skip
 
 
@@ -233,10 +230,7 @@ def reaction_wheel():
         "reaction wheel pendulum", N, O, coordinates=(a, b), inputs=(u,),
         bodies=(RigidBody("rod", C, A, m1, I1), RigidBody("wheel", P, W, m2, I2)),
         loads=(gravity(-g * N.y), torque("motor", -u * N.z, on="wheel", by="rod")),
-        reactions=(reaction("X", at=O, on="rod", by=None, along=N.x),
-                   reaction("Y", at=O, on="rod", by=None, along=N.y),
-                   reaction("X_2", at=P, on="wheel", by="rod", along=N.x),
-                   reaction("Y_2", at=P, on="wheel", by="rod", along=N.y)),
+        reactions=(*held(O, "rod", X=N.x, Y=N.y), *held(P, "wheel", "rod", X_2=N.x, Y_2=N.y)),
     )  # fmt: skip
 
 

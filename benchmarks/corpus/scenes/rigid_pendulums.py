@@ -7,6 +7,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from benchmarks.corpus.builders import (
     P,
     double_pendulum,
+    held,
     of_one_particle,
     pendulum,
     roller,
@@ -20,7 +21,6 @@ from mechanics.scene import (
     gravity,
     holonomic,
     pin,
-    reaction,
     torque,
     weld,
 )
@@ -390,11 +390,6 @@ def cartesian():
         bodies=(Particle("bob", C, m),),
         loads=(gravity(-g * N.y),),
         constraints=(holonomic("rod", x**2 + y**2 - l**2, "tension"),),
-        reactions=(
-            reaction(
-                "tension", at=C, on="bob", by=None, along=(-x * N.x + y * N.y) / sqrt(x**2 + y**2)
-            ),
-            reaction("side", at=C, on="bob", by=None, along=N.z),
-        ),
+        reactions=held(C, "bob", tension=(-x * N.x + y * N.y) / sqrt(x**2 + y**2), side=N.z),
         example={"q1": 0.6, "q2": 0.8},
     )

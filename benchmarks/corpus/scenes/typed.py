@@ -3,7 +3,7 @@
 from sympy import cos, cot, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from benchmarks.corpus.builders import P, bead_on_parabola, of_one_particle, two_bobs
+from benchmarks.corpus.builders import P, bead_on_parabola, held, of_one_particle, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -41,8 +41,7 @@ def _cart_and_bob(names, mass_names, push, side, down, *, friction=None, inertia
         bodies=(Particle("cart", A, cart), RigidBody("rod", P, B, bob, about)),
         loads=(gravity(-g * N.y), force("push", A, (F - b * x.diff()) * N.x, on="cart")),
         reactions=(reaction("R", at=A, on="cart", by=None, along=N.y),
-                   reaction("X", at=A, on="rod", by="cart", along=N.x),
-                   reaction("Y", at=A, on="rod", by="cart", along=N.y)),
+                   *held(A, "rod", "cart", X=N.x, Y=N.y)),
     )  # fmt: skip
 
 
@@ -85,8 +84,7 @@ def _cart_pole(x, theta, push, mc, mp, l, g):
         bodies=(Particle("cart", A, mc), RigidBody("pole", P, B, mp, mp * l**2 / 3)),
         loads=(gravity(-g * N.y), force("push", A, push * N.x, on="cart")),
         reactions=(reaction("R", at=A, on="cart", by=None, along=N.y),
-                   reaction("X", at=A, on="pole", by="cart", along=N.x),
-                   reaction("Y", at=A, on="pole", by="cart", along=N.y)),
+                   *held(A, "pole", "cart", X=N.x, Y=N.y)),
     )  # fmt: skip
 
 
@@ -104,10 +102,7 @@ def two_wheels():
         "body on a wheel", N, O, coordinates=(phi, theta), inputs=(tau,),
         bodies=(RigidBody("wheel", A, W, Mr, Ir), RigidBody("body", P, B, Mp, Ip)),
         loads=(gravity(-g * N.y), torque("motor", -tau * N.z, on="wheel", by="body")),
-        reactions=(reaction("F", at=K, on="wheel", by=None, along=N.x),
-                   reaction("R", at=K, on="wheel", by=None, along=N.y),
-                   reaction("X", at=A, on="body", by="wheel", along=N.x),
-                   reaction("Y", at=A, on="body", by="wheel", along=N.y)),
+        reactions=(*held(K, "wheel", F=N.x, R=N.y), *held(A, "body", "wheel", X=N.x, Y=N.y)),
     )  # fmt: skip
 
 
@@ -175,8 +170,7 @@ def _driven(angle, drive, friction):
         "pendulum", N, O, coordinates=(th,), inputs=(u,) if drive else (),
         bodies=(RigidBody("bob", P, B, m, 0),),
         loads=(gravity(-g * N.y), torque("pivot", (u - b * th.diff()) * N.z, on="bob")),
-        reactions=(reaction("X", at=O, on="bob", by=None, along=N.x),
-                   reaction("Y", at=O, on="bob", by=None, along=N.y)),
+        reactions=held(O, "bob", X=N.x, Y=N.y),
     )  # fmt: skip
 
 
@@ -265,13 +259,10 @@ def furuta():
         "Furuta's pendulum", N, O, coordinates=(phi, theta), inputs=(tau,),
         bodies=(RigidBody("arm", O, A, 0, inertia(A, 0, 0, J)), Particle("bob", P, m)),
         loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
-        reactions=(reaction("X", at=O, on="arm", by=None, along=A.x),
-                   reaction("Y", at=O, on="arm", by=None, along=A.y),
-                   reaction("Z", at=O, on="arm", by=None, along=A.z),
+        reactions=(*held(O, "arm", X=A.x, Y=A.y, Z=A.z),
                    reaction_couple("K_x", on="arm", by=None, along=A.x),
                    reaction_couple("K_y", on="arm", by=None, along=A.y),
-                   reaction("S_x", at=P, on="bob", by="arm", along=A.x),
-                   reaction("S", at=P, on="bob", by="arm", along=rod)),
+                   *held(P, "bob", "arm", S_x=A.x, S=rod)),
     )  # fmt: skip
 
 
@@ -290,10 +281,8 @@ def spong_arm():
         "acrobot", N, O, coordinates=(a, b), inputs=(u,),
         bodies=(RigidBody("link 1", C, A, m1, I1), RigidBody("link 2", D, B, m2, I2)),
         loads=(gravity(-g * N.y), torque("elbow", u * N.z, on="link 2", by="link 1")),
-        reactions=(reaction("X_1", at=O, on="link 1", by=None, along=N.x),
-                   reaction("Y_1", at=O, on="link 1", by=None, along=N.y),
-                   reaction("X_2", at=P, on="link 2", by="link 1", along=N.x),
-                   reaction("Y_2", at=P, on="link 2", by="link 1", along=N.y)),
+        reactions=(*held(O, "link 1", X_1=N.x, Y_1=N.y),
+                   *held(P, "link 2", "link 1", X_2=N.x, Y_2=N.y)),
     )  # fmt: skip
 
 
@@ -309,8 +298,7 @@ def rolling():
     return Scene(
         "cylinder in a cylinder", N, O, coordinates=(theta,),
         bodies=(RigidBody("cylinder", P, W, m, m * r**2 / 2),), loads=(gravity(-g * N.y),),
-        reactions=(reaction("F", at=K, on="cylinder", by=None, along=B.x),
-                   reaction("K", at=K, on="cylinder", by=None, along=B.y)),
+        reactions=held(K, "cylinder", F=B.x, K=B.y),
     )  # fmt: skip
 
 
@@ -339,9 +327,7 @@ def top():
         "heavy top", N, O, coordinates=(phi, theta, psi),
         bodies=(RigidBody("top", C, B, M, inertia(B, across, across, I3)),),
         loads=(gravity(-g * N.z),), example={"theta": 0.7},
-        reactions=(reaction("X", at=O, on="top", by=None, along=N.x),
-                   reaction("Y", at=O, on="top", by=None, along=N.y),
-                   reaction("Z", at=O, on="top", by=None, along=N.z)),
+        reactions=held(O, "top", X=N.x, Y=N.y, Z=N.z),
     )  # fmt: skip
 
 

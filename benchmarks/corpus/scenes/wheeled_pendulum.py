@@ -2,6 +2,7 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import held
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -39,8 +40,7 @@ def hanging_cart():
         loads=(gravity(-g * N.y), force("push", P, (u - b * x.diff()) * N.x, on="cart")),
         reactions=(
             reaction("Nw", at=P, on="cart", by=None, along=N.y),
-            reaction("X", at=P, on="body", by="cart", along=N.x),
-            reaction("Y", at=P, on="body", by="cart", along=N.y),
+            *held(P, "body", "cart", X=N.x, Y=N.y),
         ),
         inputs=(u,),
         example={"theta": 0.5},
@@ -66,10 +66,8 @@ def mip():
         bodies=(RigidBody("wheel", P, W, m__w, I__w), RigidBody("body", C, A, m__b, I__b)),
         loads=(gravity(-g * N.y), torque("motor", -tau * N.z, on="wheel", by="body")),
         reactions=(
-            reaction("Nw", at=contact, on="wheel", by=None, along=N.y),
-            reaction("Fw", at=contact, on="wheel", by=None, along=N.x),
-            reaction("X", at=P, on="body", by="wheel", along=N.x),
-            reaction("Y", at=P, on="body", by="wheel", along=N.y),
+            *held(contact, "wheel", Nw=N.y, Fw=N.x),
+            *held(P, "body", "wheel", X=N.x, Y=N.y),
         ),
         inputs=(tau,),
         example={"theta": 0.2},
@@ -92,10 +90,8 @@ def monowheel():
         bodies=(RigidBody("wheel", P, W, m2, J2), RigidBody("pendulum", C, A, m1, J1)),
         loads=(gravity(-g * N.y), torque("motor", -tau_m * N.z, on="wheel", by="pendulum")),
         reactions=(
-            reaction("Nw", at=contact, on="wheel", by=None, along=N.y),
-            reaction("Fw", at=contact, on="wheel", by=None, along=N.x),
-            reaction("X", at=P, on="pendulum", by="wheel", along=N.x),
-            reaction("Y", at=P, on="pendulum", by="wheel", along=N.y),
+            *held(contact, "wheel", Nw=N.y, Fw=N.x),
+            *held(P, "pendulum", "wheel", X=N.x, Y=N.y),
         ),
         inputs=(tau_m,),
         example={"theta": 0.2},
