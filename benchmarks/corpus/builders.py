@@ -300,9 +300,20 @@ def roller(m, R, r, g, inertia):
     )
 
 
-def held(point, on, **directions):
-    """Reactions of the ground at a point of a body, by their names and directions."""
-    return tuple(reaction(n, at=point, on=on, by=None, along=v) for n, v in directions.items())
+def held(point, on, by=None, /, **directions):
+    """Reactions of the ground or a body at a point of a body, by their names and directions."""
+    return tuple(reaction(n, at=point, on=on, by=by, along=v) for n, v in directions.items())
+
+
+def of_one_particle(
+    title, N, O, coordinates, body, /, loads=(), example=None, inputs=(), **directions
+):
+    """A particle: its name, point and mass; reactions of the ground by their names."""
+    name, point, mass = body
+    return Scene(
+        title, N, O, coordinates=coordinates, inputs=inputs, loads=loads, example=example or {},
+        bodies=(Particle(name, point, mass),), reactions=held(point, name, **directions),
+    )  # fmt: skip
 
 
 def shared(first, *others):

@@ -231,7 +231,8 @@ def _check_program(
     matches = {match.name: match for reading in readings for match in reading.names}
     source = [text for part in things for text in source_of(part)]
     prose = prose_of(truth.scene, statements, [*matches.values()], source)
-    untold = (*prose.against, *prose.limits)
+    counts = (f"the text counts otherwise: {one.told}" for one in prose.conventions)
+    untold = (*counts, *prose.against, *prose.limits)
     judged = tuple(as_told(entry, untold) for entry in judged)
     others = chain(
         unsaid(truth, judged, readings, statements, {}, False), other_readings(truth, statements)

@@ -120,9 +120,9 @@ def _other_vertical(facts: SceneFacts, words: str) -> str:
     """
     way, _, name = words.rpartition(" of ")
     turned = {"up": 3, "downward vertical": 1, "hanging": 1}
-    quarter = next((q for start, q in turned.items() if way.startswith(start)), None)
+    quarters = [q for start, q in turned.items() if way.startswith(start)]
     angles = [a for a in facts.angles if a.symbol.name == facts.own_name(name) and not a.sense]
-    return f"other vertical of {name}" if any(a.quarter == quarter for a in angles) else ""
+    return f"other vertical of {name}" if any(a.quarter in quarters for a in angles) else ""
 
 
 def _only(said: Said, words: Collection[str]) -> bool:

@@ -9,7 +9,7 @@ from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import rod_pendulum
+from systems import quadrotor, rod_pendulum
 
 RIGHT = r"\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3u}{ml^2}"
 HANGING = r"\ddot\theta = -\frac{3g}{2l}\sin\theta - \frac{3u}{ml^2}"
@@ -175,3 +175,18 @@ def test_cases_without_a_last_one_are_shown_only_where_one_applies(truth: Equati
     statement = sympy.Eq(theta.diff(t, 2), sympy.Piecewise((right, theta < 10)))
     (entry,) = check(truth, statement, blame=False).judged
     assert entry.finding.verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("lead", "verdict"),
+    [
+        ("", "PROVED"),
+        ("where $L$ is half the length of the arm, ", "UNDECIDED"),
+        (r"where $\theta$ is measured from the horizontal, ", "UNDECIDED"),
+    ],
+)
+def test_what_a_text_counts_otherwise_is_not_proved_where_equations_stay_a_program(
+    lead: str, verdict: str
+) -> None:
+    row = r"$$I_{xx}\dot p = L(F_2-F_4) - (I_{zz}-I_{yy}) q r$$"
+    assert check(quadrotor.scene(), lead + row, blame=False).verdict.name == verdict

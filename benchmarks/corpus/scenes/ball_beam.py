@@ -2,6 +2,7 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import held
 from mechanics.scene import Particle, RigidBody, Scene, force, gravity, parameters, reaction
 
 z, theta, F = dynamicsymbols("z theta F")
@@ -23,8 +24,7 @@ def make_scene():
         bodies=(Particle("ball", ball, m1), RigidBody("beam", centre, A, m2, m2 * l**2 / 12)),
         loads=(gravity(-g * N.y), force("F", end, F * N.y, on="beam")),
         reactions=(
-            reaction("X", at=O, on="beam", by=None, along=N.x),
-            reaction("Y", at=O, on="beam", by=None, along=N.y),
+            *held(O, "beam", X=N.x, Y=N.y),
             reaction("P", at=ball, on="ball", by="beam", along=A.y),
         ),
         inputs=(F,),

@@ -6,14 +6,17 @@ Cylinders and balls in bowls.
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, pendulum, spring_pendulum
+from benchmarks.corpus.builders import (
+    P,
+    of_one_particle,
+    pendulum,
+    spring_pendulum,
+)
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     gravity,
     pin,
-    reaction,
     torque,
 )
 
@@ -77,16 +80,10 @@ def _sphere(names, l, m, g, up, example):
     A = N.orientnew("A", "Axis", (phi, N.z))
     out = sin(theta) * A.x + up * cos(theta) * A.z
     C = O.locatenew("C", l * out)
-    return Scene(
-        "spherical pendulum",
-        N,
-        O,
-        coordinates=(phi, theta) if up > 0 else (theta, phi),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("S", at=C, on="bob", by=None, along=out),),
-        example=example,
-    )
+    return of_one_particle(
+        "spherical pendulum", N, O, (phi, theta) if up > 0 else (theta, phi), ("bob", C, m),
+        (gravity(-g * N.z),), example=example, S=out,
+    )  # fmt: skip
 
 
 def sphere_long():
@@ -115,16 +112,7 @@ def parabola():
     N, O = ReferenceFrame("N"), Point("O")
     C = O.locatenew("C", x * N.x + a * x**2 * N.y)
     normal = (-2 * a * x * N.x + N.y) / sqrt(1 + 4 * a**2 * x**2)
-    return Scene(
-        "bead on a wire",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("normal", at=C, on="bead", by=None, along=normal),
-            reaction("side", at=C, on="bead", by=None, along=N.z),
-        ),
-        example={"x": 0.5},
-    )
+    return of_one_particle(
+        "bead on a wire", N, O, (x,), ("bead", C, m), (gravity(-g * N.y),), example={"x": 0.5},
+        normal=normal, side=N.z,
+    )  # fmt: skip

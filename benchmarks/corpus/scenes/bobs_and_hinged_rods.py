@@ -2,8 +2,14 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, held, pendulum, spring_pendulum
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, pin, reaction
+from benchmarks.corpus.builders import (
+    P,
+    double_pendulum,
+    of_one_particle,
+    pendulum,
+    spring_pendulum,
+)
+from mechanics.scene import RigidBody, Scene, force, gravity, pin, reaction
 
 
 def letters():
@@ -18,16 +24,11 @@ def arc():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (s / l, N.z))
     C = O.locatenew("C", -l * B.y)
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        coordinates=(s,),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("drag", C, -k * s.diff() * B.x, on="bob")),
-        reactions=held(C, "bob", pull=B.y, side=N.z),
-        example={"s": 0.3},
-    )
+    return of_one_particle(
+        "pendulum", N, O, (s,), ("bob", C, m),
+        (gravity(-g * N.y), force("drag", C, -k * s.diff() * B.x, on="bob")), example={"s": 0.3},
+        pull=B.y, side=N.z,
+    )  # fmt: skip
 
 
 def spring_x():

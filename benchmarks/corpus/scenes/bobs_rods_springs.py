@@ -3,7 +3,7 @@
 from sympy import Rational, cos, pi, sin, sqrt, tanh
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum
+from benchmarks.corpus.builders import P, double_pendulum, of_one_particle, pendulum
 from mechanics.scene import Particle, RigidBody, Scene, force, gravity, pin, reaction, torque
 
 
@@ -113,10 +113,9 @@ def sphere():
     A = N.orientnew("A", "Axis", (theta, N.z))
     out = sin(phi) * A.x - cos(phi) * A.z
     C = O.locatenew("C", L * out)
-    return Scene(
-        "spherical pendulum", N, O, coordinates=(theta, phi), bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.z),), reactions=(reaction("S", at=C, on="bob", by=None, along=out),),
-        example={"phi": 1.0, "theta_dot": 1.0},
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", C, m), (gravity(-g * N.z),),
+        example={"phi": 1.0, "theta_dot": 1.0}, S=out,
     )  # fmt: skip
 
 
@@ -127,11 +126,10 @@ def elastic():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (th, N.z))
     C = O.locatenew("C", -l * (1 + nu) * B.y)
-    return Scene(
-        "elastic pendulum", N, O, coordinates=(th, nu), bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, (k * l * nu + m * g) * B.y, on="bob")),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={"th": 0.5, "nu": 0.1},
+    return of_one_particle(
+        "elastic pendulum", N, O, (th, nu), ("bob", C, m),
+        (gravity(-g * N.y), force("spring", C, (k * l * nu + m * g) * B.y, on="bob")),
+        example={"th": 0.5, "nu": 0.1}, side=N.z,
     )  # fmt: skip
 
 

@@ -2,7 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, torque, torsion_spring
+from benchmarks.corpus.builders import held
+from mechanics.scene import RigidBody, Scene, gravity, parameters, torque, torsion_spring
 
 q_1, q_2, theta, beta, u, tau = dynamicsymbols("q_1 q_2 theta beta u tau")
 I, J, M, L, k, g = parameters(
@@ -43,12 +44,7 @@ def _scene(N, O, q, link, motor, twist, stiffness, drive, example):
             torsion_spring("spring", twist, N.z, stiffness, on="link", by="motor"),
             torque("drive", drive * N.z, on="motor"),
         ),
-        reactions=(
-            reaction("X", at=O, on="link", by=None, along=N.x),
-            reaction("Y", at=O, on="link", by=None, along=N.y),
-            reaction("X2", at=O, on="motor", by=None, along=N.x),
-            reaction("Y2", at=O, on="motor", by=None, along=N.y),
-        ),
+        reactions=(*held(O, "link", X=N.x, Y=N.y), *held(O, "motor", X2=N.x, Y2=N.y)),
         inputs=(drive,),
         example=example,
     )

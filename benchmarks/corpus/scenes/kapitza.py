@@ -3,7 +3,8 @@
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+from benchmarks.corpus.builders import of_one_particle
+from mechanics.scene import gravity, parameters
 
 phi, theta = dynamicsymbols("phi theta")
 t = dynamicsymbols._t
@@ -18,13 +19,7 @@ def hanging():
     A = N.orientnew("A", "Axis", (phi, N.z))
     S = O.locatenew("S", -a * cos(gamma * t) * N.y)
     P = S.locatenew("P", -l * A.y)
-    return Scene(
-        "pendulum on a shaken support",
-        N,
-        O,
-        coordinates=(phi,),
-        bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("T", at=P, on="bob", by=None, along=A.y),),
-        example={"phi": 0.3},
-    )
+    return of_one_particle(
+        "pendulum on a shaken support", N, O, (phi,), ("bob", P, m), (gravity(-g * N.y),),
+        example={"phi": 0.3}, T=A.y,
+    )  # fmt: skip

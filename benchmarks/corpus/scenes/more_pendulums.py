@@ -3,16 +3,14 @@
 from sympy import pi, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P
+from benchmarks.corpus.builders import P, of_one_particle
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
     gravity,
     parameters,
     pin,
-    reaction,
     torque,
 )
 
@@ -86,17 +84,8 @@ def tension():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (phi, N.z))
     C = O.locatenew("C", -L * B.y)
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        coordinates=(phi,),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("F", at=C, on="bob", by=None, along=B.y),
-            reaction("side", at=C, on="bob", by=None, along=N.z),
-        ),
+    return of_one_particle(
+        "pendulum", N, O, (phi,), ("bob", C, m), (gravity(-g * N.y),), F=B.y, side=N.z
     )
 
 
@@ -108,18 +97,10 @@ def winding():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (theta, N.z))
     C = O.locatenew("C", a * B.x - (l + a * theta) * B.y)
-    return Scene(
-        "string on a cylinder",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("S", at=C, on="bob", by=None, along=B.y),
-            reaction("side", at=C, on="bob", by=None, along=N.z),
-        ),
-    )
+    return of_one_particle(
+        "string on a cylinder", N, O, (theta,), ("bob", C, m), (gravity(-g * N.y),), S=B.y,
+        side=N.z,
+    )  # fmt: skip
 
 
 def car():
@@ -177,16 +158,11 @@ def leg():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (-psi, N.z))
     C = O.locatenew("C", zeta * B.y)
-    return Scene(
-        "leg with a spring",
-        N,
-        O,
-        coordinates=(zeta, psi),
-        bodies=(Particle("body", C, m),),
-        loads=(gravity(-g * N.y), force("leg", C, k * (eta - zeta) * B.y, on="body")),
-        reactions=(reaction("side", at=C, on="body", by=None, along=N.z),),
-        example={"zeta": 1.0},
-    )
+    return of_one_particle(
+        "leg with a spring", N, O, (zeta, psi), ("body", C, m),
+        (gravity(-g * N.y), force("leg", C, k * (eta - zeta) * B.y, on="body")),
+        example={"zeta": 1.0}, side=N.z,
+    )  # fmt: skip
 
 
 def helix():
@@ -196,20 +172,10 @@ def helix():
     N, O = ReferenceFrame("N"), Point("O")
     B = N.orientnew("B", "Axis", (theta, N.z))
     C = O.locatenew("C", a * B.x + k * theta * B.z)
-    return Scene(
-        "bead on a helix",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(
-            reaction("radial", at=C, on="bead", by=None, along=B.x),
-            reaction(
-                "across", at=C, on="bead", by=None, along=(a * B.z - k * B.y) / sqrt(a**2 + k**2)
-            ),
-        ),
-    )
+    return of_one_particle(
+        "bead on a helix", N, O, (theta,), ("bead", C, m), (gravity(-g * N.z),), radial=B.x,
+        across=(a * B.z - k * B.y) / sqrt(a**2 + k**2),
+    )  # fmt: skip
 
 
 def usenet():
@@ -247,13 +213,8 @@ def forced_spring():
     pull, side = k * (L - lo), amp * sin(2 * pi * w * t) / L
     fx = -pull * x / L + side * y / L - c * x.diff(t)
     fy = -pull * y / L - side * x / L - c * y.diff(t)
-    return Scene(
-        "forced spring pendulum",
-        N,
-        O,
-        coordinates=(x, y),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y), force("all", C, fx * N.x + fy * N.y, on="bob")),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={"x": 0.3, "y": -1.0},
-    )
+    return of_one_particle(
+        "forced spring pendulum", N, O, (x, y), ("bob", C, m),
+        (gravity(-g * N.y), force("all", C, fx * N.x + fy * N.y, on="bob")),
+        example={"x": 0.3, "y": -1.0}, side=N.z,
+    )  # fmt: skip

@@ -3,7 +3,7 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P
+from benchmarks.corpus.builders import P, held
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -60,10 +60,7 @@ def slope():
         coordinates=(x,),
         bodies=(RigidBody("cylinder", C, B, M, M * R**2 / 2),),
         loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("f", at=K, on="cylinder", by=None, along=-along),
-            reaction("N", at=K, on="cylinder", by=None, along=normal),
-        ),
+        reactions=held(K, "cylinder", f=-along, N=normal),
     )
 
 
@@ -83,10 +80,7 @@ def ring():
         coordinates=(theta,),
         bodies=(RigidBody("ring", C.locatenew("M", R / 2 * A.x), A, m, 0),),
         loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("friction", at=K, on="ring", by=None, along=N.x),
-            reaction("normal", at=K, on="ring", by=None, along=N.y),
-        ),
+        reactions=held(K, "ring", friction=N.x, normal=N.y),
     )
 
 
@@ -195,7 +189,6 @@ def verma():
         reactions=(
             reaction("S", at=C, on="block", by="pulley", along=N.y),
             reaction("guide", at=C, on="block", by=None, along=N.x),
-            reaction("axle_x", at=O, on="pulley", by=None, along=N.x),
-            reaction("axle_y", at=O, on="pulley", by=None, along=N.y),
+            *held(O, "pulley", axle_x=N.x, axle_y=N.y),
         ),
     )

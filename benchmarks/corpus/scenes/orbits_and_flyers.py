@@ -3,7 +3,7 @@
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P
+from benchmarks.corpus.builders import P, of_one_particle
 from benchmarks.corpus.free_bodies import central_force, craft
 from mechanics.scene import (
     Particle,
@@ -229,16 +229,11 @@ def _kepler(names, m, GM):
     N, O = ReferenceFrame("N"), Point("O")
     C = O.locatenew("C", x * N.x + y * N.y)
     d = sqrt(x**2 + y**2) ** 3
-    return Scene(
-        "planet",
-        N,
-        O,
-        coordinates=(x, y),
-        bodies=(Particle("planet", C, m),),
-        loads=(force("gravity", C, -m * GM / d * (x * N.x + y * N.y), on="planet"),),
-        reactions=(reaction("side", at=C, on="planet", by=None, along=N.z),),
-        example={str(x.func): 1.0, str(y.func): 0.2},
-    )
+    return of_one_particle(
+        "planet", N, O, (x, y), ("planet", C, m),
+        (force("gravity", C, -m * GM / d * (x * N.x + y * N.y), on="planet"),),
+        example={str(x.func): 1.0, str(y.func): 0.2}, side=N.z,
+    )  # fmt: skip
 
 
 def planet():

@@ -3,6 +3,7 @@
 from sympy import sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import held, of_one_particle
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -68,16 +69,10 @@ def _spherical(weight, length, field, drag):
         # -B.z is the string; out along B.x, round along A.y.
         v = length * theta.diff() * B.x + length * sin(theta) * phi.diff() * A.y
         loads.append(force("drag", P, -drag * v, on="bob"))
-    return Scene(
-        "spherical pendulum",
-        N,
-        O,
-        coordinates=(theta, phi),
-        bodies=(Particle("bob", P, weight),),
-        loads=tuple(loads),
-        reactions=(reaction("S", at=P, on="bob", by=None, along=B.z),),
-        example={"theta": 1.2, "phi_dot": 4.0},
-    )
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", P, weight), tuple(loads),
+        example={"theta": 1.2, "phi_dot": 4.0}, S=B.z,
+    )  # fmt: skip
 
 
 def double_upright():
@@ -119,12 +114,7 @@ def _rods(mass1, mass2, length1, length2, inertia1, inertia2, upright, loads=(),
             RigidBody("rod2", C2, B, mass2, inertia2),
         ),
         loads=(gravity(-g * N.y), *more),
-        reactions=(
-            reaction("X1", at=O, on="rod1", by=None, along=N.x),
-            reaction("Y1", at=O, on="rod1", by=None, along=N.y),
-            reaction("X2", at=E, on="rod2", by="rod1", along=N.x),
-            reaction("Y2", at=E, on="rod2", by="rod1", along=N.y),
-        ),
+        reactions=(*held(O, "rod1", X1=N.x, Y1=N.y), *held(E, "rod2", "rod1", X2=N.x, Y2=N.y)),
         inputs=inputs,
         example={"theta1": 0.3},
     )
@@ -166,10 +156,7 @@ def damped():
         coordinates=(theta1,),
         bodies=(RigidBody("rod", P, A, m, 0),),
         loads=(gravity(-g * N.y), torque("b", -b * m * l**2 * theta1.diff() * N.z, on="rod")),
-        reactions=(
-            reaction("X", at=O, on="rod", by=None, along=N.x),
-            reaction("Y", at=O, on="rod", by=None, along=N.y),
-        ),
+        reactions=held(O, "rod", X=N.x, Y=N.y),
         example={"theta1": 0.3},
     )
 

@@ -3,16 +3,20 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum, spring_pendulum
+from benchmarks.corpus.builders import (
+    P,
+    double_pendulum,
+    of_one_particle,
+    pendulum,
+    spring_pendulum,
+)
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
     gravity,
     parameters,
     pin,
-    reaction,
     torque,
 )
 
@@ -126,16 +130,11 @@ def cone():
     A = N.orientnew("A", "Axis", (phi, N.z))
     along, across = sin(a) * A.x - cos(a) * A.z, cos(a) * A.x + sin(a) * A.z
     C = O.locatenew("C", s * along)
-    return Scene(
-        "spring pendulum on a cone",
-        N,
-        O,
-        coordinates=(s, phi),
-        bodies=(Particle("particle", C, m),),
-        loads=(gravity(-g * N.z), force("spring", C, -k * (s - L0) * along, on="particle")),
-        reactions=(reaction("R", at=C, on="particle", by=None, along=across),),
-        example={"s": 1.0},
-    )
+    return of_one_particle(
+        "spring pendulum on a cone", N, O, (s, phi), ("particle", C, m),
+        (gravity(-g * N.z), force("spring", C, -k * (s - L0) * along, on="particle")),
+        example={"s": 1.0}, R=across,
+    )  # fmt: skip
 
 
 def moving_pivot():
@@ -193,18 +192,7 @@ def _bead(r, m, turn, g=0):
     A = N.orientnew("A", "Axis", (turn, N.z))
     C = O.locatenew("C", r * A.x)
     loads = (gravity(-g * N.y),) if g != 0 else ()
-    return Scene(
-        "bead on a rod",
-        N,
-        O,
-        coordinates=(r,),
-        bodies=(Particle("bead", C, m),),
-        loads=loads,
-        reactions=(
-            reaction("across", at=C, on="bead", by=None, along=A.y),
-            reaction("side", at=C, on="bead", by=None, along=N.z),
-        ),
-    )
+    return of_one_particle("bead on a rod", N, O, (r,), ("bead", C, m), loads, across=A.y, side=N.z)
 
 
 def bead_vertical():

@@ -3,7 +3,7 @@
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, bead_on_parabola, two_bobs
+from benchmarks.corpus.builders import P, bead_on_parabola, held, of_one_particle, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -31,11 +31,7 @@ def pendulum():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", -l * B.y)
-    return Scene(
-        "pendulum", N, O, coordinates=(theta,), bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("S_0", at=P, on="bob", by=None, along=B.y),),
-    )  # fmt: skip
+    return of_one_particle("pendulum", N, O, (theta,), ("bob", P, m), (gravity(-g * N.y),), S_0=B.y)
 
 
 def damped_pendulum():
@@ -49,8 +45,7 @@ def damped_pendulum():
         "damped pendulum", N, O, coordinates=(theta,), inputs=(u,),
         bodies=(RigidBody("bob", P, B, m, 0),),
         loads=(gravity(-g * N.y), torque("drive", (u - b * theta.diff()) * N.z, on="bob")),
-        reactions=(reaction("X", at=O, on="bob", by=None, along=N.x),
-                   reaction("Y", at=O, on="bob", by=None, along=N.y)),
+        reactions=held(O, "bob", X=N.x, Y=N.y),
     )  # fmt: skip
 
 
@@ -83,9 +78,9 @@ def spring_pendulum():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", -r * B.y)
-    return Scene(
-        "spring pendulum", N, O, coordinates=(r, theta), bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y), force("k", P, k * (r - l) * B.y, on="bob")),
+    return of_one_particle(
+        "spring pendulum", N, O, (r, theta), ("bob", P, m),
+        (gravity(-g * N.y), force("k", P, k * (r - l) * B.y, on="bob")),
     )  # fmt: skip
 
 
@@ -97,11 +92,9 @@ def rotating_hoop():
     H = N.orientnew("H", "Axis", (w * t, N.z))
     B = H.orientnew("B", "Axis", (-theta, H.y))
     P = O.locatenew("P", -R * B.z)
-    return Scene(
-        "bead on a hoop", N, O, coordinates=(theta,), bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("across", at=P, on="bead", by=None, along=H.y),
-                   reaction("inwards", at=P, on="bead", by=None, along=B.z)),
+    return of_one_particle(
+        "bead on a hoop", N, O, (theta,), ("bead", P, m), (gravity(-g * N.z),), across=H.y,
+        inwards=B.z,
     )  # fmt: skip
 
 
@@ -119,10 +112,8 @@ def arm():
         bodies=(RigidBody("link 1", P, A, m1, 0), RigidBody("link 2", Q, B, m2, 0)),
         loads=(gravity(-g * N.y), torque("shoulder", u * N.z, on="link 1"),
                torque("elbow", v * N.z, on="link 2", by="link 1")),
-        reactions=(reaction("X_1", at=O, on="link 1", by=None, along=N.x),
-                   reaction("Y_1", at=O, on="link 1", by=None, along=N.y),
-                   reaction("X_2", at=P, on="link 2", by="link 1", along=N.x),
-                   reaction("Y_2", at=P, on="link 2", by="link 1", along=N.y)),
+        reactions=(*held(O, "link 1", X_1=N.x, Y_1=N.y),
+                   *held(P, "link 2", "link 1", X_2=N.x, Y_2=N.y)),
     )  # fmt: skip
 
 
@@ -183,11 +174,9 @@ def kapitza():
     A = O.locatenew("A", -a * cos(w * t) * N.y)
     B = N.orientnew("B", "Axis", (phi, N.z))
     P = A.locatenew("P", -l * B.y)
-    return Scene(
-        "vertically driven pendulum", N, O, coordinates=(phi,), bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("S_0", at=P, on="bob", by=None, along=B.y),),
-    )  # fmt: skip
+    return of_one_particle(
+        "vertically driven pendulum", N, O, (phi,), ("bob", P, m), (gravity(-g * N.y),), S_0=B.y
+    )
 
 
 def sliding_support():
@@ -241,10 +230,7 @@ def reaction_wheel():
         "reaction wheel pendulum", N, O, coordinates=(a, b), inputs=(u,),
         bodies=(RigidBody("rod", C, A, m1, I1), RigidBody("wheel", P, W, m2, I2)),
         loads=(gravity(-g * N.y), torque("motor", -u * N.z, on="wheel", by="rod")),
-        reactions=(reaction("X", at=O, on="rod", by=None, along=N.x),
-                   reaction("Y", at=O, on="rod", by=None, along=N.y),
-                   reaction("X_2", at=P, on="wheel", by="rod", along=N.x),
-                   reaction("Y_2", at=P, on="wheel", by="rod", along=N.y)),
+        reactions=(*held(O, "rod", X=N.x, Y=N.y), *held(P, "wheel", "rod", X_2=N.x, Y_2=N.y)),
     )  # fmt: skip
 
 
@@ -256,8 +242,6 @@ def ball_in_bowl():
     H = N.orientnew("H", "Axis", (phi, N.z))
     B = H.orientnew("B", "Axis", (-theta, H.y))
     P = O.locatenew("P", -l * B.z)
-    return Scene(
-        "spherical pendulum", N, O, coordinates=(theta, phi), bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("S_0", at=P, on="bob", by=None, along=B.z),),
-    )  # fmt: skip
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", P, m), (gravity(-g * N.z),), S_0=B.z
+    )

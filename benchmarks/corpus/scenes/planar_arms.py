@@ -2,7 +2,7 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, rotary_pendulum, two_link_arm
+from benchmarks.corpus.builders import P, held, rotary_pendulum, two_link_arm
 from mechanics.scene import Particle, RigidBody, Scene, gravity, reaction, torque
 
 
@@ -71,8 +71,7 @@ def ball_beam():
         bodies=(Particle("ball", ball, m), RigidBody("beam", O, A, 0, J)),
         loads=(gravity(-g * N.y), torque("motor", tau * N.z, on="beam")),
         reactions=(
-            reaction("X", at=O, on="beam", by=None, along=N.x),
-            reaction("Y", at=O, on="beam", by=None, along=N.y),
+            *held(O, "beam", X=N.x, Y=N.y),
             reaction("P", at=ball, on="ball", by="beam", along=A.y),
         ),
     )

@@ -3,7 +3,8 @@
 from sympy import sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction
+from benchmarks.corpus.builders import of_one_particle
+from mechanics.scene import gravity, parameters
 
 
 def wire():
@@ -13,12 +14,6 @@ def wire():
     N, O = ReferenceFrame("N"), Point("O")
     C = O.locatenew("C", x * N.x + a * x**2 * N.y)
     across = (N.y - 2 * a * x * N.x) / sqrt(1 + 4 * a**2 * x**2)
-    return Scene(
-        "bead on a parabola",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(reaction("R", at=C, on="bead", by=None, along=across),),
+    return of_one_particle(
+        "bead on a parabola", N, O, (x,), ("bead", C, m), (gravity(-g * N.y),), R=across
     )

@@ -2,7 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, torque
+from benchmarks.corpus.builders import held
+from mechanics.scene import RigidBody, Scene, gravity, parameters, torque
 
 theta, phi, u, tau = dynamicsymbols("theta phi u tau")
 
@@ -44,12 +45,7 @@ def _scene(
             RigidBody("wheel", D, B, wheel_mass, wheel_inertia),
         ),
         loads=tuple(loads),
-        reactions=(
-            reaction("X1", at=O, on="rod", by=None, along=N.x),
-            reaction("Y1", at=O, on="rod", by=None, along=N.y),
-            reaction("X2", at=D, on="wheel", by="rod", along=N.x),
-            reaction("Y2", at=D, on="wheel", by="rod", along=N.y),
-        ),
+        reactions=(*held(O, "rod", X1=N.x, Y1=N.y), *held(D, "wheel", "rod", X2=N.x, Y2=N.y)),
         inputs=inputs,
         example={"theta": 0.3},
     )

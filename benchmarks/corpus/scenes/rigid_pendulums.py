@@ -4,7 +4,15 @@ springs."""
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, double_pendulum, pendulum, roller, spring_pendulum
+from benchmarks.corpus.builders import (
+    P,
+    double_pendulum,
+    held,
+    of_one_particle,
+    pendulum,
+    roller,
+    spring_pendulum,
+)
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -13,7 +21,6 @@ from mechanics.scene import (
     gravity,
     holonomic,
     pin,
-    reaction,
     torque,
     weld,
 )
@@ -302,16 +309,10 @@ def spherical_up():
     A = N.orientnew("A", "Axis", (phi, N.z))
     out = sin(theta) * A.x + cos(theta) * A.z
     C = O.locatenew("C", l * out)
-    return Scene(
-        "spherical pendulum",
-        N,
-        O,
-        coordinates=(theta, phi),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(reaction("S", at=C, on="bob", by=None, along=out),),
-        example={"theta": 2.0, "varphi_dot": 1.0},
-    )
+    return of_one_particle(
+        "spherical pendulum", N, O, (theta, phi), ("bob", C, m), (gravity(-g * N.z),),
+        example={"theta": 2.0, "varphi_dot": 1.0}, S=out,
+    )  # fmt: skip
 
 
 def hoop():
@@ -323,17 +324,8 @@ def hoop():
     A = N.orientnew("A", "Axis", (Omega * t, N.z))
     out = sin(theta) * A.x - cos(theta) * A.z
     C = O.locatenew("C", a * out)
-    return Scene(
-        "bead on a hoop",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(
-            reaction("F_N", at=C, on="bead", by=None, along=-out),
-            reaction("side", at=C, on="bead", by=None, along=A.y),
-        ),
+    return of_one_particle(
+        "bead on a hoop", N, O, (theta,), ("bead", C, m), (gravity(-g * N.z),), F_N=-out, side=A.y
     )
 
 
@@ -358,11 +350,6 @@ def cartesian():
         bodies=(Particle("bob", C, m),),
         loads=(gravity(-g * N.y),),
         constraints=(holonomic("rod", x**2 + y**2 - l**2, "tension"),),
-        reactions=(
-            reaction(
-                "tension", at=C, on="bob", by=None, along=(-x * N.x + y * N.y) / sqrt(x**2 + y**2)
-            ),
-            reaction("side", at=C, on="bob", by=None, along=N.z),
-        ),
+        reactions=held(C, "bob", tension=(-x * N.x + y * N.y) / sqrt(x**2 + y**2), side=N.z),
         example={"q1": 0.6, "q2": 0.8},
     )

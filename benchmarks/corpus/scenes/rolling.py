@@ -2,7 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction, roll
+from benchmarks.corpus.builders import held
+from mechanics.scene import RigidBody, Scene, gravity, parameters, roll
 
 theta, spin = dynamicsymbols("theta spin")
 m, a, b, R, r, g = parameters(
@@ -23,10 +24,7 @@ def plank():
         coordinates=(theta,),
         bodies=(RigidBody("plank", C, A, m, m * b**2 / 3),),
         loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("P", at=K, on="plank", by=None, along=A.y),
-            reaction("F", at=K, on="plank", by=None, along=A.x),
-        ),
+        reactions=held(K, "plank", P=A.y, F=A.x),
         example={"theta": 0.2},
     )
 

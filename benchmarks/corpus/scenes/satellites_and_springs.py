@@ -5,12 +5,13 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import (
     P,
+    of_one_particle,
     on_walls,
     one_mass,
     two_masses,
 )
 from benchmarks.corpus.free_bodies import chaser, craft, turning_body
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, pin, torque
+from mechanics.scene import RigidBody, Scene, force, gravity, pin, torque
 
 t = dynamicsymbols._t
 
@@ -186,12 +187,8 @@ def satellite_orbit():
     r = x * N.x + y * N.y + z * N.z
     C = O.locatenew("C", r)
     d = sqrt(x**2 + y**2 + z**2)
-    return Scene(
-        "satellite",
-        N,
-        O,
-        coordinates=(x, y, z),
-        bodies=(Particle("satellite", C, m),),
-        loads=(force("gravity", C, -m * mu / d**3 * r, on="satellite"),),
+    return of_one_particle(
+        "satellite", N, O, (x, y, z), ("satellite", C, m),
+        (force("gravity", C, -m * mu / d**3 * r, on="satellite"),),
         example={"x": 1.0, "y": 0.5, "z": 0.3},
-    )
+    )  # fmt: skip

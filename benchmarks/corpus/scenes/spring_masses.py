@@ -3,9 +3,8 @@
 from sympy import cos, pi, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_masses
+from benchmarks.corpus.builders import P, held, of_one_particle, on_walls, one_mass, two_masses
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
@@ -44,17 +43,8 @@ def shaken():
 
 def three_springs():
     """Wall, spring, mass, spring, mass, spring, wall."""
-    x1, x2 = dynamicsymbols("x_1 x_2")
     m1, m2, k1, k2, k3 = P("m_1:kg m_2:kg k_1:N/m k_2:N/m k_3:N/m")
-    return two_masses(
-        (x1, x2),
-        (m1, m2),
-        lambda N, A, B: (
-            force("left", A, -k1 * x1 * N.x, on="one"),
-            force("right", B, -k3 * x2 * N.x, on="two"),
-            force("between", B, -k2 * (x2 - x1) * N.x, on="two", by="one"),
-        ),
-    )
+    return on_walls("x_1 x_2", m1, m2, k1, k2, k3)
 
 
 def molecule():
@@ -82,18 +72,11 @@ def incline():
     N, O = ReferenceFrame("N"), Point("O")
     along = cos(theta) * N.x - sin(theta) * N.y
     C = O.locatenew("C", x * along)
-    return Scene(
-        "cart on an incline",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("cart", C, m),),
-        loads=(gravity(-g * N.y), force("spring", C, -k * (x - x0) * along, on="cart")),
-        reactions=(
-            reaction("R", at=C, on="cart", by=None, along=sin(theta) * N.x + cos(theta) * N.y),
-            reaction("side", at=C, on="cart", by=None, along=N.z),
-        ),
-    )
+    return of_one_particle(
+        "cart on an incline", N, O, (x,), ("cart", C, m),
+        (gravity(-g * N.y), force("spring", C, -k * (x - x0) * along, on="cart")),
+        R=sin(theta) * N.x + cos(theta) * N.y, side=N.z,
+    )  # fmt: skip
 
 
 def cylinder():
@@ -111,10 +94,7 @@ def cylinder():
         coordinates=(x,),
         bodies=(RigidBody("cylinder", C, B, M, M * R**2 / 2),),
         loads=(force("spring", C, -k * x * N.x, on="cylinder"),),
-        reactions=(
-            reaction("f", at=K, on="cylinder", by=None, along=N.x),
-            reaction("N", at=K, on="cylinder", by=None, along=N.y),
-        ),
+        reactions=held(K, "cylinder", f=N.x, N=N.y),
     )
 
 

@@ -2,6 +2,7 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import of_one_particle
 from mechanics.scene import Particle, Scene, gravity, parameters, spring
 
 r, theta, x, y = dynamicsymbols("r theta x y")
@@ -41,12 +42,7 @@ def cartesian():
     """Position x, y of the mass from the suspension, y upwards."""
     N, O = ReferenceFrame("N"), Point("O")
     P = O.locatenew("P", x * N.x + y * N.y)
-    return Scene(
-        "springy pendulum",
-        N,
-        O,
-        coordinates=(x, y),
-        bodies=(Particle("bob", P, m),),
-        loads=(gravity(-g * N.y), spring("k", O, P, k, length=l0)),
-        example={"x": 0.5, "y": -1.2},
-    )
+    return of_one_particle(
+        "springy pendulum", N, O, (x, y), ("bob", P, m),
+        (gravity(-g * N.y), spring("k", O, P, k, length=l0)), example={"x": 0.5, "y": -1.2},
+    )  # fmt: skip

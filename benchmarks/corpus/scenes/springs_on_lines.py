@@ -3,8 +3,8 @@
 from sympy import cos, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_masses
-from mechanics.scene import RigidBody, Scene, force, reaction, slide
+from benchmarks.corpus.builders import P, held, one_mass, two_masses
+from mechanics.scene import RigidBody, Scene, force, slide
 
 t = dynamicsymbols._t
 
@@ -77,8 +77,5 @@ def slab():
         plane=N.z,
         bodies=(RigidBody("slab", S, N, m, 0), RigidBody("cylinder", C, A, M, I)),
         loads=(force("spring", S, -k * x * N.x, on="slab"),),
-        reactions=(
-            reaction("f", at=K, on="cylinder", by="slab", along=N.x),
-            reaction("n", at=K, on="cylinder", by="slab", along=N.y),
-        ),
+        reactions=held(K, "cylinder", "slab", f=N.x, n=N.y),
     )

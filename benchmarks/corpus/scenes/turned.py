@@ -3,7 +3,8 @@
 from sympy import sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import Particle, Scene, gravity, parameters, reaction, spring
+from benchmarks.corpus.builders import of_one_particle
+from mechanics.scene import gravity, parameters, spring
 
 x, y, r, p = dynamicsymbols("x y r p")
 t = dynamicsymbols._t
@@ -18,16 +19,10 @@ def table():
     N, O = ReferenceFrame("N"), Point("O")
     A = N.orientnew("A", "Axis", (Omega * t, N.z))
     P = O.locatenew("P", x * A.x + y * A.y)
-    return Scene(
-        "rotating table",
-        N,
-        O,
-        coordinates=(x, y),
-        bodies=(Particle("puck", P, m),),
-        loads=(spring("k", O, P, k),),
-        reactions=(reaction("support", at=P, on="puck", by=None, along=N.z),),
-        example={"x": 0.2},
-    )
+    return of_one_particle(
+        "rotating table", N, O, (x, y), ("puck", P, m), (spring("k", O, P, k),), example={"x": 0.2},
+        support=N.z,
+    )  # fmt: skip
 
 
 def parabola():
@@ -45,16 +40,7 @@ def _parabola(radius, bend, rate):
     A = N.orientnew("A", "Axis", (rate * t, N.z))
     P = O.locatenew("P", radius * A.x + bend * radius**2 * A.z)
     across = (-2 * bend * radius * A.x + A.z) / sqrt(1 + 4 * bend**2 * radius**2)
-    return Scene(
-        "bead on a rotating parabola",
-        N,
-        O,
-        coordinates=(radius,),
-        bodies=(Particle("bead", P, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=(
-            reaction("normal", at=P, on="bead", by=None, along=across),
-            reaction("side", at=P, on="bead", by=None, along=A.y),
-        ),
-        example={radius.func.__name__: 0.2},
-    )
+    return of_one_particle(
+        "bead on a rotating parabola", N, O, (radius,), ("bead", P, m), (gravity(-g * N.z),),
+        example={radius.func.__name__: 0.2}, normal=across, side=A.y,
+    )  # fmt: skip

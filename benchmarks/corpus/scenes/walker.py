@@ -2,7 +2,8 @@
 
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from mechanics.scene import RigidBody, Scene, gravity, parameters, reaction
+from benchmarks.corpus.builders import held
+from mechanics.scene import RigidBody, Scene, gravity, parameters
 
 phi = dynamicsymbols("phi")
 m, R, d, I, gamma, g = parameters(
@@ -25,9 +26,6 @@ def make_scene():
         coordinates=(phi,),
         bodies=(RigidBody("leg", C, leg, m, I),),
         loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("normal", at=contact, on="leg", by=None, along=S.y),
-            reaction("grip", at=contact, on="leg", by=None, along=S.x),
-        ),
+        reactions=held(contact, "leg", normal=S.y, grip=S.x),
         example={"phi": -0.3},
     )

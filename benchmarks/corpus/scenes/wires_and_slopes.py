@@ -3,7 +3,7 @@
 from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, held, roller, shared
+from benchmarks.corpus.builders import P, held, of_one_particle, roller, shared
 from mechanics.scene import Particle, Scene, gravity, reaction
 
 t = dynamicsymbols._t
@@ -13,16 +13,11 @@ def _bowl(r, angle, m, g, height, slope, order):
     N, O = ReferenceFrame("N"), Point("O")
     A = N.orientnew("A", "Axis", (angle, N.z))
     C = O.locatenew("C", r * A.x + height * A.z)
-    return Scene(
-        "bowl",
-        N,
-        O,
-        coordinates=order,
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),),
-        reactions=held(C, "bead", R=(-slope * A.x + A.z) / sqrt(1 + slope**2)),
+    return of_one_particle(
+        "bowl", N, O, order, ("bead", C, m), (gravity(-g * N.z),),
         example={str(r.func): 0.7, str(angle.func) + "_dot": 1.0},
-    )
+        R=(-slope * A.x + A.z) / sqrt(1 + slope**2),
+    )  # fmt: skip
 
 
 def bowl():
@@ -45,16 +40,10 @@ def _hoop(m, R, omega, g):
     A = N.orientnew("A", "Axis", (omega * t, N.z))
     out = sin(theta) * A.x - cos(theta) * A.z
     C = O.locatenew("C", R * out)
-    return Scene(
-        "hoop",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("bead", C, m),),
-        loads=(gravity(-g * N.z),) if g != 0 else (),
-        reactions=held(C, "bead", N_phi=A.y, N_r=-out),
-        example={"theta": 0.5},
-    )
+    return of_one_particle(
+        "hoop", N, O, (theta,), ("bead", C, m), (gravity(-g * N.z),) if g != 0 else (),
+        example={"theta": 0.5}, N_phi=A.y, N_r=-out,
+    )  # fmt: skip
 
 
 def hoop_weightless():
@@ -69,19 +58,10 @@ def on_top():
     N, O = ReferenceFrame("N"), Point("O")
     out = sin(theta) * N.x + cos(theta) * N.y
     C = O.locatenew("C", R * out)
-    return Scene(
-        "circle",
-        N,
-        O,
-        coordinates=(theta,),
-        bodies=(Particle("point", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=(
-            reaction("lambda", at=C, on="point", by=None, along=out),
-            *held(C, "point", side=N.z),
-        ),
-        example={"theta": 0.3},
-    )
+    return of_one_particle(
+        "circle", N, O, (theta,), ("point", C, m), (gravity(-g * N.y),), example={"theta": 0.3},
+        **{"lambda": out}, side=N.z,
+    )  # fmt: skip
 
 
 def incline():
@@ -93,16 +73,10 @@ def incline():
     m, g, theta, a, h = P("m:kg g:m/s^2 theta:1 a:m/s^2 h:m")
     N, O = ReferenceFrame("N"), Point("O")
     C = O.locatenew("C", (s * cos(theta) + a * t**2 / 2) * N.x + (h - s * sin(theta)) * N.y)
-    return Scene(
-        "incline",
-        N,
-        O,
-        coordinates=(s,),
-        bodies=(Particle("body", C, m),),
-        loads=(gravity(-g * N.y),),
-        reactions=held(C, "body", R=sin(theta) * N.x + cos(theta) * N.y, side=N.z),
-        example={"s": 0.4},
-    )
+    return of_one_particle(
+        "incline", N, O, (s,), ("body", C, m), (gravity(-g * N.y),), example={"s": 0.4},
+        R=sin(theta) * N.x + cos(theta) * N.y, side=N.z,
+    )  # fmt: skip
 
 
 def _hole(angle, m, M, g, l):
