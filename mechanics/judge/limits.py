@@ -3,7 +3,8 @@
     f(u) = truth(min(max(u, low), high))        PROVED, u is limited to +-u_max
 
 The limits are read off what the input is compared with; that the statement is the truth of the
-limited input, and of nothing else, is then decided. Coordinates are not limited by anybody.
+limited input, and of nothing else, is then decided. Coordinates are not limited by anybody, and
+inputs by nothing that moves, nor by what has another unit.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -16,8 +17,10 @@ from sympy.core.relational import Relational
 from mechanics.checks.ledger_compare import define
 from mechanics.checks.ledger_motion import put_motion
 from mechanics.checks.manifold import restrict
+from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
 from mechanics.kernel import Finding
+from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
 from mechanics.symbolic import Arithmetic, Number, decide
@@ -43,7 +46,9 @@ def limited(truth: Equations, row: Published) -> Finding | None:
     """
     if not isinstance(row.quantity, EquationOfMotion):
         return None
-    choices = {u: some for u in truth.scene.input_symbols if (some := _limits(row.sides, u))}
+    still = {*truth.scene.parameters, *truth.scene.definitions}
+    choices = {u: some for u in truth.scene.input_symbols if (some := _limits(row.sides, u, still))}
+    choices = {u: some for u, some in choices.items() if _are_of(truth, u, some)}
     if not choices:
         return None
     found = (
@@ -56,6 +61,16 @@ def limited(truth: Equations, row: Published) -> Finding | None:
             words = " and ".join(_words(u, *pair) for u, pair in limits.items())
             return replace(finding, domain=words)
     return None
+
+
+def _are_of(truth: Equations, u: Symbol, choices: Sequence[Limits]) -> bool:
+    """Whether an input may be compared with its limits; numbers are in its unit."""
+    known = known_dimensions(truth)
+    bounds = {b for pair in choices for b in pair if b is not None and b.free_symbols}
+    try:
+        return {dimension_of(truth.scene, b, known) for b in bounds} <= {None, known.get(u)}
+    except MixedDimensions:
+        return False
 
 
 def _of_limited(
@@ -83,9 +98,11 @@ def _clipped(u: Expr, low: Expr | None, high: Expr | None, order: int) -> Expr:
     return Piecewise(*cases[::order], (u, True))
 
 
-def _limits(sides: Sequence[Expr], u: Symbol) -> list[Limits]:
-    """What an input may be limited to."""
+def _limits(sides: Sequence[Expr], u: Symbol, still: set[Symbol]) -> list[Limits]:
+    """What an input may be limited to: numbers and parameters, nothing that moves."""
     bounds = dict.fromkeys(bound for side in sides for bound in _compared(side, u))
+    if any(not bound.free_symbols <= still for bound in bounds):
+        return []
     if len(bounds) == 1:
         (bound,) = bounds
         pairs: list[Limits] = [(None, bound), (bound, None)]

@@ -61,6 +61,8 @@ def _is_principal_at_rest(wrap: Wrap) -> bool:
     inside = wrap.inside.subs(dict.fromkeys(wrap.inside.free_symbols, 0))
     if not inside.is_number:
         return True
+    if inside.is_comparable is not True:  # it has no value there, or none that is real
+        return False
     at_the_end = inside == wrap.high and not isinstance(wrap.function, floor)
     return bool(wrap.low <= inside < wrap.high) or at_the_end
 

@@ -1,5 +1,6 @@
 """Numbers of a person's code that are named like parameters stand for them."""
 
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -49,7 +50,25 @@ def test_defaults_are_symbols_and_that_is_said() -> None:
     found = check(SCENE, rate)
     assert found.verdict is Verdict.PROVED
     assert "rate: m = 2.0, c = 0.5, g = 9.81: read as the scene's" in str(found)
-    assert "tolerance = 1e-06: the default, a number" in str(found)
+    assert "tolerance = 1e-06: the default" in str(found)
+
+
+def test_a_default_that_is_no_number_is_said() -> None:
+    def rate(y, F, m, c, g, unit="SI", drag=True):  # type: ignore[no-untyped-def]
+        return np.array([y[1], (F - (c * y[1] if drag else 0)) / m - g])
+
+    found = check(SCENE, rate)
+    assert found.verdict is Verdict.PROVED
+    assert "unit = 'SI', drag = True: the default" in str(found)
+
+
+def test_an_input_that_a_partial_gives_one_value_is_not_read_as_the_input() -> None:
+    def rate(y, F, m, c, g):  # type: ignore[no-untyped-def]
+        return np.array([y[1], (F - c * y[1]) / m - g])
+
+    with pytest.raises(InputError, match="F has one value in a partial"):
+        check(SCENE, partial(rate, F=0.0))
+    assert _verdict(partial(rate, m=2.0)) == RIGHT
 
 
 def test_a_default_that_the_parameter_cannot_be_stays_a_number() -> None:

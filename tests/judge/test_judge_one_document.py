@@ -52,9 +52,9 @@ def test_two_names_for_one_quantity_are_not_guessed(
 
 
 def test_functions_have_names_of_their_own() -> None:
-    def mass_matrix(x, phi, mc, mp, l):  # type: ignore[no-untyped-def]
-        both = mp * l * np.cos(phi)
+    def mass_matrix(theta, mc, mp, l):  # type: ignore[no-untyped-def]
+        both = mp * l * np.cos(theta)
         return np.array([[mc + mp, both], [both, 4 / 3 * mp * l**2]])
 
-    things = [in_text(rail(Function("theta")(T))), mass_matrix]
+    things = [in_text(rail(Function("phi")(T))), mass_matrix]
     assert check(CART, things, blame=False).verdict.name == "PROVED"

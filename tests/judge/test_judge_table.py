@@ -191,6 +191,8 @@ NOT_LIMITS = {
     "next to nothing is left": lambda: of_python(torque=lambda u: np.clip(u, -1e-9, 1e-9)),
     "nothing is left": lambda: of_python(torque=lambda u: np.clip(u, 0, 0)),
     "a wrong factor": lambda: of_python(torque=lambda u: 2 * np.clip(u, -2, 2)),
+    "by a coordinate": lambda: of_c(torque="fmin(u, theta)"),
+    "by a length": lambda: of_c(torque="fmin(u, l)"),
     "exchanged limits": lambda: of_c(torque="(u > 2 ? -2 : (u < -2 ? 2 : u))"),
 }
 
@@ -199,6 +201,11 @@ NOT_LIMITS = {
 @pytest.mark.parametrize("name", NOT_LIMITS)
 def test_anything_else_is_refuted(name):
     assert NOT_LIMITS[name]().verdict.name == "REFUTED"
+
+
+def test_a_wrap_of_what_has_no_value_at_rest_is_no_wrap():
+    found = of_python(more=lambda x: np.arcsin(np.sin(np.sin(x) / x)))
+    assert found.verdict.name in ("REFUTED", "UNDECIDED")
 
 
 def sinc(x, least=1e-8, at_zero=1.0):

@@ -20,6 +20,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.objects import attributes
 from mechanics.claims.code.unpacking import Apart, in_python
+from mechanics.claims.code.wrappers import filled
 from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import key
 from mechanics.errors import InputError
@@ -98,6 +99,11 @@ def signature_of(
     freed: list[str] = []
     kept: list[str] = []
     starred: list[str] = []
+    if moving := sorted(n for n in filled(function) if naming.is_function(n) and n not in names):
+        raise InputError(
+            f"function {title}: {', '.join(moving)} has one value in a partial: pass the function"
+            " of all coordinates, speeds and inputs"
+        )
     for name, parameter in parameters.items():
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
             starred.append(f"*{name}")
@@ -110,8 +116,8 @@ def signature_of(
         elif _of_scene(naming, name, default, apart.get(name)):
             wanted.append(name)
             freed.append(name if name in ("t", "time") else f"{name} = {default}")
-        elif is_number(default):
-            kept.append(f"{name} = {default}")
+        elif is_number(default) or isinstance(default, str | bool):
+            kept.append(f"{name} = {default!r}")
     standing, numbers, others = _standing(function, naming, names)
     if others and any(isinstance(v, Unsaid) for v in attributes(owner_of(function)[1]).values()):
         asked = [other.split(" = ")[0] for other in others]
@@ -123,7 +129,7 @@ def signature_of(
     remarks = [
         *([f"{title}: {', '.join(freed)}: read as the scene's, for all values, not the default"]
           if freed else []),
-        *([f"{title}: {', '.join(kept)}: the default, a number; --name 'mine=scene' (names=) reads"
+        *([f"{title}: {', '.join(kept)}: the default; --name 'mine=scene' (names=) reads"
            " it as the scene's"] if kept else []),
         *([f"{title}: {', '.join(numbers)} of the code: read as the scene's, for all values"]
           if numbers else []),

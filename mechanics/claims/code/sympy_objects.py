@@ -106,7 +106,7 @@ def sides_of(thing: Any) -> list[Sides]:
         return [(entry,) for entry in thing]
     if isinstance(thing, Expr):
         done = thing.doit()  # of an equation with something put into it, the equation
-        return sides_of(done) if isinstance(done, Eq) else [(thing,)]
+        return sides_of(done) if isinstance(done, Eq | MatrixBase) else [(thing,)]
     raise WrongKindError(
         f"check: {type(thing).__name__} found: pass LaTeX, text, a Path, a SymPy object, a CasADi"
         " Function or a Python function"

@@ -31,6 +31,15 @@ def unwrapped(value: Any) -> Any:
     return value
 
 
+def filled(function: Any) -> frozenset[str]:
+    """Arguments that a `partial` in what is called has a value for, which is no default."""
+    found: frozenset[str] = frozenset()
+    while function is not None:
+        found |= getattr(function, "filled", frozenset())
+        function = getattr(function, "__wrapped__", None)
+    return found
+
+
 def _filled(value: functools.partial[Any]) -> Callable[..., Any]:
     """A function whose defaults are those of a `partial`, by their names where they have some."""
     function, given, named = value.func, value.args, value.keywords
@@ -47,6 +56,7 @@ def _filled(value: functools.partial[Any]) -> Callable[..., Any]:
 
     call.__name__ = getattr(function, "__name__", "partial")
     call.__wrapped__ = function  # type: ignore[attr-defined]
+    call.filled = frozenset(named)  # type: ignore[attr-defined]
     try:
         call.__signature__ = inspect.signature(value)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
