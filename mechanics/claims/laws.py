@@ -45,18 +45,20 @@ def _used(line: Entry) -> set[str]:
 
 def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
     """Whether it speaks of no state, and each side of what is only here; or of any coordinate."""
-    every = [name.name for side in line.sides for name in names(side)]
-    indexed = (n for n in every if INDEXED.fullmatch(n) and n not in LETTERS)  # E_k is an energy
-    if any(naming.target(name) is None for name in indexed):
-        return True
+    every = [name for side in line.sides for name in names(side)]
+    indexed = [n for n in every if INDEXED.fullmatch(n.name) and n.name not in LETTERS]
+    indexed = [n for n in indexed if naming.target(n.name) is None]  # E_k is an energy
+    if indexed:
+        # A force F_k beside the scene's own acceleration, or an acceleration of its own at a step.
+        moves = any(_moves(n.name, naming) for n in every)
+        return not moves and not any(n.order > 1 and _of_scene(n, naming) for n in indexed)
     if len(line.sides) != 2 or not all(map(_is_plain, line.sides)):
         return False
-    inputs = {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
-    for name in (name for side in line.sides for name in names(side)):
+    inputs = _inputs(naming)
+    for name in every:
         if name.given or "(" in name.name or column(naming, name.name):
             return False  # of columns and matrices
-        found = naming.target(name.name)
-        if found is not None and found[0] not in inputs and naming.is_function(name.name):
+        if _moves(name.name, naming):
             return False
     if all(isinstance(side, Name) for side in line.sides):
         return False
@@ -66,6 +68,23 @@ def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
         held or _is_input(side, inputs) for side, held in zip(line.sides, unknown, strict=True)
     )
     return told and not unknown[0] & unknown[1]
+
+
+def _inputs(naming: Naming) -> set[str]:
+    return {symbol.name for symbol in naming.vocabulary.scene.input_symbols}
+
+
+def _moves(name: str, naming: Naming) -> bool:
+    """Whether a name is a coordinate of the scene or its rate."""
+    found = naming.target(name)
+    known = found is not None and found[0] not in _inputs(naming)
+    return known and naming.is_function(name) is True
+
+
+def _of_scene(name: Name, naming: Naming) -> bool:
+    """Whether a name with an index is a coordinate of the scene with a number, or with none."""
+    base = name.name[:-2]
+    return any(_moves(f"{base}{number}", naming) for number in ("", "_0", "_1"))
 
 
 def _is_plain(node: Node) -> bool:

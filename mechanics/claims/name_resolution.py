@@ -21,6 +21,7 @@ from mechanics.claims.tree import Name, Node
 from mechanics.claims.unread_names import unread_names
 from mechanics.scene.symbols import DOTS
 
+DETERMINED = "a side that is a determinant is what the others are"
 Read = Callable[[Naming], Sequence[Entry]]
 """Makes lines, given how names are to be understood."""
 
@@ -58,7 +59,7 @@ def named(
 
 def _lines(read: Read, naming: Naming) -> list[Entry]:
     whole = [
-        replace(line, sides=_without_determinant(line)) if isinstance(line, Line) else line
+        _without_determinant(line) if isinstance(line, Line) else line
         for line in read(naming)
     ]  # fmt: skip
     lines = with_rates(apart(with_entries(whole, naming), naming), naming)
@@ -80,10 +81,12 @@ def _once(sides: list[Node]) -> tuple[Node, ...]:
     return (first, *kept) if kept else tuple(sides)
 
 
-def _without_determinant(line: Line) -> tuple[Node, ...]:
-    r"""The sides without ``\det M`` between a name and what it is: D = \det M = a c - b^2."""
+def _without_determinant(line: Line) -> Line:
+    r"""The line without ``\det M`` between a name and what it is: D = \det M = a c - b^2."""
     kept = tuple(s for s in line.sides if not (isinstance(s, Name) and s.name.startswith("det(")))
-    return kept if len(kept) > 1 else line.sides
+    if len(kept) < 2 or len(kept) == len(line.sides):
+        return line
+    return replace(line, sides=kept, notes=(*line.notes, DETERMINED))
 
 
 def _left(line: Entry) -> str:

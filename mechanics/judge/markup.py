@@ -45,7 +45,8 @@ KEY = re.compile(
 ELEMENT = re.compile(r"<\s*/?\s*([A-Za-z][\w-]*)\b([^<>]*)>")
 HIDES = re.compile(r"\b(?:hidden|style|class|color|size|alt|title)\b", re.IGNORECASE)
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
-STRUCK = re.compile(r"~~[^~]+~~")
+STRUCK = re.compile(r"~~[^~]+~~|\{(?:--|\+\+|~~|>>|==)(?=[^{}]*\})")
+"""Also what CriticMarkup deletes, adds, replaces or remarks: {--...--}."""
 UNSEEN = re.compile(r"<!--(?![\w\s-]*-->)|^\[//\]:", re.MULTILINE)
 """A comment that may hold more than words, such as ``<!--more-->``."""
 

@@ -90,6 +90,8 @@ MARKED = "\u27e8= \u27e9"
 """What stands for a formula that is judged by itself."""
 TURNED = re.compile(r"^\W*(?P<name>[^\W\d]\w*)[ \t]*=(?!=)(?=[^\n=]*\b(?P=name)\b)[^\n=]*$")
 """A name that is made another value of itself: theta = pi - theta."""
+SUPPOSED = re.compile(r"(?<![\w.])[A-Za-z]{2,}[ \t]+[A-Za-z]\w*[ \t]*=(?!=)")
+"""A word before a name that has a value: Assume u = 0."""
 TWO_WORDS = re.compile(r"[A-Za-z]{2,},? +[A-Za-z]{2,}")
 
 
@@ -152,7 +154,7 @@ def _formula(line: re.Match[str]) -> str:
 
 
 def _spoken(line: str) -> bool:
-    return any(words.search(line) for words in (TWO_WORDS, FLAWED, DENIAL, TURNED))
+    return any(words.search(line) for words in (TWO_WORDS, SUPPOSED, FLAWED, DENIAL, TURNED))
 
 
 def _statement(line: re.Match[str]) -> str:

@@ -310,6 +310,8 @@ class Fold:
                 left.append(list(rest))
                 continue
             rest.pop(0)
+            if head.kind == "times" and not factors:
+                raise Refused(head.at, f"the argument of {item.text} is missing")
             if head.kind in ("times", "bracket"):
                 apart.add(len(factors))
             if head.kind != "times":

@@ -20,6 +20,12 @@ STEP = re.compile(r"([A-Za-z])\s*([-+\u2212])\s*(\\?[A-Za-z0-9])")
 """In a subscript: x_{k-1} is neither x_{k+1} nor x_{k1}; x_{ck-1} no x_{ck}."""
 
 
+MARK = re.compile(r"[^\w\s{}()',.:;/~\\]")
+"""In a subscript: x_{2-} and x_{2^*} are not x_2."""
+SUM = re.compile(r"(?<=\d)\s*\+\s*(?=\d)")
+"""In a subscript: s_{1+2} is s_{12}."""
+
+
 @dataclass(frozen=True)
 class Item:
     r"""One of the things that stand side by side.
@@ -89,13 +95,22 @@ RATIO = re.compile(r"(\d+)\s*/\s*(\d+)|\\[dt]?frac\s*\{?\s*(\d)\s*\}?\s*\{?\s*(\
 
 def bare(text: str) -> str:
     r"""A subscript or command as part of a name: ``_{C_{1}}`` gives ``C1``."""
+    return re.sub(r"[^A-Za-z0-9]", "", _spelled(text).replace("'", "prime"))
+
+
+def unread_mark(text: str) -> str:
+    """What of a subscript is no part of a name, and would be lost; empty where nothing is."""
+    lost = MARK.search(SUM.sub("", _spelled(text)))
+    return lost[0] if lost else ""
+
+
+def _spelled(text: str) -> str:
     # SymPy prints the symbol theta_ddot as \theta_{\dot{d}}.
     text = ACCENTED.sub(r"\2\1", text)
     text = DIFFERENCE.sub(r"\1minus\2", text)
     text = STEP.sub(lambda m: f"{m[1]}{'plus' if m[2] == '+' else 'minus'} {m[3]}", text)
     text = RATIO.sub(lambda m: f"{m[1] or m[3]}over{m[2] or m[4]}", text)
-    words = COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
-    return re.sub(r"[^A-Za-z0-9]", "", words.replace("'", "prime"))
+    return COMMAND.sub(lambda m: "" if m[1] in _FONTS else f" {letter_of(m[1])} ", text)
 
 
 _FONTS = (

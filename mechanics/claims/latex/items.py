@@ -22,6 +22,7 @@ from mechanics.claims.latex.item import (
     pieces_of,
     rate_of,
     start_of,
+    unread_mark,
 )
 from mechanics.claims.latex.numbered import numbered
 from mechanics.claims.latex.partials import partial
@@ -54,6 +55,7 @@ SPANNED = (
     "accent", "short_accent", "fraction", "half_fraction", "short_fraction", "root", "matrix",
 )  # fmt: skip
 """What a node is made of as a whole; of a bracket the node is what stands inside."""
+SIGNS = ("+", "-", "\u2212", "*")
 ORDERS = {"dot": 1, "ddot": 2, "dddot": 3}
 ORDER = re.compile(r"\^\s*\{\s*\(\s*([1-3])\s*\)\s*\}")
 PER_TIME = re.compile(
@@ -149,9 +151,10 @@ class Items:
                 primes += len(script.value)
             elif isinstance(script, Token):
                 part = bare(script.value[1:])
-                if not part and re.search(r"[-+\u2212*]", script.value):
-                    where = int(script.start_pos or 0)
-                    raise Refused(where, "a sign as a subscript is not supported: write a letter")
+                if mark := unread_mark(script.value[1:]):
+                    what = "a sign" if mark in SIGNS else mark
+                    words = f"{what} as a subscript is not supported: write a letter"
+                    raise Refused(int(script.start_pos or 0), words)
                 sub += part
             else:
                 (inside,) = script.children

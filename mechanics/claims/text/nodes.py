@@ -115,6 +115,10 @@ class Nodes:
             ended(result, self.offset + int(tree.meta.end_pos))
         return result
 
+    def span(self, tree: Tree, at: int) -> Node:
+        """What stands around a colon is no number."""
+        raise Refused(at, "a colon is out of place")
+
     def _at(self, tree: Tree) -> int:
         return self.offset + (0 if tree.meta.empty else int(tree.meta.start_pos))
 
@@ -376,6 +380,8 @@ class Nodes:
             name = name.lower()  # Fortran's
         given = list(rest[0].children) if rest else []
         if name in FUNCTIONS and not self.naming.knows(name):
+            if order:
+                raise Refused(at, f"a dot above {name} is not read")
             least, most, _ = FUNCTIONS[name]
             if not least <= len(given) <= most:
                 raise Refused(at, f"{name} with {len(given)} arguments")
