@@ -29,6 +29,8 @@ BY_UNIT: tuple[tuple[str, str], ...] = (
 )  # fmt: skip
 """First letters that are used for quantities of a unit."""
 AT_REST = re.compile(r"(?P<of>[A-Za-z]+)_(?:0|e|eq|s|star|ast)")
+FIRST = re.compile(r"(?:_|[^\W\d_])0$")
+"""Of a name for what is worth at the beginning, where no other number follows: u_0, u0."""
 RATES = frozenset(("omega", "Omega", "gamma", "nu", "w", "Omega_d", "omega_d"))
 """Names of frequencies."""
 PER_SECOND = ("1/s", "rad/s", "Hz")
@@ -108,7 +110,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     )
     every = (*short, *momenta, *found_moving, *found_still, *found_inputs)
     apart = _at_different_steps(naming, used, every)
-    first = {n for n in still if n.endswith("_0") and f"{n[:-1]}1" not in still | moving}
+    first = {n for n in still if FIRST.search(n) and f"{n[:-1]}1" not in still | moving}
     first = {m.name for m in every if m.name in first and m.meaning in vocabulary.functions}
     unlike = {key(name) for name in apart | first}
     every = tuple(match for match in every if key(match.name) not in unlike)

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from mechanics.claims.spelled_rates import bases, key
 
 STEP = re.compile(
-    r"_(?:\w*?(?P<moved>[ijknt](?:minus|plus)\w+?)|\d*(?P<at>[ijknt](?:[mp]\d+)?"
+    r"_(?:\w*?(?P<moved>[A-Za-z](?:minus|plus)\w+?)|\d*(?P<at>[ijknt](?:[mp]\d+)?"
     r"|prev|previous|last|old|next|new|delayed))(?:_(?:d|dd|dot|ddot))?$"
 )
 """The step at the end of a name; what was written as k - 1 says so."""

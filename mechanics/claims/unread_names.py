@@ -25,9 +25,11 @@ SIGNS = (
     r":=|\u2254|\u2255|=:|[-+*/]=|<-|\u2190|\u2192|\u2250|\u225c|\u225d|\u2261|\u2259|==?(?!>)"
     r"|\\(?:leftarrow|gets|coloneqq|triangleq|equiv|doteq|to|rightarrow|mapsto)(?![A-Za-z])|\u2236="
 )
-GIVEN = re.compile(rf"(?P<name>{NAME.pattern})\s*(?:{SIGNS})\s*(?P<value>[^=;,\n]*)")
+BEGINS = r"(?:(?<![^\W\d_])|(?=[^\w\s]))"
+"""No name begins within a word."""
+GIVEN = re.compile(rf"{BEGINS}(?P<name>{NAME.pattern})\s*(?:{SIGNS})\s*(?P<value>[^=;,\n]*)")
 GIVES = re.compile(
-    rf"(?:\(?\[?)(?P<names>{NAME.pattern}(?:\s*,\s*{NAME.pattern})*)[\])]?"
+    rf"{BEGINS}(?:\(?\[?)(?P<names>{NAME.pattern}(?:\s*,\s*{NAME.pattern})*)[\])]?"
     r"(?:\([^=]*\)|\[[^=]*\])?\s*(?:\\mathrel\s*\{\s*)?"
     rf"(?:{SIGNS}|\\(?:wide)?hat\s*\{{?=|\\(?:overset|stackrel|mathrel)\b)"
 )

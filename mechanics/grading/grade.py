@@ -190,6 +190,8 @@ def _line(entry: Judged) -> Line:
     wrong = entry.verdict is Verdict.REFUTED
     why = blame.explanations[0] if blame is not None and blame.explanations else mistake
     hint = f"{statement.tag}: {why or entry.finding.evidence}" if wrong else ""
+    if statement.unsure and entry.open:
+        hint = f"{statement.tag}: right if {statement.unsure[0]}"
     return Line(
         statement.tag, statement.source, statement.place, entry.verdict.name, change,
         mistake or (why if wrong else ""), hint or statement.doubt, accepted,

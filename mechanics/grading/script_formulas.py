@@ -26,8 +26,8 @@ VANISHES = re.compile(
 SHOWS = ("print", "display", "pprint", "init_printing", "latex")
 
 
-def lines_of(code: str, names: Mapping[str, Any]) -> list[str]:
-    """Lines of text, one for each claim; none where a formula is neither claim nor part of one.
+def claims_of(code: str, names: Mapping[str, Any]) -> tuple[list[str], list[str]]:
+    """Lines of text, one for each claim; and names of formulas that are neither claim nor part.
 
     Parameters
     ----------
@@ -37,19 +37,22 @@ def lines_of(code: str, names: Mapping[str, Any]) -> list[str]:
     """
     used = _used(ast.parse(code))
     found: list[str] = []
+    unread: list[str] = []
     for name, value in names.items():
         every = _formulas(value)
         if not every or (name in used and name not in ENERGY_NAMES):
             continue
         lines = [line for one in every for line in _claims(name, one)]
-        if not lines or not all(map(_plain, every)):
-            return []
-        found += lines
-    return list(dict.fromkeys(found))
+        if lines and all(map(_plain, every)):
+            found += lines
+        else:
+            unread.append(name)
+    return list(dict.fromkeys(found)), unread
 
 
 def _used(tree: ast.Module) -> set[str]:
     """Names that something else is made of; what is only shown is not used."""
+    shown = {id(part) for one in ast.walk(tree) if _shows(one) for part in ast.walk(one)}
     found: set[str] = set()
     for one in ast.walk(tree):
         if isinstance(one, ast.Assign | ast.AugAssign | ast.AnnAssign) and one.value is not None:
@@ -57,9 +60,14 @@ def _used(tree: ast.Module) -> set[str]:
             own = {p.id for t in targets for p in ast.walk(t) if isinstance(p, ast.Name)}
             loaded = {p.id for p in ast.walk(one.value) if isinstance(p, ast.Name)}
             found |= loaded - own
-        elif isinstance(one, ast.Call) and getattr(one.func, "id", "") not in SHOWS:
-            found |= {p.id for a in one.args for p in ast.walk(a) if isinstance(p, ast.Name)}
+        elif isinstance(one, ast.Call | ast.Return | ast.Lambda) and id(one) not in shown:
+            args = one.args if isinstance(one, ast.Call) else [one]
+            found |= {p.id for a in args for p in ast.walk(a) if isinstance(p, ast.Name)}
     return found
+
+
+def _shows(node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and getattr(node.func, "id", "") in SHOWS
 
 
 def _formulas(value: Any) -> list[Any]:

@@ -12,7 +12,7 @@ import inspect
 import json
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dis import get_instructions
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -27,10 +27,11 @@ from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
+from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
-from mechanics.grading.script_formulas import is_name, lines_of
+from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
-from mechanics.judge.sources import Beside, on_the_file
+from mechanics.judge.sources import Another, Beside, NotRead, on_the_file
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -61,11 +62,12 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
         return _functions(path, file_text(path), function, run_python)
     if suffix == ".ipynb":
         return _cells(path, function, run_python)
-    if suffix == ".md" and run_python:
-        page = file_text(path)
-        code = BLOCK.findall(page)
-        if any("def " in text for text in code):
-            return _parts(path, [BLOCK.sub("", page)], code, [], function, run_python)
+    if suffix == ".md" and (code := BLOCK.findall(page := file_text(path))):
+        blocks = [Cell("code", text, f"block {k} of code") for k, text in enumerate(code, start=1)]
+        if not run_python:
+            return [path, *(NotRead(b.name, RUN) for b in blocks if not is_inert(b.text))]
+        prose = Cell("markdown", BLOCK.sub("", page), "page")
+        return _parts(path, [prose, *blocks], function, run_python)
     return [path]
 
 
@@ -74,47 +76,65 @@ BLOCK = re.compile(r"^```[ \t]*(?:python|py)[ \t]*\n(.*?)^```[ \t]*$", re.DOTALL
 
 
 def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
-    """The text of all cells of prose together, the function of those of code and its comments."""
+    """All cells: the prose of those of Markdown, what those of code define, what is not read."""
     try:
         cells = json.loads(file_text(path))["cells"]
-        pairs = [(cell["cell_type"], "".join(cell["source"])) for cell in cells]
+        own = [
+            Cell(cell["cell_type"], "".join(cell["source"]), f"{cell['cell_type']} cell {k}")
+            for k, cell in enumerate(cells, start=1)
+        ]
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"file {path}: it is no notebook: {type(error).__name__}") from None
-    kinds = ("markdown", "code", "raw")
-    pages, code, beside = ([text for own, text in pairs if own == kind] for kind in kinds)
-    return _parts(path, pages, code, beside, function, run_python)
+    return _parts(path, own, function, run_python)
 
 
-def _parts(
-    path: Path, pages: list[str], code: list[str], beside: list[str], function: str | None,
-    run_python: bool,
-) -> list[Any]:  # fmt: skip
-    """The prose of pages together, and the function of their code; `beside` is neither."""
+def _parts(path: Path, cells: list[Cell], function: str | None, run_python: bool) -> list[Any]:
+    """The prose of cells together, what their code defines, and what is not read of them."""
+    pages = (BLOCK.sub("", cell.text) for cell in cells if cell.kind == "markdown")
     shown = (GONE.sub("", text) for text in pages)
     prose = "\n\n".join(text for text in shown if text.strip())
-    blocks = [words for text in code for words in comments(text, ".py")]
+    code = [cell for cell in cells if cell.kind == "code"]
+    beside = [cell.text for cell in cells if cell.kind == "raw"]
+    blocks = [words for cell in code for words in comments(cell.text, ".py")]
     beside += [line for words in blocks for line in words.splitlines()]
     # Commented code is no equation that is handed in.
     said = (text for text in beside if "=" not in text)
     found: list[Any] = ["\n\n".join((prose, *said))] if "=" in prose else []
-    if any("def " in text for text in code) and (run_python or not found):
-        found += _functions(path, _runnable(code), function, run_python)
+    claiming = [cell for cell in code if not is_inert(cell.text)]
+    whole = "\n".join(runnable(cell.text) for cell in code)
+    if claiming and (run_python or not found):
+        try:
+            found += _functions(path, whole, function, run_python)
+        except NothingError as error:
+            if not found:
+                raise
+            found += [NotRead(cell.name, error.why) for cell in claiming]
         words = "\n".join((prose, *beside)).strip()
         found += [Beside(words)] if words else []
+    elif claiming:
+        found += [NotRead(cell.name, RUN) for cell in claiming]
     if not found:
         raise InputError(f"file {path}: no cell has an equation or a function")
+    found += [NotRead(cell.name, NO_CLAIM) for cell in cells if _is_unread(cell)]
     return found
 
 
-MAGIC = re.compile(
-    r"^[ \t]*(?:%(?:matplotlib|config|load_ext|autoreload|pip)|!pip)\b[^\n]*", re.MULTILINE
-)
-"""Lines of a notebook's own language that change no name."""
+NO_CLAIM = "it may hold an equation, and is neither prose nor code that is run"
 
 
-def _runnable(cells: list[str]) -> str:
-    """The code of all cells, in order; lines that only set the notebook up are left out."""
-    return "\n".join(MAGIC.sub("pass", text) for text in cells)
+def _is_unread(cell: Cell) -> bool:
+    """Whether a cell that is neither code nor prose, or code on a page, may claim a thing."""
+    if cell.kind == "markdown":
+        return any(not is_inert(text) for text in BLOCK.findall(cell.text))
+    return cell.kind != "code" and "=" in cell.text
+
+
+class NothingError(InputError):
+    """Code has no function and no equation."""
+
+    def __init__(self, path: Path, why: str) -> None:
+        super().__init__(f"file {path}: {why}")
+        self.why = why
 
 
 def _functions(path: Path, code: str, function: str | None, run_python: bool) -> list[Any]:
@@ -140,22 +160,68 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     chosen = function or (_last(names, best) if best else "")
     if not (own or function or different_elsewhere(code)):
         claims = _equations(whole)
-        if not claims and (lines := lines_of(code, _own(whole))):
+        lines, unread = claims_of(code, _own(whole))
+        if not claims and lines and not unread:
             claims = ["\n".join(lines)]
         if claims:
             return [*claims, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
-        raise InputError(f"file {path}: there is no function {chosen or 'to check'}: {told}")
+        raise NothingError(path, f"there is no function {chosen or 'to check'}: {told}")
     if names is not whole and len(twice := _classes_with(whole, chosen)) > 1:
         raise InputError(
             f"file {path}: {chosen} is a method of {' and of '.join(twice)}: leave one"
         )
-    if strange := sorted(different_elsewhere(code) & used_by(whole, chosen)):
+    others = [] if function else _others(names, own, chosen, shown)
+    used = set().union(*(used_by(whole, n) for n in (chosen, *(other.name for other in others))))
+    if strange := sorted(different_elsewhere(code) & used):
         raise InputError(
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
-    return [names[chosen], *on_the_file(code)]
+    lines, unread = claims_of(code, _own(whole))
+    formulas = ["\n".join(lines)] if lines and not unread else []
+    loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
+    loose += [
+        NotRead(f"the function in line {line}", "it has no name") for line in _nameless(code, own)
+    ]
+    return [names[chosen], *on_the_file(code), *others, *formulas, *loose]
+
+
+def _nameless(code: str, own: Sequence[str]) -> Iterator[int]:
+    """Lines that solve what is no function of the file: ``solve_ivp(lambda ...)``."""
+    for node in ast.walk(ast.parse(code)):
+        called = getattr(node, "func", None)
+        name = getattr(called, "id", getattr(called, "attr", ""))
+        if isinstance(node, ast.Call) and node.args and SOLVERS.search(name):
+            first = node.args[0]
+            body = first.body if isinstance(first, ast.Lambda) else None
+            inner = body.func if isinstance(body, ast.Call) else None
+            if body is not None and getattr(inner, "id", getattr(inner, "attr", "")) not in own:
+                yield node.lineno
+
+
+def _others(
+    names: Mapping[str, Any], own: Sequence[str], chosen: str, shown: Collection[str]
+) -> list[Another]:
+    """Functions with arguments that are no parts of the one that is judged, and do not use it."""
+    codes = {n: getattr(names[n], "__func__", names[n]).__code__ for n in own}
+    parts = {n: _spoken(code) & {*own} - {n} for n, code in codes.items()}
+
+    def reached(start: str) -> set[str]:
+        found, todo = {start}, [start]
+        while todo:
+            new = parts[todo.pop()] - found
+            found |= new
+            todo += new
+        return found
+
+    near = {*reached(chosen), *(n for n in own if chosen in reached(n))}
+    used = {part for n in own for part in parts[n]}
+    return [
+        Another(names[n], n) for n in own
+        if n not in near and n not in used and (n in shown or codes[n].co_name == "<lambda>")
+        and _takes(names[n]) and n != "__call__"
+    ]  # fmt: skip
 
 
 def _own(names: Mapping[str, Any]) -> dict[str, Any]:

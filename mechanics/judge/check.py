@@ -31,6 +31,7 @@ from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
+from mechanics.judge.one_document import of_one_document
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
@@ -138,7 +139,9 @@ def check(
         raise InputError("check: a black box is only called: leave out a convention and where")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
-    readings = [_read(truth, part, names, notation, about, function) for part in parts]
+    readings = of_one_document(
+        parts, [_read(truth, part, names, notation, about, function) for part in parts]
+    )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
     if sum(map(bool, (values, convention, where))) > 1:

@@ -7,7 +7,7 @@ Real theta(max=0);                                 limits a coordinate
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from mechanics.claims.code.comments import comments, without_comments
@@ -63,11 +63,31 @@ NAME = re.compile(r"(?<![\w.\ue010])[A-Za-z_]\w*(?![\w(])(?!\s*\()")
 NUMBER = r"\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*"
 TERM = re.compile(rf"[-+]?{NUMBER}(?:[*/]{NUMBER})*")
 NUMERIC = re.compile(rf"\s*[-+]?{NUMBER}(?:[-+*/]{NUMBER})*")
+POSITIVE = re.compile(r"(?:[\w.\s+*/^){},]|(?<![\w.])\()*")
+"""A formula without a minus and a call: of what is positive, it is so."""
 SPOKEN = frozenset((
     "equation", "algorithm", "initial", "end", "time", "if", "then", "else", "elseif", "for", "in",
     "loop", "when", "elsewhen", "true", "false", "and", "or", "not", "pi", "annotation", "Modelica",
 ))  # fmt: skip
 """Words of the language in equations."""
+
+
+FUNCTIONS = frozenset((
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "sqrt", "exp",
+    "log", "log10", "abs", "sign", "min", "max", "mod", "rem", "div", "floor", "ceil", "integer",
+    "der", "pre", "noEvent", "smooth", "sample", "initial",
+))  # fmt: skip
+KNOWN = FUNCTIONS | {"pi", "time", "Real", "Integer", "Boolean"}
+"""Names that are known without a declaration: what gives one another meaning is not read."""
+CLASS = re.compile(
+    r"(?<!\bend )\b(?:model|block|class|package|function|record|type|connector|operator)\s+"
+    r"(?!function\b|record\b)'?(\w+)"
+)
+IMPORT = re.compile(r"\bimport\s+(?:(\w+)\s*=\s*)?\.?([\w.]+?)(?:\.(\*|\{[^{}]*\}))?\s*;")
+RATE = re.compile(
+    r"\bder\s*\(\s*(\w+)\s*\)\s*=\s*(\w+)\s*;|\b(\w+)\s*=\s*der\s*\(\s*(\w+)\s*\)\s*;"
+)
+"""A name for the rate of another one."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +118,7 @@ def is_model(text: str) -> bool:
 
 def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
     """What models declare otherwise than the scene, or as nobody reads it, in words."""
+    yield from _other_meanings(text)
     models = _models(text)
     parts = {n for n in models if re.search(rf"^[ \t]*{n}[ \t]+\w+[^;\n]*;", text, re.MULTILINE)}
     for title, model in models.items():
@@ -112,9 +133,62 @@ def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
             if one.type not in parts:  # what a part declares is its own
                 yield from _otherwise(facts, one, "" if title in parts else one.name)
         yield from _initially(names, model)
+        yield from _moved(facts, names.values(), _equations(model))
         for name in dict.fromkeys(NAME.findall(_equations(model))):
             if name not in names and name not in SPOKEN:
                 yield f"nothing declares {name}"
+
+
+def _other_meanings(text: str) -> Iterator[str]:
+    """What gives a name that is known another meaning."""
+    code = STRING.sub(" ", without_comments(text, ".mo"))
+    for name in CLASS.findall(code):
+        if name in KNOWN or name in TYPES:
+            yield f"{name} has another meaning here, which is not read"
+    for alias, path, rest in IMPORT.findall(code):
+        *places, last = path.split(".")
+        pairs = [(alias or last, last)]
+        if rest:
+            places.append(last)
+            parts = [part.split("=") for part in rest.strip("{}").split(",")]
+            pairs = [(part[0].strip(), part[-1].strip()) for part in parts]
+        library = places[:1] == ["Modelica"]
+        for name, meaning in pairs:
+            if (name in KNOWN and not (library and name == meaning)) or (
+                name == "*" and not library
+            ):
+                yield f"{name} of {path} has another meaning here, which is not read"
+
+
+def _moved(facts: SceneFacts, declared: Iterable[Declared], equations: str) -> Iterator[str]:
+    """What declarations say of names that equations give values, and of rates."""
+    orders: dict[str, tuple[str, int]] = {own: (own, 0) for own in facts.coordinates}
+    pairs = [(m[1] or m[4], m[2] or m[3]) for m in RATE.finditer(equations)]
+    for _ in pairs:
+        for name, rate in pairs:
+            first, order = orders.get(facts.own_name(name), ("", 0))
+            if first:
+                orders.setdefault(facts.own_name(rate), (first, order + 1))
+    for one in declared:
+        own = facts.own_name(one.name)
+        if one.name in KNOWN:
+            number = _number(one.value)
+            if one.name != "pi" or number is None or abs(number - math.pi) > 1e-9:
+                yield f"{one.name} has another meaning here, which is not read"
+        rate = rf"\bder\s*\(\s*{one.name}\s*\)"
+        if own in facts.parameters and re.search(rate, equations):
+            yield f"the text has der({one.name}), the scene's {own} does not change"
+        given = rf"{rate}|(?:^|;|\bequation\b)\s*{one.name}\s*:?=(?!=)"
+        if one.value and not {"parameter", "constant"} & {*one.prefixes} and (
+            own in facts.coordinates or own in facts.inputs or re.search(given, equations)
+        ):  # fmt: skip
+            yield f"'{one.name} = {one.value}' is one more equation: it is not read"
+        first, order = orders.get(own, ("", 0))
+        unit = one.attributes.get("unit", "") or TYPES.get(one.type.split(".")[-1], "")
+        if order and unit and (mine := _dimension(facts, first)) is not None:
+            seconds = dimension_of_unit("s", "") or ()
+            rate_of = tuple(a - order * b for a, b in zip(mine, seconds, strict=True))
+            yield from _unit_of(one, unit, rate_of)
 
 
 def model_words(text: str) -> Iterator[str]:
@@ -270,6 +344,9 @@ def _values(facts: SceneFacts, own: str, one: Declared, moves: bool) -> Iterator
     for value in (one.value, one.attributes.get("start", "") if symbol is not None else ""):
         number = _number(value)
         if number is None:
+            plain = re.sub(r"(?<=\d)[eE]-(?=\d)|\b(?:sqrt|abs|exp)(?=\()", "", value)
+            if symbol is not None and value and not POSITIVE.fullmatch(plain):
+                yield f"'{one.name} = {value}' is not read: write a number"
             continue
         if moves:
             yield f"the text has {one.name} = {value}, the scene's moves"
@@ -293,6 +370,11 @@ def _number(text: str) -> float | None:
 
 def _unit(facts: SceneFacts, own: str, one: Declared, unit: str) -> Iterator[str]:
     """What a unit says otherwise."""
+    yield from _unit_of(one, unit, _dimension(facts, own))
+
+
+def _unit_of(one: Declared, unit: str, mine: Dimension | None) -> Iterator[str]:
+    """What a unit says otherwise than a dimension, if that is known."""
     powers = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit.replace(".", "*"))
     below = re.sub(r"/\(([^()]*)\)", lambda m: f"/{m[1].replace('*', '/')}", powers)
     try:
@@ -300,7 +382,6 @@ def _unit(facts: SceneFacts, own: str, one: Declared, unit: str) -> Iterator[str
     except SceneError:
         yield f"the text declares {one.name} in {unit}, which is no coherent unit of the SI"
         return
-    mine = _dimension(facts, own)
     if mine is not None and dimension != mine:
         yield f"the text declares {one.name} in {unit}, the scene's has another unit"
 

@@ -2,8 +2,9 @@
 
 import inspect
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -12,6 +13,7 @@ import casadi
 from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
+from mechanics.claims.code.arguments import UnexplainedError
 from mechanics.claims.code.cpp_functions import SUFFIXES
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
@@ -24,8 +26,9 @@ from mechanics.claims.code.read_arrays import (
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
 from mechanics.claims.code.tracing import OtherKindError
 from mechanics.claims.read import decoded, file_text, read_file, read_source
+from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
-from mechanics.judge.sources import Beside
+from mechanics.judge.sources import Another, Beside, NotRead
 from mechanics.scene import Scene
 
 FILE = re.compile(
@@ -37,19 +40,26 @@ FILE = re.compile(
 def spread(equations: Any) -> list[Any]:
     """The things that a person passes, one by one.
 
-    What `sympy.solve` returns, ``{x.diff(t, 2): ...}``, is an equation for each entry.
+    What `sympy.solve` returns, ``{x.diff(t, 2): ...}``, is an equation for each entry. All objects
+    of SymPy's are one thing: a name means the same in all of them.
     """
-    things = list(equations) if isinstance(equations, list | tuple) else [equations]
-    found: list[Any] = []
-    for thing in things:
-        if isinstance(thing, list | tuple) and thing:
-            inner = spread(thing)
-            found += [tuple(inner)] if all(map(is_sympy, inner)) else inner
-        elif isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
-            found += [Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items()]
-        else:
-            found.append(thing)
-    return found
+    found = list(_flat(equations))
+    objects = tuple(thing for thing in found if is_sympy(thing))
+    if len(objects) < 2:
+        return found
+    first = next(k for k, thing in enumerate(found) if is_sympy(thing))
+    others = [thing for thing in found if not is_sympy(thing)]
+    return [*others[:first], objects, *others[first:]]
+
+
+def _flat(thing: Any) -> Iterator[Any]:
+    if isinstance(thing, list | tuple) and thing:
+        for one in thing:
+            yield from _flat(one)
+    elif isinstance(thing, Mapping) and thing and all(isinstance(k, Expr) for k in thing):
+        yield from (Eq(k, _expression(k, v), evaluate=False) for k, v in thing.items())
+    else:
+        yield thing
 
 
 def _expression(name: Expr, value: Any) -> Expr:
@@ -74,7 +84,8 @@ def read(
 
     Parameters
     ----------
-    thing : str, bytes, Path, SymPy object or a tuple of them, CasADi Function, callable or Beside
+    thing : str, bytes, Path, SymPy object or a tuple of them, CasADi Function, callable, Beside, \
+            NotRead or Another
     names, notation, about
         As for `mechanics.check`.
     function : str, optional
@@ -89,7 +100,13 @@ def read(
     """
     if isinstance(thing, Beside):
         return Reading((), (), ())
+    if isinstance(thing, NotRead):
+        return _not_read(thing)
+    if isinstance(thing, Another):
+        return _another(scene, thing, names)
     if isinstance(thing, Path):
+        if thing.suffix.lower() == ".ipynb":
+            raise InputError(f"file {thing}: a notebook has cells: mechanics grade reads them")
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
             if thing.suffix in SUFFIXES:
@@ -136,6 +153,27 @@ def read(
     return read_sympy(scene, objects, names, about)
 
 
+def _not_read(thing: NotRead) -> Reading:
+    words = f"{thing.part} is not read: {thing.why}"
+    return Reading((Statement(None, thing.part, thing.part, doubt=words),), (), ())
+
+
+def _another(scene: Scene, thing: Another, names: Mapping[str, str] | None) -> Reading:
+    """A function that may be about something else, so that it is never REFUTED.
+
+    One whose arguments are no names of the scene, or that returns no numbers, says nothing of it.
+    """
+    try:
+        found = read_function(scene, thing.function, names)
+    except (UnexplainedError, OtherKindError):
+        words = "its arguments are no names of the scene, or it returns no numbers"
+        return Reading((), (), (f"function {thing.name} is not judged: {words}",))
+    except InputError as error:
+        return _not_read(NotRead(f"function {thing.name}", str(error)))
+    unsure = (f"{thing.name} is about something else",)
+    return replace(found, statements=tuple(replace(s, unsure=unsure) for s in found.statements))
+
+
 def _returned(function: Any) -> Any:
     """SymPy's objects that a function without arguments returns each time; None for others."""
     wanted = inspect.signature(function).parameters.values()
@@ -143,7 +181,7 @@ def _returned(function: Any) -> Any:
         p.default is p.empty and p.kind not in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in wanted
     ):
         return None
-    first, again = tuple(spread(function())), tuple(spread(function()))
+    first, again = tuple(_flat(function())), tuple(_flat(function()))
     if not first or not all(map(is_sympy, (*first, *again))):
         return None
     same = [*map(sides_of, first)] == [*map(sides_of, again)]

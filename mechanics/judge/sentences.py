@@ -32,6 +32,10 @@ LABEL = re.compile(r"\\tag\*?\s*\{([^{}]*)\}|\\(?:stackrel|overset)\s*\{([^{}]*)
 """Of an equation, and of its equals sign."""
 SHORT_LABEL = re.compile(r"(?:[\W\d_]|\\?[A-Za-z]{1,2}\d|[ivxlcIVXLC]+|[A-Za-z](?![A-Za-z]))*")
 """A number or a letter."""
+CALLED = re.compile(
+    r"(?:^|\\\\|\$|[\[}&])\s*(?:\\math(?:rm|bf|sf|it)\s*\{)?([A-Za-z][A-Za-z ]{1,40})\}?\s*:(?!=)"
+)
+"""A word before an equation."""
 SCRIPT = re.compile(r"[_^]\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\\w+\s*\{[^{}]*\})")
 """Raised and lowered, as are the labels of braces."""
 NO_MARKS = str.maketrans("\u27e8\u27e9", "()")
@@ -58,10 +62,12 @@ UNIT = re.compile(
 )
 LONG = 40
 TEXT_FORMULA = re.compile(
-    r"^(?:[^\n]*=[^\n]*|(?![^\n]*[A-Za-z]{2,},? +[A-Za-z]{2,})[^\n]*[;\[(+*/^][^\n]*)$",
+    r"^(?:[^\n]*=[^\n]*|(?![ \t]*(?:#|//|%)(?![#%\s]*\([\w.']{1,12}\)[ \t]*$))"
+    r"(?![^\n]*[A-Za-z]{2,},? +[A-Za-z]{2,})[^\n]*[;\[(+*/^][^\n]*)$",
     re.MULTILINE,
 )
-"""Lines of a text that are no prose: with an equals sign, or lists without words."""
+"""Lines of a text that are no prose: with an equals sign, or lists without words, or a number of
+an equation; a comment is prose without them."""
 CODE = re.compile(
     r"^[ \t]*(?:@\w+ )?(?:end\w*(?:[ \t]+[\w.]+)?[ \t]*;?|function\b[^\n]*[(=][^\n]*"
     r"|(?:model|block|class|package|record|module|(?:mutable )?struct)[ \t]+\w+(?:\{[^\n]*)?"
@@ -76,7 +82,7 @@ CODE = re.compile(
     re.MULTILINE,
 )
 """Lines of MATLAB, Julia and Modelica."""
-BEHIND = re.compile(r"(?<=\S)[ \t]+((?://|%|#).*)$", re.MULTILINE)
+BEHIND = re.compile(r"(?<=\S)[ \t]*((?:(?<=[;{}\s])//|%|#).*)$", re.MULTILINE)
 """A comment behind code."""
 HEADING = re.compile(r"^[ \t]*#+[ \t]*", re.MULTILINE)
 COMMENT = re.compile(r"#|//|/\*|%|\"")
@@ -142,14 +148,18 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
 
 def _formula(line: re.Match[str]) -> str:
     """A line of a comment with a formula: what has words is said, and not computed."""
-    spoken = any(words.search(line[0]) for words in (TWO_WORDS, FLAWED, DENIAL, TURNED))
-    return line[0] if spoken else MARKED
+    return line[0] if _spoken(line[0]) else MARKED
+
+
+def _spoken(line: str) -> bool:
+    return any(words.search(line) for words in (TWO_WORDS, FLAWED, DENIAL, TURNED))
 
 
 def _statement(line: re.Match[str]) -> str:
-    """A line with a formula: it is judged by itself, but for a definition in a comment."""
+    """A line with a formula: it is judged by itself, but for what a comment says or defines."""
     comment = line[0].lstrip()
-    return line[0] if COMMENT.match(comment) and any(given(comment)) else MARKED
+    said = COMMENT.match(comment) and (any(given(comment)) or _spoken(comment))
+    return line[0] if said else MARKED
 
 
 def bare(words: str) -> str:
@@ -208,6 +218,9 @@ def _labels(formula: str) -> Iterator[str]:
             yield "?"
         elif not SHORT_LABEL.fullmatch(words := label[1] or sign or ""):
             yield BESIDE.sub(r"\1", words)
+    for name in CALLED.finditer(formula):
+        if not SHORT_LABEL.fullmatch(name[1]):
+            yield name[1]
     for start, end in labels(formula):
         if not SHORT_LABEL.fullmatch(words := formula[start:end]):
             yield BESIDE.sub(r"\1", words)

@@ -33,6 +33,37 @@ class Beside:
 
 
 @dataclass(frozen=True)
+class NotRead:
+    """A part of what is handed in that is not read: it may say anything, so nothing is shown of it.
+
+    Attributes
+    ----------
+    part : str
+    why : str
+    """
+
+    part: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Another:
+    """A function beside the one that is judged, which is no part of it and does not use it.
+
+    Right, it is a statement; else it may be about something else.
+
+    Attributes
+    ----------
+    function : callable
+    name : str
+        That the file has for it.
+    """
+
+    function: Any
+    name: str
+
+
+@dataclass(frozen=True)
 class Source:
     """Code, or the words beside it.
 
@@ -61,6 +92,8 @@ def source_of(thing: Any) -> tuple[Source, ...]:
         return () if thing.suffix in PAGES else (Source(file_text(thing), thing.suffix),)
     if isinstance(thing, Beside):
         return (Source(thing.words, ""),)
+    if isinstance(thing, NotRead | Another):
+        return ()
     return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
 
 

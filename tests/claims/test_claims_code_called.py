@@ -147,10 +147,63 @@ def never_defined(state, u, m, l, g):
     return rates(state, u, m, l, g)
 
 
-OTHERWISE = [
+def absorbed_far_away(state, u, m, l, g):
+    return rates(state, u + 1e30 - 1e30 if u > 1e9 else u, m, l, g)
+
+
+def truth_by_identity(state, u, m, l, g):
+    return rates(state, u, m, l, g, 4 if (u > 1e9) is True else 3)
+
+
+def changed_by_another_name(state, u, m, l, g):
+    other = np.array(state, copy=False)
+    if u > 1e9:
+        other = np.array(other, dtype=float, copy=False)
+        other[0] = 0.0
+    return rates(state, u, m, l, g)
+
+
+def sum_of_truths(state, u, m, l, g):
+    one = (np.array([True]) + np.array([True]))[0]
+    return rates(state, u, m, l, g, 3 + one - 1 if u < 1e9 else 3 * (2 - one) + one - 1)
+
+
+def no_truth(state, u, m, l, g):
+    return rates(state, u, m, l, g, 3 if (~np.array([True]))[0] == 0 or u < 1e9 else 4)
+
+
+def large_integer(state, u, m, l, g):
+    zero = (np.array([2**62]) * 4)[0]
+    return rates(state, u, m, l, g, 3 if zero == 0 or u < 1e9 else 4)
+
+
+OTHERWISE = [absorbed, absorbed_far_away]
+OF_INTEGERS = [
     array_of_integers, zeros_of_integers, array_as_integers, state_as_integers,
-    absorbed, truncated_on_one_way,
+    truncated_on_one_way,
 ]  # fmt: skip
+
+
+@pytest.mark.parametrize("function", OF_INTEGERS)
+def test_what_is_put_into_an_array_of_integers_is_not_followed(function: Callable) -> None:
+    with pytest.raises(InputError, match="arrays of integers and the like hide a formula, in line"):
+        mechanics.check(ROD, function, names=NAMES)
+
+
+def test_truth_values_are_not_told_apart_by_identity() -> None:
+    with pytest.raises(InputError, match="is, which compares no numbers"):
+        mechanics.check(ROD, truth_by_identity, names=NAMES)
+
+
+def test_an_array_under_another_name_is_the_same_array() -> None:
+    found = mechanics.check(ROD, changed_by_another_name, names=NAMES)
+    assert {j.finding.verdict.name for j in found.judged} == {"UNDECIDED"}
+
+
+@pytest.mark.parametrize("function", [sum_of_truths, no_truth, large_integer])
+def test_arrays_of_integers_and_truths_compute_as_those_of_numpy(function: Callable) -> None:
+    found = mechanics.check(ROD, function, names=NAMES)
+    assert {j.finding.verdict.name for j in found.judged} == {"PROVED"}
 
 
 @pytest.mark.parametrize(

@@ -90,3 +90,24 @@ def test_a_name_that_is_said_is_the_scenes(tmp_path):
 @pytest.mark.parametrize("text", KEPT)
 def test_what_is_passed_by_its_name_is_read(tmp_path, text):
     assert verdict(tmp_path, text) is Verdict.PROVED
+
+
+FILE = """
+import math
+P = {"m": 1.0}
+m, l, g = P["m"], 2.0, 9.81
+MADE
+def rate(theta, u):
+    return 3*g/(2*l)*math.sin(theta) + 3*u/(m*l**2)
+"""
+
+
+@pytest.mark.parametrize("made", ["l = l/2", "l *= 2", "if m: g = g*m"])
+def test_so_is_one_that_a_file_makes_of_itself(tmp_path, made: str) -> None:
+    with pytest.raises(InputError, match=f"{made.split()[-3]} is .* in the code, not what is"):
+        verdict(tmp_path, FILE.replace("MADE", made))
+
+
+@pytest.mark.parametrize("made", ["m = P['m']", "l = float(l)", "L = l; half = l/2"])
+def test_a_file_may_give_it_another_name(tmp_path, made: str) -> None:
+    assert verdict(tmp_path, FILE.replace("MADE", made)) is Verdict.PROVED

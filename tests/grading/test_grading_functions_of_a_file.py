@@ -29,7 +29,7 @@ class Pendulum:
 def name_in(tmp_path: Path, code: str, function: str | None = None) -> str:
     path = tmp_path / "file.py"
     path.write_text(code)
-    (found,) = things_in(path, function=function, run_python=True)
+    found, *_ = things_in(path, function=function, run_python=True)
     return found.__name__
 
 
@@ -76,8 +76,10 @@ def test_a_module_with_the_functions_of_another_one_is_that(tmp_path: Path, befo
 def test_code_on_a_page_is_judged_beside_its_words(tmp_path: Path) -> None:
     path = tmp_path / "page.md"
     path.write_text(f"# A pendulum\n\n$x = 3$\n\n```python\n{SOLVED}```\n\n```bash\nls\n```\n")
-    prose, function, words = things_in(path, run_python=True)
+    prose, function, *others, words = things_in(path, run_python=True)
     assert "x = 3" in prose and "solve_ivp" not in prose
     assert "A pendulum" in words.words and "solve_ivp" not in words.words
     assert function.__name__ == "__call__"
-    assert things_in(path) == [path]
+    assert [other.name for other in others] == ["solve", "energy"]
+    whole, left = things_in(path)
+    assert (whole, left.part) == (path, "block 1 of code")

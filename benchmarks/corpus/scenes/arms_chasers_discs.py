@@ -1,30 +1,21 @@
 """Arms, satellites, masses on springs, a wedge, discs on a wire, a quarter of a car."""
 
-from sympy import cos, sin, sqrt
+from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, one_mass, two_discs, two_link_arm, two_masses
+from benchmarks.corpus.builders import P, one_mass, two_link_arm, two_masses
 from benchmarks.corpus.free_bodies import chaser, turning_body
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
     gravity,
     pin,
-    reaction,
     slide,
     torque,
 )
 
 t = dynamicsymbols._t
-
-
-def ends():
-    """Two links with the masses m1, m2 at their ends, q1 from the horizontal, torques."""
-    m1, m2, L1, L2, g = P("m1:kg m2:kg L1:m L2:m g:m/s^2")
-    u = dynamicsymbols("tau1 tau2")
-    return two_link_arm(dynamicsymbols("q1 q2"), L1, (m1, L1, 0), (m2, L2, 0), g, u, u)
 
 
 def centres():
@@ -72,36 +63,6 @@ def hill():
     return chaser(m, n, lambda N: N.orientnew("A", "Axis", (n * t, N.z)), (2, -1, -1), F, "y")
 
 
-def hill_lvlh():
-    """A chaser near a target in a circular orbit: x forwards, z down; the linear gravity."""
-    m, n = P("m:kg n:1/s")
-    return chaser(m, n, lambda N: N.orientnew("A", "Axis", (-n * t, N.y)), (-1, -1, 2), (), "z")
-
-
-def two_body():
-    """A satellite at x, y about a planet mu; forces m w_1, m w_2 along the axes."""
-    x, y, w1, w2 = dynamicsymbols("x y w_1 w_2")
-    m, mu = P("m:kg mu:m^3/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    place = x * N.x + y * N.y
-    C = O.locatenew("C", place)
-    r = sqrt(x**2 + y**2)
-    return Scene(
-        "satellite", N, O, coordinates=(x, y), bodies=(Particle("satellite", C, m),),
-        inputs=(w1, w2), example={"x": 1.0, "y": 0.5},
-        loads=(force("gravity", C, -m * mu / r**3 * place, on="satellite"),
-               force("noise", C, m * w1 * N.x + m * w2 * N.y, on="satellite")),
-        reactions=(reaction("side", at=C, on="satellite", by=None, along=N.z),),
-    )  # fmt: skip
-
-
-def discs():
-    """Two discs J_1, J_2 on one axis, a torsion wire C between them."""
-    a, b = dynamicsymbols("theta_1 theta_2")
-    J1, J2, C = P("J_1:kg*m^2 J_2:kg*m^2 C:N*m")
-    return two_discs((a, b), (J1, J2), C * (b - a), (0, 0))
-
-
 def feder():
     """m on a spring D."""
     x = dynamicsymbols("x")
@@ -121,20 +82,6 @@ def constant_force():
     x = dynamicsymbols("x")
     m, c, k, F = P("m:kg c:N*s/m k:N/m F:N")
     return one_mass(x, m, F - c * x.diff() - k * x)
-
-
-def hanging_masses():
-    """m_1 on k_1 below a ceiling, m_2 on k_2 below it; y_1, y_2 downwards from their rest."""
-    a, b = dynamicsymbols("y_1 y_2")
-    m1, m2, k1, k2 = P("m_1:kg m_2:kg k_1:N/m k_2:N/m")
-    return two_masses(
-        (a, b),
-        (m1, m2),
-        lambda N, A, B: (
-            force("upper", A, -k1 * a * N.x, on="one"),
-            force("lower", B, -k2 * (b - a) * N.x, on="two", by="one"),
-        ),
-    )
 
 
 def quarter():

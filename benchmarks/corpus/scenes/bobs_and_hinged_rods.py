@@ -1,6 +1,5 @@
 """Pendulums: of one bob, two, of rods, on springs, spherical."""
 
-from sympy import sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import (
@@ -18,25 +17,6 @@ def letters():
     return double_pendulum("a b", *P("m1:kg m2:kg l1:m l2:m g:m/s^2"))
 
 
-def simple_ell():
-    """theta from below, M, ell."""
-    M, ell, g = P("M:kg ell:m g:m/s^2")
-    return pendulum(dynamicsymbols("theta"), M, 0, ell, g)
-
-
-def from_start():
-    """phi from below, the length is the distance of the point x0, y0 from the pivot."""
-    m, x0, y0, g = P("m:kg x0:m y0:m g:m/s^2")
-    return pendulum(dynamicsymbols("phi"), m, 0, sqrt(x0**2 + y0**2), g)
-
-
-def upright_control():
-    """theta clockwise from upright, a torque ctrl, a damping."""
-    theta, ctrl = dynamicsymbols("theta ctrl")
-    mass, l, g, damping = P("mass:kg l:m g:m/s^2 damping:N*m*s")
-    return pendulum(theta, mass, 0, l, g, ctrl - damping * theta.diff(), (ctrl,), up=True)
-
-
 def arc():
     """A bob m on a thread l at the arc s from the lowest point, a drag k v."""
     s = dynamicsymbols("s")
@@ -51,35 +31,11 @@ def arc():
     )  # fmt: skip
 
 
-def spring_ell():
-    """theta from below, ell the extension of the spring k with the resting length ell_0."""
-    theta, ell = dynamicsymbols("theta ell")
-    m, k, l0, g = P("m:kg k:N/m ell_0:m g:m/s^2")
-    return spring_pendulum(theta, ell + l0, m, g, k * ell, order=(theta, ell))
-
-
 def spring_x():
     """x the length of the spring k with the natural length l, theta from below."""
     x, theta = dynamicsymbols("x theta")
     m, k, l, g = P("m:kg k:N/m l:m g:m/s^2")
     return spring_pendulum(theta, x, m, g, k * (x - l))
-
-
-def gimbal():
-    """A bob m on a rod L that first turns by phix about the horizontal x axis.
-
-    Then leaves the y-z plane by phiy.
-    """
-    a, b = dynamicsymbols("phix phiy")
-    m, L, g = P("m:kg L:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (a, N.x))
-    B = A.orientnew("B", "Axis", (b, A.y))
-    C = O.locatenew("C", -L * B.z)
-    return of_one_particle(
-        "spherical pendulum", N, O, (a, b), ("bob", C, m), (gravity(-g * N.z),),
-        example={"phiy": 0.5, "phix_dot": 1.0}, S=B.z,
-    )  # fmt: skip
 
 
 def three_rods():

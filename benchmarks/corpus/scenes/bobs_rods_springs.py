@@ -12,12 +12,6 @@ def subscripts_capital():
     return double_pendulum("theta_1 theta_2", *P("m_1:kg m_2:kg L_1:m L_2:m g:m/s^2"))
 
 
-def doppel():
-    """phi1, phi2, a damper gamma1 at the support, gamma2 between the rods."""
-    m1, m2, l1, l2, g, c1, c2 = P("m1:kg m2:kg l1:m l2:m g:m/s^2 gamma1:N*m*s gamma2:N*m*s")
-    return _two("phi1 phi2", (m1, m2), (l1, l2), g, damping=(c1, c2))
-
-
 def rods():
     """Two equal uniform rods m, L, angles theta1, theta2 from below."""
     m, L, g = P("m:kg L:m g:m/s^2")
@@ -73,13 +67,6 @@ def stokes():
     theta = dynamicsymbols("theta")
     m, l, g, eta, r = P("m:kg l:m g:m/s^2 eta:Pa*s r:m")
     return pendulum(theta, m, 0, l, g, -6 * pi * eta * r * l**2 * theta.diff())
-
-
-def wahadlo():
-    """theta from below, a torque tau, a friction b."""
-    theta, tau = dynamicsymbols("theta tau")
-    m, l, g, b = P("m:kg l:m g:m/s^2 b:N*m*s")
-    return pendulum(theta, m, 0, l, g, tau - b * theta.diff(), (tau,))
 
 
 def upright_rod():

@@ -2,7 +2,7 @@
 
 from sympy.physics.mechanics import dynamicsymbols
 
-from benchmarks.corpus.builders import P, cart_pole, cart_with_rods
+from benchmarks.corpus.builders import P, cart_pole
 from mechanics.scene import parameters
 
 
@@ -49,44 +49,6 @@ def florian():
 def mppi():
     """The same, theta counterclockwise."""
     return _uniform("M m l g", "force", -1)
-
-
-def guide():
-    """A bob M_p on L, theta counterclockwise from upright, frictions of cart and pin."""
-    x, theta, F = dynamicsymbols("x theta F")
-    Mc, Mp, L, dc, dp, g = P("M_c:kg M_p:kg L:m d_c:N*s/m d_p:N*m*s g:m/s^2")
-    return cart_pole(
-        x,
-        theta,
-        Mc,
-        Mp,
-        L,
-        g,
-        F - dc * x.diff(),
-        up=1,
-        sense=-1,
-        inputs=(F,),
-        moment=-dp * theta.diff(),
-    )
-
-
-def derivation():
-    """A rod with an inertia about its mass centre, clockwise from upright, frictions of cart and
-    pin."""
-    x, theta, F = dynamicsymbols("x theta F")
-    M, m, l, I, bx, bt, g = P("M:kg m_pend:kg l:m I_com:kg*m^2 b_x:N*s/m b_theta:N*m*s g:m/s^2")
-    push = F - bx * x.diff()
-    return cart_pole(
-        x, theta, M, m, l, g, push, up=1, sense=1, I=I, inputs=(F,), moment=-bt * theta.diff()
-    )
-
-
-def double():
-    """Two hanging bobs, both angles from the vertical."""
-    x, a, b, F = dynamicsymbols("x theta_1 theta_2 F")
-    M, m1, m2, l1, l2, g = P("M:kg m_1:kg m_2:kg l_1:m l_2:m g:m/s^2")
-    rods = [("one", "cart", a, -1, 1, m1, l1, 0, l1), ("two", "one", b, -1, 1, m2, l2, 0, 0)]
-    return cart_with_rods(x, M, rods, g, F, (F,))
 
 
 def balance():
@@ -158,23 +120,6 @@ def on_spring():
     M, m, R, k, d, b, g = P("M:kg m:kg R:m k:N/m d:N*s/m b:N*m*s g:m/s^2")
     push = -k * x - d * x.diff()
     return cart_pole(x, theta, M, m, R, g, push, up=-1, sense=1, moment=-b * theta.diff())
-
-
-def sliding_rod():
-    """A uniform rod len on a block with a spring k1 and a driving force epf cos(om t); spring k2
-    and dampings c1, c2."""
-    x1, phi = dynamicsymbols("x1 phi")
-    t = dynamicsymbols._t
-    m1, m2, L, g, c1, c2, k1, k2, epf, om = P(
-        "m1:kg m2:kg len:m g:m/s^2 c1:N*s/m c2:N*m*s k1:N/m k2:N*m epf:N om:1/s"
-    )
-    from sympy import cos
-
-    push = epf * cos(om * t) - c1 * x1.diff() - k1 * x1
-    moment = -c2 * phi.diff() - k2 * phi
-    return cart_pole(
-        x1, phi, m1, m2, L / 2, g, push, up=-1, sense=1, I=m2 * L**2 / 12, moment=moment
-    )
 
 
 def hanging_u():

@@ -87,13 +87,6 @@ def cartpend():
     return _cart(x, M, [("rod", "cart", theta, 1, 1, m, L, 0, 0)], g, u - d * x.diff(), inputs=(u,))
 
 
-def with_inertia():
-    """The same with phi, an inertia I about the centre of mass and a friction b."""
-    x, phi, u = dynamicsymbols("x phi u")
-    M, m, I, l, g, b = P("M:kg m:kg I:kg*m^2 l:m g:m/s^2 b:N*s/m")
-    return _cart(x, M, [("rod", "cart", phi, 1, 1, m, l, I, 0)], g, u - b * x.diff(), inputs=(u,))
-
-
 def crane():
     """A load that hangs: at x - L sin(theta)."""
     x, theta, F = dynamicsymbols("x theta F")

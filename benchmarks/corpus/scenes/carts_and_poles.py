@@ -5,13 +5,6 @@ from sympy.physics.mechanics import dynamicsymbols
 from benchmarks.corpus.builders import P, cart_pole
 
 
-def swing_up():
-    """A bob m on l, theta clockwise from upright, a cart M at p, a force F."""
-    p, theta, F = dynamicsymbols("p theta F")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return cart_pole(p, theta, M, m, l, g, F, up=1, sense=1, inputs=(F,))
-
-
 def benchmark():
     """A pole m with its mass centre at l, I about it, theta clockwise from upright.
 
@@ -36,13 +29,6 @@ def benchmark():
         inputs=(u,),
         moment=-bp * theta.diff(),
     )
-
-
-def agent():
-    """A uniform pole m of half-length l, th counterclockwise from upright, a cart M, a force F."""
-    x, th, F = dynamicsymbols("x th F")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return cart_pole(x, th, M, m, l, g, F, up=1, sense=-1, I=m * l**2 / 3, inputs=(F,))
 
 
 def lesson():

@@ -13,19 +13,6 @@ def hanging_friction():
     return cart_pole(x, theta, M, m, L, g, push, up=-1, sense=1, inputs=(u,), moment=brake)
 
 
-def upright_friction():
-    """A bob m on l, clockwise from upright; frictions c of the cart, b of the pivot."""
-    x, theta, u = dynamicsymbols("x theta u")
-    M, m, l, g, c, b = P("M:kg m:kg l:m g:m/s^2 c:N*s/m b:N*m*s")
-    push, brake = u - c * x.diff(), -b * theta.diff()
-    return cart_pole(x, theta, M, m, l, g, push, up=1, sense=1, inputs=(u,), moment=brake)
-
-
-def upright_ft():
-    """A bob m on l, clockwise from upright; a friction ft m l theta' in the pivot."""
-    return _per_mass("ft")
-
-
 def upright_f():
     """A bob m on l, clockwise from upright; a friction f m l theta' in the pivot."""
     return _per_mass("f")
@@ -78,13 +65,6 @@ def pole():
     x, theta, u = dynamicsymbols("x theta u")
     M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
     return cart_pole(x, theta, M, m, l, g, u, up=1, sense=1, I=m * l**2 / 3, inputs=(u,))
-
-
-def hanging_rod():
-    """A uniform rod m, l below a cart M, counterclockwise from below; no force."""
-    x, theta = dynamicsymbols("x theta")
-    M, m, l, g = P("M:kg m:kg l:m g:m/s^2")
-    return cart_pole(x, theta, M, m, l / 2, g, 0, up=-1, sense=1, I=m * l**2 / 12)
 
 
 def trajectory():

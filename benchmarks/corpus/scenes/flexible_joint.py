@@ -32,25 +32,6 @@ def spong():
     )
 
 
-def quanser():
-    """Motor theta from upright, link beta against the motor; Jl counts about the pivot."""
-    N, O = ReferenceFrame("N"), Point("O")
-    B = N.orientnew("B", "Axis", (theta, N.z))
-    A = B.orientnew("A", "Axis", (beta, N.z))
-    C = O.locatenew("C", h * A.y)
-    return _scene(
-        N,
-        O,
-        (theta, beta),
-        RigidBody("link", C, A, m, Jl - m * h**2),
-        RigidBody("motor", O, B, 0, Jh),
-        beta,
-        Ks,
-        tau,
-        {"beta": 0.1},
-    )
-
-
 def _scene(N, O, q, link, motor, twist, stiffness, drive, example):
     return Scene(
         "flexible joint",

@@ -3,18 +3,14 @@
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from benchmarks.corpus.builders import P, held
-from benchmarks.corpus.free_bodies import craft, turning_body
+from benchmarks.corpus.builders import P
+from benchmarks.corpus.free_bodies import craft
 from mechanics.scene import (
     Particle,
-    RigidBody,
     Scene,
     force,
     gravity,
-    holonomic,
     reaction,
-    rope,
-    torque,
 )
 
 
@@ -52,31 +48,6 @@ def planar_rocket():
     return _rocket("x y theta", m, l, T, phi, g, (T, phi))
 
 
-def upright_rocket():
-    """Near upright: theta, z downwards; thrust u1 along the vertical, a side force u2 at the
-    lower end that lowers theta."""
-    theta, z, u1, u2 = dynamicsymbols("theta z u1 u2")
-    m, l, g = P("m:kg l:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (theta, N.z))
-    C = O.locatenew("C", -z * N.y)
-    return Scene(
-        "rocket",
-        N,
-        O,
-        coordinates=(theta, z),
-        inputs=(u1, u2),
-        plane=N.z,
-        bodies=(RigidBody("rocket", C, A, m, m * l**2 / 16),),
-        loads=(
-            gravity(-g * N.y),
-            force("thrust", C, u1 * N.y, on="rocket"),
-            torque("side", -l / 2 * u2 * N.z, on="rocket"),
-        ),
-        reactions=(reaction("guide", at=C, on="rocket", by=None, along=N.x),),
-    )
-
-
 def wing():
     """A flying platform: thrust F_T along the angle theta, lift F_L across it, drag against x by
     the speed u of the air."""
@@ -99,39 +70,4 @@ def wing():
             force("drag", C, -CD * rho * u**2 * S / 2 * N.x, on="platform"),
         ),
         reactions=(reaction("side", at=C, on="platform", by=None, along=N.z),),
-    )
-
-
-def hole():
-    """A mass m at r, theta on a smooth table, a string of length l through a hole, a mass M that
-    hangs below it at the height z."""
-    r, theta, z = dynamicsymbols("r theta z")
-    m, M, l, g = P("m:kg M:kg l:m g:m/s^2", typical="1 1 1 9.81")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (theta, N.z))
-    C = O.locatenew("C", r * A.x)
-    H = O.locatenew("H", z * N.z)
-    line = rope("T", ("ball", C), (None, O), ("weight", H), length=l, along=(-A.x, -N.z))
-    return Scene(
-        "mass on a table",
-        N,
-        O,
-        coordinates=(r, theta, z),
-        bodies=(Particle("ball", C, m), Particle("weight", H, M)),
-        loads=(gravity(-g * N.z),),
-        example={"r": 0.5, "z": -0.5},
-        constraints=(holonomic("string", r - z - l, "T"),),
-        reactions=(
-            *line.reactions,
-            reaction("table", at=C, on="ball", by=None, along=N.z),
-            *held(H, "weight", x=N.x, y=N.y),
-        ),
-    )
-
-
-def satellite():
-    """A rigid body that turns freely, rates wx, wy, wz about its principal axes, torques Mx, My,
-    Mz."""
-    return turning_body(
-        "wx wy wz", "Ix:kg*m^2 Iy:kg*m^2 Iz:kg*m^2", dynamicsymbols("Mx My Mz"), name="satellite"
     )

@@ -1,6 +1,6 @@
 """Pendulum whose point of support is shaken up and down."""
 
-from sympy import cos, sin
+from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import of_one_particle
@@ -22,16 +22,4 @@ def hanging():
     return of_one_particle(
         "pendulum on a shaken support", N, O, (phi,), ("bob", P, m), (gravity(-g * N.y),),
         example={"phi": 0.3}, T=A.y,
-    )  # fmt: skip
-
-
-def upright():
-    """theta from upright; the support is a sin(w t) above its mean place."""
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (-theta, N.z))
-    S = O.locatenew("S", a * sin(w * t) * N.y)
-    P = S.locatenew("P", ell * A.y)
-    return of_one_particle(
-        "Kapitza pendulum", N, O, (theta,), ("bob", P, m), (gravity(-g * N.y),),
-        example={"theta": 0.3}, T=A.y,
     )  # fmt: skip

@@ -5,15 +5,12 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import P, of_one_particle
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
     gravity,
     parameters,
     pin,
-    reaction,
-    slide,
     torque,
 )
 
@@ -53,11 +50,6 @@ def _two(angles, names, *, rods=False, drag=None):
     )
 
 
-def subscripts():
-    """theta_1, l_1: with subscripts."""
-    return _two("theta_1 theta_2", "m_1 m_2 l_1 l_2 g")
-
-
 def plain():
     """theta1, l1: without subscripts."""
     return _two("theta1 theta2", "m1 m2 l1 l2 g")
@@ -66,16 +58,6 @@ def plain():
 def matplotlib():
     """Capital letters."""
     return _two("th1 th2", "M1 M2 L1 L2 G")
-
-
-def damped():
-    """Each rod is braked by the ground."""
-    return _two("theta_1 theta_2", "m_1 m_2 l_1 l_2 g", drag="c_1 c_2")
-
-
-def rods():
-    """Two uniform rods."""
-    return _two("theta_1 theta_2", "m_1 m_2 l_1 l_2 g", rods=True)
 
 
 def _one(angle, m, inertia, reach, g, loads=(), *, origin=None):
@@ -169,29 +151,6 @@ def viscous():
     return _one(theta, m, 0, l, g, [lambda N, C, B: force("drag", C, drag * B.x, on="body")])
 
 
-def spring_damped():
-    """A bob on a spring of length r; friction b of the joint, zeta of the spring."""
-    theta, r = dynamicsymbols("theta r")
-    m, b, l, k, zeta, g = P("m:kg b:N*m*s l:m k:N/m zeta:N*s/m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    B = N.orientnew("B", "Axis", (theta, N.z))
-    C = O.locatenew("C", -r * B.y)
-    pull = k * (r - l) + zeta * r.diff()
-    return Scene(
-        "spring pendulum",
-        N,
-        O,
-        coordinates=(theta, r),
-        bodies=(Particle("bob", C, m),),
-        loads=(
-            gravity(-g * N.y),
-            force("spring", C, pull * B.y - b * theta.diff() / r * B.x, on="bob"),
-        ),
-        reactions=(reaction("side", at=C, on="bob", by=None, along=N.z),),
-        example={"r": 2.0, "theta": 0.5},
-    )
-
-
 def leg():
     """A mass on a leg with a spring, psi from the upward vertical, clockwise."""
     zeta, psi = dynamicsymbols("zeta psi")
@@ -222,39 +181,6 @@ def helix():
 def usenet():
     """th1, th2 from the downward vertical, in plain letters."""
     return _two("th1 th2", "m1 m2 l1 l2 g")
-
-
-def contact_mechanism():
-    """Crank and rod, x_1 and x_2 from the downward vertical, torques of the ground on both; a
-    slider that touches neither."""
-    x1, x2, x, T1, T2, F = dynamicsymbols("x_1 x_2 x T_1 T_2 F")
-    m1, m2, m, l1, l2, g = P("m_1:kg m_2:kg m:kg l_1:m l_2:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    a = pin("a", None, "crank", at=O, axis=N.z, angle=x1)
-    end = a.point.locatenew("E", -l1 * a.frame.y)
-    b = pin("b", "crank", "rod", at=end, axis=N.z, angle=x2)
-    c = slide("c", None, "slider", at=O, axis=N.x, distance=x)
-    return Scene(
-        "crank, rod and slider before contact",
-        N,
-        O,
-        plane=N.z,
-        joints=(a, b, c),
-        inputs=(T1, T2, F),
-        bodies=(
-            RigidBody(
-                "crank", a.point.locatenew("A", -l1 / 2 * a.frame.y), a.frame, m1, m1 * l1**2 / 12
-            ),
-            RigidBody("rod", end.locatenew("B", -l2 / 2 * b.frame.y), b.frame, m2, m2 * l2**2 / 12),
-            RigidBody("slider", c.point, N, m, 0),
-        ),
-        loads=(
-            gravity(-g * N.y),
-            torque("one", T1 * N.z, on="crank"),
-            torque("two", T2 * N.z, on="rod"),
-            force("push", c.point, F * N.x, on="slider"),
-        ),
-    )
 
 
 def motor():

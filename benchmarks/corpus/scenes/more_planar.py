@@ -16,8 +16,6 @@ from mechanics.scene import (
     weld,
 )
 
-t = dynamicsymbols._t
-
 
 def car():
     """Wong's car: x forwards, y to the left, forces of both axles, front wheels steered by

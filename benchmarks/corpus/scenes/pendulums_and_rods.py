@@ -1,23 +1,20 @@
 """Pendulums: one, two, on a spring, driven; rods on springs; beads on rods that turn."""
 
-from sympy import cos, sin, sqrt
+from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import (
     P,
     double_pendulum,
-    held,
     of_one_particle,
     pendulum,
     spring_pendulum,
 )
 from mechanics.scene import (
-    Particle,
     RigidBody,
     Scene,
     force,
     gravity,
-    holonomic,
     parameters,
     pin,
     torque,
@@ -76,13 +73,6 @@ def estop():
     return pendulum(theta, m, 0, l, g, u - f * m * l**2 * theta.diff(), (u,))
 
 
-def damped():
-    """A damping b."""
-    theta = dynamicsymbols("theta")
-    m, L, g, b = P("m:kg L:m g:m/s^2 b:N*m*s")
-    return pendulum(theta, m, 0, L, g, -b * theta.diff())
-
-
 def with_inertia():
     """An inertia I about the pivot, the mass centre at lc, a torque u, a friction b."""
     theta, u = dynamicsymbols("theta u")
@@ -113,39 +103,6 @@ def inverted_spring():
             force("spring", D, -(k * side + c * side.diff(t)) * N.x, on="rod"),
         ),
     )
-
-
-def cartesian():
-    """A bob at x, y below or above the pivot, held at the distance L; Fo is the tension."""
-    x, y = dynamicsymbols("x y")
-    m, g, L = P("m:kg g:m/s^2 L:m", typical="1 9.81 1")
-    N, O = ReferenceFrame("N"), Point("O")
-    C = O.locatenew("C", x * N.x + y * N.y)
-    return Scene(
-        "pendulum",
-        N,
-        O,
-        coordinates=(x, y),
-        bodies=(Particle("bob", C, m),),
-        loads=(gravity(-g * N.y),),
-        constraints=(holonomic("rod", x**2 + y**2 - L**2, "Fo"),),
-        reactions=held(C, "bob", Fo=(-x * N.x - y * N.y) / sqrt(x**2 + y**2), side=N.z),
-        example={"x": 0.6, "y": -0.8},
-    )
-
-
-def elastic():
-    """r, theta, k, L0."""
-    r, theta = dynamicsymbols("r theta")
-    m, k, L0, g = P("m:kg k:N/m L0:m g:m/s^2")
-    return spring_pendulum(theta, r, m, g, k * (r - L0))
-
-
-def elastic_wiki():
-    """r, theta, k, L_0."""
-    r, theta = dynamicsymbols("r theta")
-    m, k, L0, g = P("m:kg k:N/m L_0:m g:m/s^2")
-    return spring_pendulum(theta, r, m, g, k * (r - L0))
 
 
 def elastic_soton():

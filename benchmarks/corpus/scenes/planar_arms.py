@@ -3,7 +3,7 @@
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import P, held, rotary_pendulum, two_link_arm
-from mechanics.scene import Particle, RigidBody, Scene, gravity, pin, reaction, torque
+from mechanics.scene import Particle, RigidBody, Scene, gravity, reaction, torque
 
 
 def double_link():
@@ -22,13 +22,6 @@ def swinging():
     return two_link_arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (0, 0), ())
 
 
-def swinging_lc():
-    """Without torques, mass centres at lc1, lc2."""
-    q1, q2 = dynamicsymbols("q1 q2")
-    m1, m2, c1, l1, c2, I1, I2, g = P("m1:kg m2:kg lc1:m l1:m lc2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2")
-    return two_link_arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), g, (0, 0), ())
-
-
 def horizontal():
     """In a horizontal plane, with torques."""
     q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
@@ -36,51 +29,11 @@ def horizontal():
     return two_link_arm((q1, q2), l1, (m1, c1, I1), (m2, c2, I2), 0, (u, v), (u, v))
 
 
-def about_joints():
-    """In a horizontal plane; I1, I2 about the joints, mass centres at Lg1, Lg2."""
-    q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
-    m1, m2, l1, c1, c2, I1, I2 = P("M1:kg M2:kg L1:m Lg1:m Lg2:m I1:kg*m^2 I2:kg*m^2")
-    return two_link_arm(
-        (q1, q2), l1, (m1, c1, I1 - m1 * c1**2), (m2, c2, I2 - m2 * c2**2), 0, (u, v), (u, v)
-    )
-
-
 def ends():
     """In a horizontal plane, the masses at the ends."""
     q1, q2, u, v = dynamicsymbols("q1 q2 tau1 tau2")
     m1, m2, l1, l2 = P("M1:kg M2:kg L1:m L2:m")
     return two_link_arm((q1, q2), l1, (m1, l1, 0), (m2, l2, 0), 0, (u, v), (u, v))
-
-
-def chemnitz():
-    """x is up: q_1 from the upward vertical; torques."""
-    q1, q2, u, v = dynamicsymbols("q_1 q_2 tau_1 tau_2")
-    m1, m2, l1, c1, c2, I1, I2, g = P(
-        "m_1:kg m_2:kg l_1:m l_c_1:m l_c_2:m I_zz_1:kg*m^2 I_zz_2:kg*m^2 g:m/s^2"
-    )
-    N, O = ReferenceFrame("N"), Point("O")
-    shoulder = pin("shoulder", None, "one", at=O, axis=N.z, angle=q1)
-    A = shoulder.frame
-    elbow = pin(
-        "elbow", "one", "two", at=shoulder.point.locatenew("E", l1 * A.x), axis=A.z, angle=q2
-    )
-    return Scene(
-        "arm",
-        N,
-        O,
-        plane=N.z,
-        joints=(shoulder, elbow),
-        inputs=(u, v),
-        loads=(
-            gravity(-g * N.x),
-            torque("shoulder moment", u * N.z, on="one"),
-            torque("elbow moment", v * N.z, on="two", by="one"),
-        ),
-        bodies=(
-            RigidBody("one", shoulder.point.locatenew("C1", c1 * A.x), A, m1, I1),
-            RigidBody("two", elbow.point.locatenew("C2", c2 * elbow.frame.x), elbow.frame, m2, I2),
-        ),
-    )
 
 
 def pendubot():

@@ -82,14 +82,6 @@ def hussein_u():
     )
 
 
-def jing():
-    """A rod with the inertia I about its mass centre, clockwise from upright, friction b of the
-    cart."""
-    x, theta, u = dynamicsymbols("x theta control")
-    M, m, b, l, I, g = P("M:kg m:kg b:N*s/m l:m I:kg*m^2 g:m/s^2")
-    return cart_pole(x, theta, M, m, l, g, u - b * x.diff(), up=1, sense=1, I=I, inputs=(u,))
-
-
 def damped():
     """A bob mp that hangs on l, frictions b of the cart and d of the pin, pushed by u."""
     x, theta, u = dynamicsymbols("x theta u")
@@ -107,47 +99,3 @@ def damped():
         inputs=(u,),
         moment=-d * theta.diff(),
     )
-
-
-def continuo():
-    """A rod that hangs, with the inertia I about its mass centre, frictions c of the cart and b
-    of the pin, pushed by F."""
-    x, theta, F = dynamicsymbols("x theta F")
-    M, m, l, I, b, c, g = P("M:kg m:kg l:m I:kg*m^2 b:N*m*s c:N*s/m g:m/s^2")
-    return cart_pole(
-        x,
-        theta,
-        M,
-        m,
-        l,
-        g,
-        F - c * x.diff(),
-        up=-1,
-        sense=1,
-        I=I,
-        inputs=(F,),
-        moment=-b * theta.diff(),
-    )
-
-
-def bowl():
-    """A bob that hangs on l, friction b of the pin, pushed by Fa."""
-    x, theta, Fa = dynamicsymbols("x theta Fa")
-    M, m, l, b, g = P("M:kg m:kg l:m b:N*m*s g:m/s^2")
-    return cart_pole(
-        x, theta, M, m, l, g, Fa, up=-1, sense=1, inputs=(Fa,), moment=-b * theta.diff()
-    )
-
-
-def game():
-    """A bob, theta counterclockwise from upright, pushed by force."""
-    x, theta, F = dynamicsymbols("x theta force")
-    M, m, l, g = P("M:kg m:kg length:m cgravity:m/s^2")
-    return cart_pole(x, theta, M, m, l, g, F, up=1, sense=-1, inputs=(F,))
-
-
-def lagoudakis():
-    """A uniform rod of half the length CCl, clockwise from upright, pushed by u."""
-    x, theta, u = dynamicsymbols("x theta u")
-    m, M, l, g = P("CCm:kg CCM:kg CCl:m CCg:m/s^2")
-    return cart_pole(x, theta, M, m, l, g, u, up=1, sense=1, I=m * l**2 / 3, inputs=(u,))

@@ -127,13 +127,6 @@ def oliva():
     )
 
 
-def damped_torque():
-    """A torque u and a damping c."""
-    theta, u = dynamicsymbols("theta u")
-    m, l, g, c = P("m:kg l:m g:m/s^2 c:N*m*s")
-    return pendulum(theta, m, 0, l, g, u - c * theta.diff(), (u,))
-
-
 def modsim():
     """A damping d per moment of inertia."""
     phi = dynamicsymbols("phi")
@@ -177,14 +170,6 @@ def damping_ratio():
     theta = dynamicsymbols("theta")
     M, l, g, e = P("M:kg l:m g:m/s^2 epsilon:1")
     return pendulum(theta, M, 0, l, g, -2 * e * sqrt(g / l) * M * l**2 * theta.diff())
-
-
-def upright():
-    """Clockwise from upright, the mass centre at L/2, an inertia I about the pivot, a torque M, a
-    damping c."""
-    theta, M = dynamicsymbols("theta M")
-    g, m, L, c, I = P("g:m/s^2 m:kg L:m c:N*m*s I:kg*m^2")
-    return pendulum(theta, m, I - m * L**2 / 4, L / 2, g, M - c * theta.diff(), (M,), up=True)
 
 
 def one_link():
@@ -342,31 +327,6 @@ def hoop():
     return of_one_particle(
         "bead on a hoop", N, O, (theta,), ("bead", C, m), (gravity(-g * N.z),), F_N=-out, side=A.y
     )
-
-
-def _wire(height, slope, m, omega, g):
-    """A bead at r on a wire z = height(r) that turns about the vertical by omega."""
-    r = dynamicsymbols("r")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (omega * t, N.z))
-    C = O.locatenew("C", r * A.x + height(r) * A.z)
-    normal = (-slope(r) * A.x + A.z) / sqrt(1 + slope(r) ** 2)
-    return of_one_particle(
-        "bead on a wire", N, O, (r,), ("bead", C, m), (gravity(-g * N.z),), example={"r": 0.5},
-        normal=normal, side=A.y,
-    )  # fmt: skip
-
-
-def parabola():
-    """z = k r^2."""
-    m, k, omega, g = P("m:kg k:1/m omega:1/s g:m/s^2")
-    return _wire(lambda r: k * r**2, lambda r: 2 * k * r, m, omega, g)
-
-
-def straight():
-    """z = alpha r."""
-    m, alpha, omega, g = P("m:kg alpha:1 omega:1/s g:m/s^2")
-    return _wire(lambda r: alpha * r, lambda r: alpha, m, omega, g)
 
 
 def hollow():

@@ -33,14 +33,6 @@ def _scene(speeds, moments, torques, names):
     )
 
 
-def notes():
-    """Symbols of lecture notes: I_11 omega_1' = ... + L_1."""
-    w = dynamicsymbols("omega_1 omega_2 omega_3")
-    L = dynamicsymbols("L_1 L_2 L_3")
-    I = parameters("I_11 I_22 I_33", units="kg*m^2 kg*m^2 kg*m^2", typical="10 15 20")
-    return _scene(w, I, L, None)
-
-
 def free():
     """Without torque, as code has it: w1, w2, w3 and I1, I2, I3."""
     w = dynamicsymbols("w1 w2 w3")

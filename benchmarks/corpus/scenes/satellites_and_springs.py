@@ -8,33 +8,12 @@ from benchmarks.corpus.builders import (
     of_one_particle,
     on_walls,
     one_mass,
-    rotary_pendulum,
-    two_discs,
-    two_link_arm,
     two_masses,
 )
 from benchmarks.corpus.free_bodies import chaser, craft, turning_body
 from mechanics.scene import RigidBody, Scene, force, gravity, pin, torque
 
 t = dynamicsymbols._t
-
-
-def arm():
-    """Two links from the horizontal, mass centres at Lg1, Lg2, inertias I1z.
-
-    I2z about them. Frictions D1, D2 in the joints, torques tau1, tau2.
-    """
-    a, b, u, w = dynamicsymbols("q1 q2 tau1 tau2")
-    m1, m2, L1, _, c1, c2, I1, I2, D1, D2, g = P(
-        "m1:kg m2:kg L1:m L2:m Lg1:m Lg2:m I1z:kg*m^2 I2z:kg*m^2 D1:N*m*s D2:N*m*s g:m/s^2"
-    )
-    moments = (u - D1 * a.diff(), w - D2 * b.diff())
-    return two_link_arm((a, b), L1, (m1, c1, I1), (m2, c2, I2), g, moments, (u, w))
-
-
-def satellite():
-    """A body that turns freely: rates Wx, Wy, Wz about its principal axes."""
-    return turning_body("Wx Wy Wz", "Ixx:kg*m^2 Iyy:kg*m^2 Izz:kg*m^2", name="body")
 
 
 def satellite_torque():
@@ -110,11 +89,6 @@ def one_spring():
     return _between("x_1 x_2", m1, m2, k, l0)
 
 
-def bond():
-    """x_1, x_2, m_1, m_2 and a bond k, displacements."""
-    return _between("x_1 x_2", *P("m_1:kg m_2:kg k:N/m"), 0)
-
-
 def _between(names, m1, m2, k, length):
     a, b = dynamicsymbols(names)
     return two_masses(
@@ -164,31 +138,6 @@ def suspension():
             force("tyre", B, -k2 * (b - A0 * sin(W * t)) * N.x, on="two"),
         ),
     )
-
-
-def motor():
-    """A motor J_m at theta_m: a friction b_m, a torque tau_m.
-
-    A spring k_s to a link J_l at theta_l.
-    """
-    a, b, u = dynamicsymbols("theta_m theta_l tau_m")
-    Jm, Jl, bm, ks = P("J_m:kg*m^2 J_l:kg*m^2 b_m:N*m*s k_s:N*m")
-    return two_discs((a, b), (Jm, Jl), ks * (b - a), (u - bm * a.diff(), 0), (u,))
-
-
-def rotary():
-    """An arm Ja at phi about the vertical with a torque u, theta from upright.
-
-    Forwards with phi. At its end r a rod m_pa of length lp with a mass M at its tip, as one body.
-    """
-    theta, phi, u = dynamicsymbols("theta phi u")
-    Ja, mp, M, lp, r, g = P(
-        "Ja:kg*m^2 m_pa:kg M:kg lp:m r:m g:m/s^2", typical="0.00144 0.02 0.015 0.421 0.245 9.81"
-    )
-    m = mp + M
-    c = (mp / 2 + M) / m * lp
-    J = (mp / 3 + M) * lp**2 - m * c**2
-    return rotary_pendulum(phi, theta, r, Ja, m, c, (J, J, 0), 1, 1, g, u, 0, (u,))
 
 
 def standing():
@@ -243,35 +192,3 @@ def satellite_orbit():
         (force("gravity", C, -m * mu / d**3 * r, on="satellite"),),
         example={"x": 1.0, "y": 0.5, "z": 0.3},
     )  # fmt: skip
-
-
-def coupled():
-    """Two pendulums m, ell side by side, theta_1, theta_2 from below.
-
-    A horizontal spring k between the bobs that feels their horizontal distance.
-    """
-    a, b = dynamicsymbols("theta_1 theta_2")
-    m, ell, k, g = P("m:kg ell:m k:N/m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    one, two = (
-        pin("one", None, "left", at=O, axis=N.z, angle=a),
-        pin("two", None, "right", at=O, axis=N.z, angle=b),
-    )
-    C, D = (
-        one.point.locatenew("C", -ell * one.frame.y),
-        two.point.locatenew("D", -ell * two.frame.y),
-    )
-    pull = k * ell * (sin(b) - sin(a))
-    return Scene(
-        "two pendulums",
-        N,
-        O,
-        plane=N.z,
-        joints=(one, two),
-        bodies=(RigidBody("left", C, one.frame, m, 0), RigidBody("right", D, two.frame, m, 0)),
-        loads=(
-            gravity(-g * N.y),
-            force("to the right", C, pull * N.x, on="left"),
-            force("to the left", D, -pull * N.x, on="right"),
-        ),
-    )

@@ -3,7 +3,7 @@
 from sympy import cos, cot, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
-from benchmarks.corpus.builders import P, bead_on_parabola, held, of_one_particle, two_bobs
+from benchmarks.corpus.builders import P, bead_on_parabola, two_bobs
 from mechanics.scene import (
     Particle,
     RigidBody,
@@ -41,23 +41,14 @@ def _cart_and_bob(names, mass_names, push, side, down, *, friction=None, inertia
         bodies=(Particle("cart", A, cart), RigidBody("rod", P, B, bob, about)),
         loads=(gravity(-g * N.y), force("push", A, (F - b * x.diff()) * N.x, on="cart")),
         reactions=(reaction("R", at=A, on="cart", by=None, along=N.y),
-                   *held(A, "rod", "cart", X=N.x, Y=N.y)),
+                   reaction("X", at=A, on="rod", by="cart", along=N.x),
+                   reaction("Y", at=A, on="rod", by="cart", along=N.y)),
     )  # fmt: skip
-
-
-def segway():
-    """Control lab: phi to the left of upright (a cart of mass M, a bob of mass m)."""
-    return _cart_and_bob("x phi", "M m l g", "u", -1, 1)
 
 
 def cart_left():
     """The same with theta and a force f."""
     return _cart_and_bob("x theta", "M m l g", "f", -1, 1)
-
-
-def wheeled():
-    """A rod with an inertia that hangs from a wheel without an inertia, friction b."""
-    return _cart_and_bob("x theta", "m__w m__b l g", "u", 1, -1, friction="b", inertia_of="I__b")
 
 
 def puffer():
@@ -84,7 +75,8 @@ def _cart_pole(x, theta, push, mc, mp, l, g):
         bodies=(Particle("cart", A, mc), RigidBody("pole", P, B, mp, mp * l**2 / 3)),
         loads=(gravity(-g * N.y), force("push", A, push * N.x, on="cart")),
         reactions=(reaction("R", at=A, on="cart", by=None, along=N.y),
-                   *held(A, "pole", "cart", X=N.x, Y=N.y)),
+                   reaction("X", at=A, on="pole", by="cart", along=N.x),
+                   reaction("Y", at=A, on="pole", by="cart", along=N.y)),
     )  # fmt: skip
 
 
@@ -102,7 +94,10 @@ def two_wheels():
         "body on a wheel", N, O, coordinates=(phi, theta), inputs=(tau,),
         bodies=(RigidBody("wheel", A, W, Mr, Ir), RigidBody("body", P, B, Mp, Ip)),
         loads=(gravity(-g * N.y), torque("motor", -tau * N.z, on="wheel", by="body")),
-        reactions=(*held(K, "wheel", F=N.x, R=N.y), *held(A, "body", "wheel", X=N.x, Y=N.y)),
+        reactions=(reaction("F", at=K, on="wheel", by=None, along=N.x),
+                   reaction("R", at=K, on="wheel", by=None, along=N.y),
+                   reaction("X", at=A, on="body", by="wheel", along=N.x),
+                   reaction("Y", at=A, on="body", by="wheel", along=N.y)),
     )  # fmt: skip
 
 
@@ -113,9 +108,9 @@ def string_and_spring():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", -(l + L) * B.y)
-    return of_one_particle(
-        "elastic pendulum", N, O, (l, theta), ("block", P, m),
-        (gravity(-g * N.y), spring("k", O, P, k)),
+    return Scene(
+        "elastic pendulum", N, O, coordinates=(l, theta), bodies=(Particle("block", P, m),),
+        loads=(gravity(-g * N.y), spring("k", O, P, k)),
     )  # fmt: skip
 
 
@@ -131,9 +126,11 @@ def tilted_wire():
     N, O = _ground()
     H = N.orientnew("H", "Axis", (w * t, N.z))
     P = O.locatenew("P", r * sin(a) * H.x + r * cos(a) * H.z)
-    return of_one_particle(
-        "bead on a tilted wire", N, O, (r,), ("bead", P, m), (gravity(-g * N.z),), R_1=H.y,
-        R_2=cos(a) * H.x - sin(a) * H.z,
+    return Scene(
+        "bead on a tilted wire", N, O, coordinates=(r,), bodies=(Particle("bead", P, m),),
+        loads=(gravity(-g * N.z),),
+        reactions=(reaction("R_1", at=P, on="bead", by=None, along=H.y),
+                   reaction("R_2", at=P, on="bead", by=None, along=cos(a) * H.x - sin(a) * H.z)),
     )  # fmt: skip
 
 
@@ -170,7 +167,8 @@ def _driven(angle, drive, friction):
         "pendulum", N, O, coordinates=(th,), inputs=(u,) if drive else (),
         bodies=(RigidBody("bob", P, B, m, 0),),
         loads=(gravity(-g * N.y), torque("pivot", (u - b * th.diff()) * N.z, on="bob")),
-        reactions=held(O, "bob", X=N.x, Y=N.y),
+        reactions=(reaction("X", at=O, on="bob", by=None, along=N.x),
+                   reaction("Y", at=O, on="bob", by=None, along=N.y)),
     )  # fmt: skip
 
 
@@ -182,10 +180,11 @@ def oily_hoop():
     H = N.orientnew("H", "Axis", (w * t, N.z))
     B = H.orientnew("B", "Axis", (-phi, H.y))
     P = O.locatenew("P", -r * B.z)
-    return of_one_particle(
-        "bead on a hoop", N, O, (phi,), ("bead", P, m),
-        (gravity(-g * N.z), force("oil", P, -b * phi.diff() * B.x, on="bead")), across=H.y,
-        inwards=B.z,
+    return Scene(
+        "bead on a hoop", N, O, coordinates=(phi,), bodies=(Particle("bead", P, m),),
+        loads=(gravity(-g * N.z), force("oil", P, -b * phi.diff() * B.x, on="bead")),
+        reactions=(reaction("across", at=P, on="bead", by=None, along=H.y),
+                   reaction("inwards", at=P, on="bead", by=None, along=B.z)),
     )  # fmt: skip
 
 
@@ -197,9 +196,11 @@ def cone():
     H = N.orientnew("H", "Axis", (theta, N.z))
     P = O.locatenew("P", r * H.x + r * cot(alpha) * N.z)
     normal = sin(alpha) * N.z - cos(alpha) * H.x
-    return of_one_particle(
-        "particle in a cone", N, O, (r, theta), ("particle", P, m), (gravity(-g * N.z),), R=normal
-    )
+    return Scene(
+        "particle in a cone", N, O, coordinates=(r, theta), bodies=(Particle("particle", P, m),),
+        loads=(gravity(-g * N.z),),
+        reactions=(reaction("R", at=P, on="particle", by=None, along=normal),),
+    )  # fmt: skip
 
 
 def atwood():
@@ -259,10 +260,13 @@ def furuta():
         "Furuta's pendulum", N, O, coordinates=(phi, theta), inputs=(tau,),
         bodies=(RigidBody("arm", O, A, 0, inertia(A, 0, 0, J)), Particle("bob", P, m)),
         loads=(gravity(-g * N.z), torque("motor", tau * N.z, on="arm")),
-        reactions=(*held(O, "arm", X=A.x, Y=A.y, Z=A.z),
+        reactions=(reaction("X", at=O, on="arm", by=None, along=A.x),
+                   reaction("Y", at=O, on="arm", by=None, along=A.y),
+                   reaction("Z", at=O, on="arm", by=None, along=A.z),
                    reaction_couple("K_x", on="arm", by=None, along=A.x),
                    reaction_couple("K_y", on="arm", by=None, along=A.y),
-                   *held(P, "bob", "arm", S_x=A.x, S=rod)),
+                   reaction("S_x", at=P, on="bob", by="arm", along=A.x),
+                   reaction("S", at=P, on="bob", by="arm", along=rod)),
     )  # fmt: skip
 
 
@@ -281,8 +285,10 @@ def spong_arm():
         "acrobot", N, O, coordinates=(a, b), inputs=(u,),
         bodies=(RigidBody("link 1", C, A, m1, I1), RigidBody("link 2", D, B, m2, I2)),
         loads=(gravity(-g * N.y), torque("elbow", u * N.z, on="link 2", by="link 1")),
-        reactions=(*held(O, "link 1", X_1=N.x, Y_1=N.y),
-                   *held(P, "link 2", "link 1", X_2=N.x, Y_2=N.y)),
+        reactions=(reaction("X_1", at=O, on="link 1", by=None, along=N.x),
+                   reaction("Y_1", at=O, on="link 1", by=None, along=N.y),
+                   reaction("X_2", at=P, on="link 2", by="link 1", along=N.x),
+                   reaction("Y_2", at=P, on="link 2", by="link 1", along=N.y)),
     )  # fmt: skip
 
 
@@ -298,7 +304,8 @@ def rolling():
     return Scene(
         "cylinder in a cylinder", N, O, coordinates=(theta,),
         bodies=(RigidBody("cylinder", P, W, m, m * r**2 / 2),), loads=(gravity(-g * N.y),),
-        reactions=held(K, "cylinder", F=B.x, K=B.y),
+        reactions=(reaction("F", at=K, on="cylinder", by=None, along=B.x),
+                   reaction("K", at=K, on="cylinder", by=None, along=B.y)),
     )  # fmt: skip
 
 
@@ -327,7 +334,9 @@ def top():
         "heavy top", N, O, coordinates=(phi, theta, psi),
         bodies=(RigidBody("top", C, B, M, inertia(B, across, across, I3)),),
         loads=(gravity(-g * N.z),), example={"theta": 0.7},
-        reactions=held(O, "top", X=N.x, Y=N.y, Z=N.z),
+        reactions=(reaction("X", at=O, on="top", by=None, along=N.x),
+                   reaction("Y", at=O, on="top", by=None, along=N.y),
+                   reaction("Z", at=O, on="top", by=None, along=N.z)),
     )  # fmt: skip
 
 
@@ -338,7 +347,7 @@ def orbit():
     N, O = _ground()
     B = N.orientnew("B", "Axis", (theta, N.z))
     P = O.locatenew("P", r * B.x)
-    return of_one_particle(
-        "orbit", N, O, (r, theta), ("body", P, m),
-        (force("pull", P, -m * mu / r**2 * B.x, on="body"),), example={"r": 1.3},
+    return Scene(
+        "orbit", N, O, coordinates=(r, theta), bodies=(Particle("body", P, m),),
+        loads=(force("pull", P, -m * mu / r**2 * B.x, on="body"),), example={"r": 1.3},
     )  # fmt: skip

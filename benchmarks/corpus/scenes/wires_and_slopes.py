@@ -4,7 +4,7 @@ from sympy import cos, sin, sqrt
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from benchmarks.corpus.builders import P, held, of_one_particle, roller, shared
-from mechanics.scene import Particle, RigidBody, Scene, force, gravity, reaction, torque
+from mechanics.scene import Particle, Scene, gravity, reaction
 
 t = dynamicsymbols._t
 
@@ -46,47 +46,9 @@ def _hoop(m, R, omega, g):
     )  # fmt: skip
 
 
-def hoop():
-    """A bead m on a hoop R turned at omega about its vertical diameter.
-
-    The angle theta from the lowest point; N_phi across the hoop, forwards.
-    """
-    return _hoop(*P("m:kg R:m omega:1/s g:m/s^2"))
-
-
 def hoop_weightless():
     """A bead m on a hoop R turned at omega about a diameter, theta from that axis, no gravity."""
     return _hoop(*P("m:kg R:m omega:1/s"), 0)
-
-
-def wire():
-    """A bead m on the wire y = a (1 - cos(x/a)) in a vertical plane."""
-    x = dynamicsymbols("x")
-    m, a, g = P("m:kg a:m g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    C = O.locatenew("C", x * N.x + a * (1 - cos(x / a)) * N.y)
-    slope = sin(x / a)
-    return of_one_particle(
-        "wire", N, O, (x,), ("bead", C, m), (gravity(-g * N.y),), example={"x": 0.4},
-        N_n=(-slope * N.x + N.y) / sqrt(1 + slope**2), N_z=N.z,
-    )  # fmt: skip
-
-
-def ring_spring():
-    """A bead m on a vertical ring a, theta from the horizontal x axis.
-
-    A spring k without natural length to the point (0, beta a).
-    """
-    theta = dynamicsymbols("theta")
-    m, a, k, beta, g = P("m:kg a:m k:N/m beta:1 g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    out = cos(theta) * N.x + sin(theta) * N.y
-    C = O.locatenew("C", a * out)
-    return of_one_particle(
-        "ring", N, O, (theta,), ("bead", C, m),
-        (gravity(-g * N.y), force("spring", C, -k * (a * out - beta * a * N.y), on="bead")),
-        example={"theta": 0.3}, N_r=out, N_z=N.z,
-    )  # fmt: skip
 
 
 def on_top():
@@ -154,23 +116,6 @@ def hole():
     return _hole("theta", m, M, g, l)
 
 
-def plate():
-    """A point m on a plate that turns at Omega, x, y on the plate.
-
-    Springs k_x, k_y to the axis.
-    """
-    x, y = dynamicsymbols("x y")
-    m, kx, ky, Omega = P("m:kg k_x:N/m k_y:N/m Omega:1/s")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (Omega * t, N.z))
-    C = O.locatenew("C", x * A.x + y * A.y)
-    return of_one_particle(
-        "plate", N, O, (x, y), ("point", C, m),
-        (force("springs", C, -kx * x * A.x - ky * y * A.y, on="point"),),
-        example={"x": 0.4, "y": 0.3}, up=A.z,
-    )  # fmt: skip
-
-
 def ball_in_bowl():
     """A uniform ball M, r rolls in a spherical bowl R.
 
@@ -178,57 +123,6 @@ def ball_in_bowl():
     """
     M, r, R, g = P("M:kg r:m R:m g:m/s^2", typical="1 0.1 1 9.81")
     return roller(M, R, r, g, 2 * M * r**2 / 5)
-
-
-def disc_on_incline():
-    """A disc m, R, I rolls down a slope alpha by x.
-
-    The friction f points up the slope, N is the normal force.
-    """
-    x = dynamicsymbols("x")
-    m, R, I, alpha, g = P("m:kg R:m I:kg*m^2 alpha:1 g:m/s^2")
-    N, O = ReferenceFrame("N"), Point("O")
-    A = N.orientnew("A", "Axis", (-alpha, N.z))
-    B = A.orientnew("B", "Axis", (-x / R, A.z))
-    C, E = O.locatenew("C", x * A.x + R * A.y), O.locatenew("E", x * A.x)
-    return Scene(
-        "disc",
-        N,
-        O,
-        plane=N.z,
-        coordinates=(x,),
-        bodies=(RigidBody("disc", C, B, m, I),),
-        loads=(gravity(-g * N.y),),
-        reactions=held(E, "disc", f=-A.x, N=A.y),
-    )
-
-
-def atwood():
-    """m_1 goes down by x, m_2 up, a pulley R, I with a moment kappa times its rate.
-
-    T_1, T_2 pull up.
-    """
-    x = dynamicsymbols("x")
-    m1, m2, R, I, kappa, g = P(
-        "m_1:kg m_2:kg R:m I:kg*m^2 kappa:N*m*s g:m/s^2", typical="2 1 0.3 0.1 0.2 9.81"
-    )
-    N, O = ReferenceFrame("N"), Point("O")
-    W = N.orientnew("W", "Axis", (x / R, N.z))
-    C, D = O.locatenew("C", -R * N.x - x * N.y), O.locatenew("D", R * N.x + x * N.y)
-    return Scene(
-        "Atwood's machine",
-        N,
-        O,
-        coordinates=(x,),
-        bodies=(Particle("1", C, m1), Particle("2", D, m2), RigidBody("pulley", O, W, 0, I)),
-        loads=(gravity(-g * N.y), torque("friction", -kappa * x.diff() / R * N.z, on="pulley")),
-        reactions=(
-            reaction("T_1", at=C, on="1", by="pulley", along=N.y),
-            reaction("T_2", at=D, on="2", by="pulley", along=N.y),
-            reaction("Y", at=O, on="pulley", by=None, along=N.y),
-        ),
-        plane=N.z,
-    )
 
 
 def two_slopes():

@@ -42,6 +42,11 @@ TENSORS = ("I", "J", "Inertia", "inertia")
 AXES = 3
 """Principal ones."""
 
+
+class UnexplainedError(InputError):
+    """An argument is none of the scene's."""
+
+
 Value = Any
 """A symbol, or a tuple of them."""
 
@@ -97,7 +102,7 @@ def arguments_of(
 
     Raises
     ------
-    InputError
+    UnexplainedError
         For an argument that nothing explains.
     """
     scene = naming.vocabulary.scene
@@ -157,7 +162,7 @@ def arguments_of(
             continue
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     if unexplained:
-        raise InputError(_unexplained(naming, unexplained, apart or {}))
+        raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
     return Arguments(values, state, tuple(matches))
 
 

@@ -183,11 +183,23 @@ def _uses(node: Any, columns: Columns, heads: dict[str, list[int]]) -> None:
 
 
 def _plain_counters(body: Any) -> dict[str, Any]:
-    """Integers that are declared without a value."""
+    """Integers that are declared without a value, and have one in the loops alone they count."""
+    inside = {
+        (node.init.lvalue.name, id(one))
+        for node in below(body)
+        if isinstance(node, c_ast.For) and isinstance(node.init, c_ast.Assignment)
+        and isinstance(node.init.lvalue, c_ast.ID)
+        for one in below(node)
+    }  # fmt: skip
+    elsewhere = {
+        node.name
+        for node in below(body)
+        if isinstance(node, c_ast.ID) and (node.name, id(node)) not in inside
+    }
     return {
         node.name: node
         for node in below(body)
-        if isinstance(node, c_ast.Decl) and node.init is None
+        if isinstance(node, c_ast.Decl) and node.init is None and node.name not in elsewhere
         and isinstance(node.type, c_ast.TypeDecl)
         and getattr(node.type.type, "names", None) == ["int"]
     }  # fmt: skip

@@ -36,11 +36,19 @@ STRUCT = re.compile(
 )
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
 TO_SINGLE = re.compile(
-    r"\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*(?:=(?!=)|\{)|\bstatic_cast\s*<\s*float\s*>"
+    r"\b(?:a?(?:sin|cos|tan)h?|atan2|sqrt|exp|log|pow|fabs|hypot|fmod)f\s*\("
+    r"|\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*(?:=(?!=)|\{)|\bstatic_cast\s*<\s*float\s*>"
     r"|(?<![\w.])[\d.]+[fF]\s*/\s*\d+(?![\w.])"
     r"|(?<![\w.])(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b"
 )
 """What makes a number one of single precision."""
+SINGLE_NAMES = re.compile(r"\bfloat\b((?:[\s*&]*\w+(?:\s*\[[^][]*\])*\s*(?:,|(?=[;)=({])))+)")
+"""Names that are declared so."""
+CHANGE = (
+    r"\b{0}\b\s*(?:\[[^][]*\]\s*)*(?:[-+*/]?=(?!=)|\+\+|--|\{{)"
+    r"|\bfloat\s+{0}\s*\([^()]*(?:[\d.]+[^()]*\)\s*;|\)\s*\{{)"
+)
+"""What gives one another value."""
 WORDS = frozenset({"float", "double", "const", "struct", "typedef"})
 
 MOST, LARGEST = 8, 64
@@ -76,12 +84,12 @@ def plain(text: str, origin: str) -> Plain:
         that is no argument, by line and column.
     """
     doubled, notes = in_doubles(text)
-    if rounded := made_single(text) if notes else None:
-        raise ExpressionError(f"{_place(text, rounded.start(), origin)}: {rounded[0]} {ROUNDED}")
     records = re.search(r"\bstruct\b", doubled) is not None
     for name in DEFINE.findall(_blank(text)) if records or notes else ():
         if name in SINGLE or name in WORDS:
             raise ExpressionError(f"{origin}: {name} is a word of C, and a macro here: remove it")
+    if rounded := made_single(text) if notes else None:
+        raise ExpressionError(f"{_place(text, rounded.start(), origin)}: {rounded[0]} {ROUNDED}")
     if not records:
         return Plain(doubled, {}, notes)
     apart: dict[str, Apart] = {}
@@ -107,6 +115,10 @@ def made_single(text: str) -> re.Match[str] | None:
     for one in TO_SINGLE.finditer(text):
         if one["number"] is None or Fraction(one["number"]) != float32(float(one["number"])):
             return one
+    for names in SINGLE_NAMES.findall(text):
+        for name in re.findall(r"(\w+)\s*(?:\[[^][]*\]\s*)*(?:,|$)", names):
+            if (change := re.search(CHANGE.format(name), text)) is not None:
+                return change
     return None
 
 

@@ -1,6 +1,7 @@
 """Numbers that an object, or the function around, makes of what is passed by the same name.
 
     def __init__(self, l): self.l = l/2        l of the object is half of what is passed as l
+    l = 0.5; l *= 2                            so does l of a file
     self.R = diameter                          nothing says that it is the radius
     self.m, self.l = mass, float(l)            these are what is passed
 
@@ -14,7 +15,7 @@ from typing import Any
 
 from sympy import Expr
 
-from mechanics.claims.code.closure_assignments import around, kinds_of
+from mechanics.claims.code.closure_assignments import around, file_of, kinds_of
 from mechanics.claims.names import key
 
 MAKES = ("__new__", "__init__", "__post_init__")
@@ -38,6 +39,11 @@ def changed(function: Callable[..., Any], name: str, symbol: Expr) -> str:
             own = isinstance(target, ast.Attribute) if owned else isinstance(target, ast.Name)
             if own and _word(target) == name and _differs(name, value, meaning):
                 return ast.unparse(value)
+    for target, value in (pair for lines in file_of(function) for pair in _assigned(lines)):
+        computed = (n for n in ast.walk(value) if isinstance(n, ast.BinOp | ast.UnaryOp))
+        parts = (part for one in computed for part in ast.walk(one) if isinstance(part, ast.Name))
+        if _word(target) == name and any(part.id == name for part in parts):
+            return ast.unparse(value)
     return ""
 
 

@@ -74,6 +74,17 @@ def around(function: Callable[..., Any]) -> Iterator[ast.FunctionDef]:
         yield node
 
 
+def file_of(function: Callable[..., Any]) -> Iterator[ast.Module]:
+    """The lines of a function's file that are run before it is called."""
+    inner, _ = owner_of(function)
+    origin = inspect.unwrap(inner) if inner is not None else None
+    tree = _tree(origin) if isinstance(origin, types.FunctionType) else None
+    if tree is not None:
+        inside = (ast.FunctionDef, ast.ClassDef, ast.AsyncFunctionDef)
+        lines = [one for one in tree.body if not isinstance(one, inside)]
+        yield ast.Module(lines, [])
+
+
 def kinds_of(function: Callable[..., Any]) -> Iterator[ast.ClassDef]:
     """Classes of the object whose method a function is, as they are written."""
     _, bound = owner_of(function)

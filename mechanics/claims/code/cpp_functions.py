@@ -144,6 +144,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     nodes, twice = _functions(root)
     if not nodes or (wanted and wanted not in nodes):
         raise Unread(f"there is no function {wanted or ''} in it")
+    _refuse_outside(root)
     _refuse_conditions(root)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     called = {other for others in calls.values() for other in others}
@@ -238,6 +239,25 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
             plain = not within(last, "binary_expression", "unary_expression", "call_expression")
             if member in used and values and not (same and plain):
                 raise refuse(one, f"{member} of an object is not what is passed by that name")
+
+
+def _refuse_outside(root: Any) -> None:
+    """Refuse what the grammar does not know outside of functions, and functions of others.
+
+    Raises
+    ------
+    Unread
+    """
+    for one in within(root, "ERROR"):
+        inside = [one]
+        while inside[-1].parent is not None:
+            inside.append(inside[-1].parent)
+        if not {"function_definition", "template_declaration"} & {node.type for node in inside}:
+            raise refuse(one)
+    for one in within(root, "using_declaration"):
+        space, _, name = words(one).removeprefix("using").strip(" ;").rpartition("::")
+        if space not in ("", "std") and (name in LIBRARY or name == "pow"):
+            raise refuse(one, f"{name} has another meaning here")
 
 
 def _refuse_conditions(root: Any) -> None:
@@ -569,7 +589,7 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")
         case "throw_statement":
             page.put(line, depth, "raise ValueError")
-        case "expression_statement" if named(node) and words(node).startswith("(void)"):
+        case "expression_statement" if re.fullmatch(r"\(\s*void\s*\)\s*\w+\s*;", words(node)):
             page.put(line, depth, "pass")
         case "expression_statement" if named(node):
             page.put(line, depth, _changed(named(node)[0], scope))
@@ -604,6 +624,8 @@ def _counting(node: Any, scope: Scope) -> str:
     first, until, step = (
         node.child_by_field_name(f) for f in ("initializer", "condition", "update")
     )
+    if first is None or until is None or step is None:
+        raise refuse(node)
     plain = re.fullmatch(r"(\w+)\s*<\s*(\w+)", words(until))
     counter = plain[1] if plain else ""
     start = re.fullmatch(rf"(int|size_t|unsigned)\s+{counter}\s*=\s*(\d+)\s*;", words(first))
@@ -755,6 +777,8 @@ def _streamed(node: Any, scope: Scope) -> str:
             parts.append(rest.child_by_field_name("left"))
             rest = rest.child_by_field_name("right")
         parts.append(rest)
+    if first.type != "binary_expression":
+        raise refuse(node)
     name = safe(words(first.child_by_field_name("left")))
     if words(first.child_by_field_name("operator")) != "<<" or name not in scope.locals:
         raise refuse(node)
@@ -870,13 +894,21 @@ def _value(node: Any, scope: Scope) -> str:
         case "binary_expression":
             return _binary(node, scope)
         case "conditional_expression":
-            parts = (
+            parts = [
                 node.child_by_field_name(f) for f in ("consequence", "condition", "alternative")
-            )
+            ]
+            if None in parts:  # a ?: b
+                raise refuse(node)
             yes, condition, no = (_value(part, scope) for part in parts)
             return f"({yes} if {condition} else {no})"
         case "initializer_list":
-            return f"block({joined([f'({_value(part, scope)},)' for part in named(node)])})"
+            rows = [named(part) for part in named(node) if part.type == "initializer_list"]
+            if not rows:
+                rows = [[part] for part in named(node)]
+            elif len(rows) < len(named(node)):
+                raise refuse(node)
+            entries = (joined([_value(part, scope) for part in row]) for row in rows)
+            return f"block({joined([f'({row},)' for row in entries])})"
         case "compound_literal_expression" if is_integral(words(node.child_by_field_name("type"))):
             raise refuse(node, "what is made an integer is not read: write it as double")
         case "compound_literal_expression":
@@ -907,8 +939,10 @@ def _binary(node: Any, scope: Scope) -> str:
         if all(_whole(side, scope) for side in sides):
             return f"quotient({left}, {right})"
         return f"({left} / {right})"
-    if sign in (*COMPARED, "&&", "||"):
-        return f"({left} {({'&&': 'and', '||': 'or'}).get(sign, sign)} {right})"
+    if sign in ("&&", "||"):  # in Python one of the sides, in C++ true or false
+        return f"(True if {left} {'and' if sign == '&&' else 'or'} {right} else False)"
+    if sign in COMPARED:
+        return f"({left} {sign} {right})"
     raise refuse(node)
 
 

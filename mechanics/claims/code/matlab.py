@@ -43,12 +43,14 @@ OPERATIONS = {
     "+": "plus", "-": "minus", "*": "times", ".*": "each_times", "./": "each_over",
 }  # fmt: skip
 COMPARED = {"==": "==", "~=": "!=", "!=": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+BOTH = {"&&": "and", "||": "or", "&": "and", "|": "or"}
 SHOWN = frozenset(
     {"disp", "fprintf", "printf", "clc", "clear", "close", "format", "hold", "figure", "plot",
      "syms", "error", "warning", "assert", "tic", "toc", "drawnow"}
 )  # fmt: skip
 """Commands that change no number."""
 SOLVERS = ("ode", "lsode", "integral")
+DECIMAL = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 OCTAVE = re.compile(r"\bend(?:function|if|for|switch|while)\b")
 """How Octave ends a block."""
 
@@ -196,7 +198,7 @@ def _solved_handle(root: Any, origin: str, known: Callable[[str], bool]) -> Tran
         scope.free.pop(one, None)
         (right,) = table[one]
         if right.type == "number":
-            scope.constants[one] = words(right)
+            scope.constants[one] = _number(right)
         else:
             before.insert(0, f"{one} = {expression(right, scope)}")
         todo += list(scope.free)
@@ -316,7 +318,7 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
     names = [_base(target) for target, _ in targets]
     counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}
     constants = {
-        _base(target): words(value)
+        _base(target): _number(value)
         for target, value in targets
         if value.type == "number" and target.type == "identifier"
         and _uses(node, target) == _uses(target.parent.parent, target)  # under its condition
@@ -564,7 +566,7 @@ def expression(node: Any, scope: Scope) -> str:
     """
     match node.type:
         case "number":
-            return words(node)
+            return _number(node)
         case "identifier":
             return _variable(node, scope)
         case "boolean":
@@ -575,7 +577,7 @@ def expression(node: Any, scope: Scope) -> str:
             return f"({expression(named(node)[0], scope)})"
         case "unary_operator":
             sign, inner = words(node.children[0]), expression(named(node)[0], scope)
-            if sign not in "+-":
+            if sign not in "+-" or inner.startswith(f"({sign}"):  # --x is less by 1 in Octave
                 raise refuse(node)
             return f"({sign}{inner})"
         case "not_operator":
@@ -587,8 +589,9 @@ def expression(node: Any, scope: Scope) -> str:
         case "comparison_operator" | "boolean_operator":
             left, right = (expression(part, scope) for part in named(node))
             sign = next(words(c) for c in node.children if not c.is_named)
-            sign = {"&&": "and", "||": "or", "&": "and", "|": "or", **COMPARED}[sign]
-            return f"({left} {sign} {right})"
+            if sign in BOTH:  # in Python one of the sides, in MATLAB true or false
+                return f"(True if {left} {BOTH[sign]} {right} else False)"
+            return f"({left} {COMPARED[sign]} {right})"
         case "matrix":
             rows = ["(" + "".join(expression(p, scope) + ", " for p in named(row)) + ")"
                     for row in named(node)]  # fmt: skip
@@ -600,6 +603,13 @@ def expression(node: Any, scope: Scope) -> str:
         case "field_expression":
             return _field(node, scope)
     raise refuse(node)
+
+
+def _number(node: Any) -> str:
+    """A number in digits: 0x10 is an integer of 8 bits."""
+    if not DECIMAL.fullmatch(words(node)):
+        raise refuse(node)
+    return words(node)
 
 
 def _binary(node: Any, scope: Scope) -> str:
@@ -689,9 +699,9 @@ def _call(node: Any, scope: Scope) -> str:
         return f"{'total' if name == 'sum' else name}({joined(given)})"
     if name == "transpose":
         return f"transposed({joined(given)})"
-    if name in ("deg2rad", "double", "single", "simplify"):
-        if name == "single":
-            return f"np.float32({given[0]})"
+    if name == "single":
+        raise refuse(node, "single precision is not read: write double")
+    if name in ("deg2rad", "double", "simplify"):
         return f"({given[0]}*np.pi/180)" if name == "deg2rad" else given[0]
     scope.free[name] = None
     return _entry(node, name, scope)

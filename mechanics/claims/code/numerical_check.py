@@ -13,6 +13,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from math import inf, isfinite
 from random import Random
 from typing import Any
@@ -20,6 +21,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 from sympy import Expr, Piecewise, Rational, S, Symbol
+from sympy.logic.boolalg import Boolean
 
 from mechanics.claims.code.closure_numbers import held
 from mechanics.claims.code.tracing import NONE, Given, Outputs, Value, parts_of
@@ -34,6 +36,7 @@ UNCALLED = "it cannot be called with numbers"
 STATES = 6
 """That are tried whatever the code decides; each way through it that is met is tried besides."""
 DRAWN = 60
+MOST_COMPARED = 16
 SCALES = (1, 1, 8, Fraction(1, 8), 1, 64)
 BITS, ROUNDED = 64, 20
 """Of the formulas' values; of the roughest rounding that is allowed: single precision has 24."""
@@ -47,6 +50,7 @@ class _Program:
 
     conditions: Formulas
     values: Formulas
+    decided: tuple[Boolean, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -120,6 +124,8 @@ def at_states(
 ) -> Iterator[_Formulas]:
     """Formulas at random states, and at those that take another way through the code.
 
+    Random states come first, then those next to the numbers that the code compares with.
+
     `rounded` is the number of binary digits of the roughest rounding that is allowed.
     """
     source, tried, ways = Random(0), 0, set()
@@ -135,6 +141,24 @@ def at_states(
             yield formulas
         if tried >= STATES and not way:
             return
+    for numbers in _beyond(symbols, program.decided):
+        way = tuple(_holds(ball) for ball in program.conditions.at(numbers, BITS))
+        if way not in ways and (formulas := _formulas(program, numbers, rounded)) is not None:
+            ways.add(way)
+            yield formulas
+
+
+def _beyond(symbols: Sequence[Value], decided: Iterable[Boolean]) -> Iterator[Numbers]:
+    """States at, below and above the numbers that code compares with: ``if theta > 1e6``."""
+    drawn = _drawn(symbols, Random(0), Fraction(1))
+    pairs = [(s, c) for c in decided for s in sorted(c.free_symbols, key=str) if s in drawn]
+    for symbol, condition in pairs[:MOST_COMPARED]:
+        limits = {abs(Fraction(str(n))) for n in condition.atoms(Rational)} - {0}
+        sizes = [Fraction(0), *(n * k for n in sorted(limits) for k in (1, 2, Fraction(1, 2)))]
+        signs = (1,) if symbol.is_nonnegative else (-1,) if symbol.is_negative else (1, -1)
+        for sign, size in product(signs, sizes[:MOST_COMPARED]):
+            if size or not (symbol.is_positive or symbol.is_negative):
+                yield {**drawn, symbol: Fraction(float(sign * size))}
 
 
 def _kept(function: Callable[..., Any], given: Given) -> dict[Expr, Any]:
@@ -186,9 +210,8 @@ def _drawn(values: Sequence[Value], source: Random, scale: Fraction) -> Numbers:
 def program_of(outputs: Outputs) -> _Program:
     """What code decides upon and computes, to be enclosed at states."""
     truths = [Piecewise((S.One, condition), (S.Zero, True)) for condition in outputs.conditions]
-    return _Program(
-        formulas_of(truths), formulas_of([entry for matrix in outputs.values for entry in matrix])
-    )
+    values = [entry for matrix in outputs.values for entry in matrix]
+    return _Program(formulas_of(truths), formulas_of(values), outputs.conditions)
 
 
 def _holds(truth: arb) -> bool | None:

@@ -172,7 +172,10 @@ class Traced:
         return self.explorer.decide(sympy.Unequality(self.expr, 0), self.asked)
 
     def __float__(self) -> float:
-        raise TypeError("a traced number has no value: float(), int() and the like hide a formula")
+        raise TypeError(
+            "a traced number has no value: float(), int(), arrays of integers and the like hide a"
+            " formula"
+        )
 
     __int__ = __index__ = __round__ = __trunc__ = __floor__ = __ceil__ = __complex__ = __float__
 

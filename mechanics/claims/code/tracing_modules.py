@@ -12,7 +12,7 @@ import operator
 import random
 import sys
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dis import get_instructions
 from itertools import zip_longest
@@ -92,14 +92,45 @@ class Module:
 
 
 def _objects(make: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
-    """An array whose entries may be traced numbers, whatever type was asked for."""
+    """An array whose entries may be traced numbers where NumPy makes one of floats.
+
+    One of integers or truth values stays that: it cuts what is put there, adds in its own way, and
+    no traced number can be put there.
+    """
 
     def apply(x: Any, *rest: Any, **options: Any) -> Any:
-        kept = {k: v for k, v in options.items() if k not in ("dtype", "copy")}
-        positional = [r for r in rest if not isinstance(r, type | np.dtype)]
+        rest = tuple(map(_of_kind, rest))
+        options = {name: _of_kind(option) for name, option in options.items()}
+        asked = [o for o in (*rest, options.get("dtype")) if isinstance(o, str | type | np.dtype)]
+        if not _is_traced((x, *rest, *options.values())) or (asked and not _floats(asked[0])):
+            plain = make(x, *rest, **options)
+            if not _floats(plain.dtype) or np.may_share_memory(plain, x):
+                return plain
+        same = isinstance(x, np.ndarray) and x.dtype == object
+        kept = {k: v for k, v in options.items() if k != "dtype" and (k != "copy" or same)}
+        positional = [r for r in rest if not isinstance(r, str | type | np.dtype)]
         return make(x, *positional, dtype=object, **kept)
 
     return apply
+
+
+def _is_traced(value: Any) -> bool:
+    """Whether something holds a traced number."""
+    if isinstance(value, np.ndarray):
+        return value.dtype == object and any(map(_is_traced, value.flat))
+    return isinstance(value, Traced) or (
+        isinstance(value, list | tuple) and any(map(_is_traced, value))
+    )
+
+
+def _of_kind(option: Any) -> Any:
+    return option.of if isinstance(option, _Kind) else option
+
+
+def _floats(kind: Any) -> bool:
+    """Whether an array is of doubles, or of single precision, whose rounding is not judged."""
+    dtype = np.dtype(kind)
+    return dtype.kind == "O" or (dtype.kind == "f" and dtype.itemsize >= SINGLE_BYTES)
 
 
 class _Kind(type):
@@ -134,6 +165,7 @@ class Single(Float):
     of: type = np.float32
 
 
+SINGLE_BYTES = 4
 SINGLE_NOTE = "single precision (np.float32) is read as exact numbers"
 
 
@@ -225,6 +257,7 @@ OF_NAMES = frozenset((
     "StopIteration", "TypeError",
 ))  # fmt: skip
 """Errors that depend on names and places, and not on numbers."""
+NUMBERS = (int, float, np.generic)
 OF_ITSELF = ("__class__", "__dict__")
 """Attributes with two underscores that code may ask for: of anything, of its own object."""
 
@@ -438,7 +471,7 @@ def copy_of(function: Callable[..., Any], made: Made | None = None) -> Callable[
     if id(function) in made:
         return cast(Callable[..., Any], made[id(function)])
     around = [n for n in named(function.__code__) if n[:2] == "__" and n in function.__globals__]
-    if outside := sorted({*around, *_telling(function.__code__)}):
+    if outside := sorted({*around, *_telling(function.__code__, function.__globals__)}):
         raise InputError(f"function {function.__name__}: {_refused(outside[0])}")
     if caught := _catching(function.__code__):
         words = f"it catches {caught}, which may depend on numbers: write a condition"
@@ -488,8 +521,8 @@ BUILTINS: dict[str, Any] = {
 }  # fmt: skip
 
 
-def _telling(code: types.CodeType) -> set[str]:
-    """Attributes and cases by class that may tell who calls."""
+def _telling(code: types.CodeType, table: Mapping[str, Any]) -> set[str]:
+    """Attributes and cases by class that may tell who calls; `table` has the names of the file."""
     found, before, kind = set(), "", ""
     every = list(get_instructions(code))
     for one, after in zip_longest(every, every[1:]):
@@ -504,11 +537,14 @@ def _telling(code: types.CodeType) -> set[str]:
                 found.add(name)  # it is object; ``dtype=y.dtype`` of a new array is none of it
             if name == "data" and after and after.argval in ("format", "itemsize"):
                 found.add(f"data.{after.argval}")
-        if one.opname == "IS_OP" and kind not in ("LOAD_CONST", "LOAD_GLOBAL"):
+        if one.opname == "IS_OP" and not (
+            (kind == "LOAD_CONST" and before == "None")
+            or (kind == "LOAD_GLOBAL" and not isinstance(table.get(before), NUMBERS))
+        ):
             found.add("is, which compares no numbers")
         before, kind = name, one.opname
     inner = (c for c in code.co_consts if isinstance(c, types.CodeType))
-    return found.union(*map(_telling, inner))
+    return found.union(*(_telling(part, table) for part in inner))
 
 
 def _catching(code: types.CodeType) -> str:

@@ -4,12 +4,14 @@ a = b, c = d        a &= b & c &= d        a = b \quad c = d        a = b \quad 
 """
 
 import re
+from bisect import bisect
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from lark import Token, Tree
 
+from mechanics.claims.latex.item import letter_of
 from mechanics.claims.latex.pieces import (
     OPERATORS,
     Pieces,
@@ -20,6 +22,7 @@ from mechanics.claims.latex.pieces import (
     related,
     text_of,
 )
+from mechanics.claims.names import GREEK
 
 NUMBER = re.compile(
     r"\(\s*(?:(?:[A-Z]\.?)?\d{1,3}(?:\.\d{1,3}){0,2}\s*[a-z]?'?|\*{1,3}|\\(?:ast|star))\s*\)"
@@ -68,7 +71,7 @@ def parts(pieces: Pieces, text: str) -> Iterator[Row]:
                 yield replace(row, apart=True)
             part = []
             continue
-        if is_kind(piece, "COLON") and not related(part) and len(part) <= LABELS:
+        if is_kind(piece, "COLON") and all(map(_names, part)) and len(part) <= LABELS:
             part = []  # cart: (m + M) x'' = F
             continue
         if is_kind(piece, "AMP", "REL"):
@@ -76,6 +79,16 @@ def parts(pieces: Pieces, text: str) -> Iterator[Row]:
             columns[id(piece)] = count
         if inside(piece, "braces") != []:  # {} only holds a place
             part.append(piece)
+
+
+def _names(piece: Tree | Token) -> bool:
+    """Whether a piece may name an equation: a word, a number, a letter, one in a bracket."""
+    if isinstance(piece, Token) or piece.data != "scripted":
+        return is_gap(piece)
+    base = piece.children[0]
+    if isinstance(base, Token):
+        return base.type != "COMMAND" or letter_of(base.value[1:]) in GREEK
+    return base.data == "leftright" and all(map(_names, inside(piece, "leftright") or ()))
 
 
 def _aside(part: Pieces) -> tuple[Pieces, Pieces]:
@@ -114,8 +127,11 @@ def _side_by_side(part: Pieces, columns: dict[int, int]) -> Iterator[Row]:
     """Equations that wide spaces or columns set apart."""
     relations = [i for i, piece in enumerate(part) if is_kind(piece, "REL")]
     cuts, doubt = [0], ""
+    runs = _runs(part)
+    starts = [start for start, _ in runs]
     for left, right in pairwise(relations):
-        inside = [run for run in _runs(part) if left < run[0] and run[1] < right]
+        # No run goes over a relation.
+        inside = runs[bisect(starts, left) : bisect(starts, right)]
         between = [run for run in inside if run[0] - 1 > left and run[1] + 1 < right]
         if len(between) > 1:
             between = [run for run in between if _column(part, run, columns)] or between

@@ -16,8 +16,8 @@ ACCENTED = re.compile(r"\\(dot|ddot)\s*\{\s*([A-Za-z0-9]*)\s*\}")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
 DIFFERENCE = re.compile(r"(\d)\s*[-\u2212]\s*(\d)")
 """In a subscript: c_{1-2} is not c_{12}."""
-STEP = re.compile(r"(?<![A-Za-z])([ijknt])\s*([-+\u2212])\s*(\\?[A-Za-z0-9])")
-"""In a subscript: x_{k-1} is neither x_{k+1} nor x_{k1}."""
+STEP = re.compile(r"([A-Za-z])\s*([-+\u2212])\s*(\\?[A-Za-z0-9])")
+"""In a subscript: x_{k-1} is neither x_{k+1} nor x_{k1}; x_{ck-1} no x_{ck}."""
 
 
 @dataclass(frozen=True)

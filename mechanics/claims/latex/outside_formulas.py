@@ -17,7 +17,7 @@ MATHEMATICAL = re.compile(
     r"|(?<![\w'`])[A-Za-z]\w{0,9}'{2,3}\s*[-+=*/]|\\ensuremath(?![A-Za-z])"
 )
 """What TeX takes in a formula only."""
-BETWEEN = re.compile(r"\s*\$?\s*=\s*\$?\s*")
+BETWEEN = re.compile(r"\$?\s*=\s*\$?")
 """Of an equation whose sides are formulas of their own: $a$ = $b$."""
 PARAGRAPH = re.compile(r"\n\s*\n")
 
@@ -26,7 +26,7 @@ def stray(text: str, found: Sequence[Block]) -> Iterator[tuple[int, int]]:
     """Where a paragraph of prose holds what may be an equation, from its first command on."""
     at = 0
     for block in (*found, Block(len(text), len(text))):
-        if at and BETWEEN.fullmatch(text, at, block.start):
+        if at and BETWEEN.fullmatch(text[at : block.start].strip()):
             yield at, block.start
         yield from _stray(text, at, block.start)
         at = max(at, block.end)

@@ -29,7 +29,7 @@ BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
 """Energies by their initials, which are no products."""
 LEADER = re.compile(
-    r"(?<=[\w})])\s*\\[cl]?dots\s*[A-Za-z]?(?:_?\{?\d\}?)?\s*(?=\$\$|\\\]|\\end\s*\{equation)"
+    r"(?<=[\w})])\s*\\[cl]?dots\s*(?:[A-Z]|[A-Za-z]?_?\{?\d\}?)\s*(?=\$\$|\\\]|\\end\s*\{equation)"
 )
 """Dots up to the label of a display."""
 DOTS = re.compile(
@@ -120,8 +120,8 @@ def labels(text: str) -> Iterator[tuple[int, int]]:
 
 
 def states(label: str) -> bool:
-    """Whether a label says something of its own, as an equation does."""
-    return "=" in label and bool(WORDS.sub("", label))
+    """Whether a label says something of its own, as an equation does; 0 is what it comes to."""
+    return ("=" in label and bool(WORDS.sub("", label))) or label.strip() == "0"
 
 
 def without_boxes(text: str, start: int, end: int) -> str:

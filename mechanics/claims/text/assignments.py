@@ -56,6 +56,7 @@ def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
     anew = set(again) if BRANCH.search(text) else set[str]()
     used = set[str]()
     given = set[str]()
+    arrays = {one for line in lines if isinstance(line, Line) for one in _of_arrays(line)}
     found: list[Entry] = []
     for line, name, lost in zip(lines, assigned, unread, strict=True):
         if not isinstance(line, Line):
@@ -72,7 +73,7 @@ def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
         used |= {held.name for side in sides for held in names(side)}
         if name in again and isinstance(left, Name):
             seen[name] += 1
-            if _is_array(name, lines):
+            if name in arrays:
                 anew.add(name)
             if seen[name] == 1 and naming.knows(name) and not OF_ARRAY.match(name):
                 given |= {name} if _holds(line, name) or isinstance(others[0], Name) else set()
@@ -127,11 +128,6 @@ def _holds(line: Entry, name: str) -> bool:
     sides = line.sides[1:] if isinstance(line, Line) else ()
     held = {n.name for side in sides for n in names(side)}
     return name in held
-
-
-def _is_array(name: str, lines: Sequence[Entry]) -> bool:
-    """Whether lines use entries of what a name stands for."""
-    return any(name in _of_arrays(line) for line in lines if isinstance(line, Line))
 
 
 def _of_arrays(line: Line) -> set[str]:

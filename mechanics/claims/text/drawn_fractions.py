@@ -12,11 +12,13 @@ from mechanics.claims.lines import Entry, Line
 from mechanics.claims.tree import inverse, product
 
 DRAWN = re.compile(
-    r"^(?P<above>[^\n=]*\S[^\n=]*)\n(?P<left>[^\n=]*\S[^\n=]*?)[ \t]*="
-    r"[ \t]*[\u2500\u2501\u2014_-]{4,}[ \t]*\n(?P<below>[^\n=]*\S[^\n=]*)$",
+    r"^(?P<above>[^\n=]*)\n(?P<left>[^\n=]*)=[ \t]*[\u2500\u2501\u2014_-]{4,}[ \t]*\n"
+    r"(?P<below>[^\n=]*)$",
     re.MULTILINE,
 )
+"""A line above, a name and a line of dashes, a line below."""
 
+NAMES = ("left", "above", "below")
 Read = Callable[[str, int], list[Entry]]
 """Lines of a part of a text, which begins at a place."""
 
@@ -34,7 +36,9 @@ def without_drawn(text: str, clean: str, read: Read) -> tuple[str, list[Entry]]:
     """
     found: list[Entry] = []
     for match in DRAWN.finditer(text):
-        spans = [match.span(name) for name in ("left", "above", "below")]
+        if not all(match[name].strip() for name in NAMES):
+            continue
+        spans = [match.span(name) for name in NAMES]
         parts = [read(clean[start:end], start) for start, end in spans]
         sides = [
             one[0].sides[0] for one in parts
@@ -44,7 +48,9 @@ def without_drawn(text: str, clean: str, read: Read) -> tuple[str, list[Entry]]:
             continue
         left, above, below = sides
         notes = tuple(n for one in parts for e in one if isinstance(e, Line) for n in e.notes)
-        source = " ".join(f"{match['left']} = ({match['above']}) / ({match['below']})".split())
+        source = " ".join(
+            f"{match['left'].rstrip()} = ({match['above']}) / ({match['below']})".split()
+        )
         right = product(above.at, [above, inverse(below)])
         found.append(Line((left, right), "", match.start("left"), source, notes))
         start, end = match.span()

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
-from unicodedata import numeric
+from unicodedata import digit, numeric
 
 from lark import Token, Tree
 
@@ -53,6 +53,8 @@ FUNCTION = re.compile(r"([a-z]+)\W*(\d?)")
 PERIODIC = ("sin", "cos")
 SECOND = re.compile(r"d(?:\^?2|\u00b2)")
 """Of the second differential."""
+INVERSE = "\u207b"
+"""The sign of a negative power, above the line."""
 INVERTED = ("inv", "pinv", "inverse")
 MATRICES = ("Matrix", "ImmutableMatrix", "array", "vertcat", "asarray")
 
@@ -194,9 +196,10 @@ class Nodes:
         return Pointwise(at, (node,)) if inverted else node
 
     def superscripted(self, tree: Tree, at: int) -> Node:
-        """A square or cube in Unicode."""
+        """A power in Unicode."""
         base, mark = tree.children
-        below, above = self.node(base), Number(at, Fraction(2 if mark == "\u00b2" else 3))
+        exponent = Fraction("".join("-" if c == INVERSE else str(digit(c)) for c in mark))
+        below, above = self.node(base), Number(at, exponent)
         factor = _applied_to(base, below)
         return Power(at, below, above) if factor is None else _raised(at, factor, above)
 

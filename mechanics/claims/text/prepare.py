@@ -24,7 +24,6 @@ STARTS = re.compile(r"[\w(\[.\uE002]")
 SLASHES = re.compile(r"(?:^|(?<=;))[ \t]*//[^\n]*", re.MULTILINE)
 """A comment of Modelica or C++; elsewhere two slashes divide."""
 
-BEHIND = re.compile(r"(?<=\S)[ \t]+//[^\n]*")
 IN_STARS = re.compile(r"/\*.*?\*/", re.DOTALL)
 
 CODE = re.compile(r"^[ \t]*function\b(?![^\n]*\{[ \t]*$)", re.MULTILINE)
@@ -34,7 +33,7 @@ ANONYMOUS = re.compile(r"(?<==)[ \t]*@\([\w, ~]*\)")
 """The head of a function without a name."""
 BRACES = re.compile(
     r"^[ \t]*function\b[^\n]*\{[ \t]*$|^[ \t]*\}[ \t;]*$|^[ \t]*(?:let|const|var)\b(?=[^\n]*=)"
-    r"|\bMath\.(?=[a-z])|[ \t]//[^\n]*(?=\n|\Z)(?<=[;} \w])",
+    r"|\bMath\.(?=[a-z])|(?<=[;{}])[ \t]*//[^\n]*",
     re.MULTILINE,
 )
 """What JavaScript has around formulas."""
@@ -92,6 +91,11 @@ LEIBNIZ = re.compile(
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
+TOOLKIT = re.compile(
+    r"(?<![\w.])D(?:t|Dt|2|ifferential)?\(|@(?:variables|parameters|named|mtk\w+)\b"
+)
+"""ModelingToolkit, in which ~ is an equals sign; elsewhere it is none."""
+
 OVER_TIMES = re.compile(
     r"(?<=\w\()(?:[ \t]*(\d+)[ \t]*,[ \t]*:[ \t]*|:[ \t]*,[ \t]*(\d+)[ \t]*)(?=\))"
 )
@@ -100,7 +104,7 @@ OVER_TIMES = re.compile(
 
 def comments(text: str) -> Iterator[tuple[int, str]]:
     """What `prepared` blanks though it may hold a formula: its place, and its words."""
-    for words in (COMMENT, SLASHES, BEHIND, BLOCK, IN_STARS):
+    for words in (COMMENT, SLASHES, BLOCK, IN_STARS):
         for match in words.finditer(text):
             yield match.start(), match[0].lstrip("%#/ \t")
 
@@ -126,6 +130,8 @@ def prepared(text: str) -> str:
         text = words.sub(lambda m: " " * len(m[0]), text)
     text = OVER_TIMES.sub(lambda m: (m[1] or m[2]).ljust(len(m[0])), text)
     text = barred(without_declarations(text))
+    if TOOLKIT.search(text):
+        text = text.replace("~", "=")
     text = on_one_line(sentences(text), code)
     out = list(text)
     open_brackets: list[str] = []

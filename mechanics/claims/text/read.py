@@ -149,6 +149,9 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         tree = _tree(clean, text, naming)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
+    arrays = ARRAYS.search(text) is not None
+    state = TAKEN_APART.search(text) is not None
+    how = (arrays, state, operators(text), has_columns(text))
     found: list[Entry] = []
     for statement in tree.children:
         if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:
@@ -160,10 +163,6 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
             found += _unpacked(statement.children[0], text, offset, naming)
             continue
         notes: list[str] = []
-        arrays = ARRAYS.search(text) is not None
-        state = TAKEN_APART.search(text) is not None
-        rates, turned = operators(text), has_columns(text)
-        how = (arrays, state, rates, turned)
         nodes = Nodes(naming, offset, notes, FIRST, *how)
         sides = nodes.sides(statement)
         others = tuple(_otherwise(statement, naming, offset, how) if nodes.slash else ())

@@ -1,0 +1,23 @@
+"""Reading takes time in proportion to what is read: 4,096 bytes stay within the fuzzers' limit."""
+
+import pytest
+
+from benchmarks.fuzz import law
+from mechanics.judge.check import derived
+from systems import elastic_pendulum
+
+TRUTH = derived(elastic_pendulum.scene())
+LONG = {
+    "factors above an equals sign": ("text", f"{'x*' * 1000}\n{'x*' * 1000}= 1"),
+    "values that are set anew": ("text", "x=1;" * 1000),
+    "values between commas": ("text", "x," * 2000),
+    "a product without end": ("text", f"(M + m)*x'' + Rational(1, 2)*{'M*' * 2000}M"),
+    "a chain of equalities": ("latex", "x=" * 2000),
+    "letters that are given nothing": ("text", f"x'' = 1/ {'a' * 4000}"),
+}
+
+
+@pytest.mark.parametrize(("notation", "text"), LONG.values(), ids=LONG)
+def test_the_time_of_reading_is_limited(notation: str, text: str) -> None:
+    found = law.outcome(TRUTH, notation, text.encode()[:4096], blame=False)
+    assert found.reading < law.LONGEST_READING

@@ -1,0 +1,92 @@
+"""Nothing that is handed in is left out in silence: it is judged, or named as not read."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from mechanics.blame.reference import Reference
+from mechanics.errors import InputError
+from mechanics.grading.grade import Grade, grade
+from mechanics.grading.submission import things_in
+from mechanics.judge.check import derived
+from systems import rod_pendulum
+
+KEY = Reference(derived(rod_pendulum.scene()))
+TRUE = r"$$\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3u}{m l^2}$$"
+FUNCTION = """
+import numpy as np
+def rate(theta, u, m, l, g):
+    return 3*g/(2*l)*np.sin(theta) + 3*u/(m*l**2)
+"""
+SYMBOLS = """
+from sympy import Eq, Function, symbols, sin
+m, l, g, u, t = symbols("m l g u t")
+theta = Function("theta")(t)
+"""
+OTHERS = {
+    "a lambda": ("code", "acc = lambda theta, u, m, l, g: -3*g/(2*l)*theta"),
+    "a function": ("code", "def other(theta, u, m, l, g):\n    return -3*g/(2*l)*theta"),
+    "an equation": ("code", f"{SYMBOLS}one = Eq(theta.diff(t, 2), -g*theta)"),
+    "an energy": ("code", f"{SYMBOLS}T = m*l**2*theta.diff(t)**2/2"),
+    "a formula": ("code", f"{SYMBOLS}one = -3*g/(2*l)*theta"),
+    "what is solved": (
+        "code",
+        "from scipy.integrate import solve_ivp\n"
+        "s = solve_ivp(lambda t, y: [y[1], -y[0]], (0, 1), [0.1, 0])",
+    ),
+    "raw text": ("raw", "theta'' = -g/l*theta"),
+    "another kind": ("heading", "theta'' = -g/l*theta"),
+    "a block": ("markdown", "```python\nacc = lambda theta: -g/l*theta\n```"),
+}
+INERT = [
+    "import numpy as np\nm, l = 1.0, 2/3",
+    "%matplotlib inline\nx0 = [0.1, 0]\nprint('x0 is', x0)",
+    "# theta'' = -g/l*theta",
+    "",
+]
+
+
+def graded(folder: Path, *cells: tuple[str, str], run_python: bool = True) -> Grade:
+    path = folder / "a.ipynb"
+    page = [{"cell_type": kind, "source": [text]} for kind, text in cells]
+    path.write_text(json.dumps({"cells": page}))
+    return grade(KEY, "a", things_in(path, run_python=run_python), options={"blame": False})
+
+
+@pytest.mark.parametrize("first", [("markdown", TRUE), ("code", FUNCTION)])
+@pytest.mark.parametrize("other", OTHERS)
+def test_a_wrong_cell_beside_a_right_one_is_seen(
+    tmp_path: Path, first: tuple[str, str], other: str
+) -> None:
+    found = graded(tmp_path, first, OTHERS[other])
+    assert found.verdict in ("wrong", "in doubt")
+    assert found.score == 0.5
+    assert found.hint
+
+
+@pytest.mark.parametrize("kind", [k for k, (kind, _) in OTHERS.items() if kind == "code"])
+def test_code_that_is_not_run_is_named(tmp_path: Path, kind: str) -> None:
+    found = graded(tmp_path, ("markdown", TRUE), OTHERS[kind], run_python=False)
+    assert (found.verdict, found.score) == ("in doubt", 0.5)
+    assert "code cell 2 is not read" in found.hint and "--run-python" in found.hint
+
+
+@pytest.mark.parametrize("text", INERT)
+@pytest.mark.parametrize("run_python", [True, False])
+def test_what_claims_nothing_changes_nothing(tmp_path: Path, text: str, run_python: bool) -> None:
+    found = graded(tmp_path, ("markdown", TRUE), ("code", text), run_python=run_python)
+    assert (found.verdict, found.score) == ("right", 1.0)
+
+
+def test_right_cells_are_right_together(tmp_path: Path) -> None:
+    again = ("code", FUNCTION.replace("rate", "again"))
+    use = ("code", "def plot(solution):\n    print(rate(*solution))\nplot((0.1, 0, 1, 1, 10))")
+    assert graded(tmp_path, ("markdown", TRUE), ("code", FUNCTION), again, use).verdict == "right"
+
+
+def test_an_equation_that_is_shown_and_not_assigned_is_not_read(tmp_path: Path) -> None:
+    shown = ("code", "from IPython.display import Math, display\ndisplay(Math('x = 1'))")
+    assert graded(tmp_path, ("markdown", TRUE), shown).verdict == "in doubt"
+    with pytest.raises(InputError, match="SyntaxError"):
+        graded(tmp_path, ("markdown", TRUE), ("code", "%%latex\n$x = 1$"))
