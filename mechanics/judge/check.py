@@ -132,10 +132,9 @@ def check(
     """
     reference, untried = _reference(as_scene(scene))
     truth, things = reference.truth, spread(equations)
-    if truth.textbook is None:
+    written_out = truth.textbook is not None
+    if not written_out:
         _plain(things, convention=convention, values=values, where=where)
-        found = _check_program(reference, blame, things, names, notation, about, function)
-        return replace(found, remarks=(*found.remarks, *untried))
     if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
         raise InputError("check: a black box is only called: leave out a convention and where")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
@@ -150,28 +149,34 @@ def check(
     known = [match for reading in readings for match in reading.names]
     counted = read_declared([convention] if isinstance(convention, str) else convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
-    said = () if counted or values or where else prose.conventions
+    apart = counted or values or where or not written_out
+    said = () if apart else prose.conventions
     counted = (*counted, *said)
     held = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
     how = partial(_verdicts, truth, counted=counted, values=held, where=region)
-    judged, told = how(statements)
+    judged, told = how(statements, helps=written_out)
     if said:
         pairs = zip(judged, statements, strict=True)
         judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
-    judged = complete_residuals(truth, one_root_each(truth, judged, statements))
-    untold = (*(() if convention else prose.against), *prose.limits)
+    judged = one_root_each(truth, judged, statements)
+    if written_out:  # how rows grow with accelerations is not looked at in a program
+        judged = complete_residuals(truth, judged)
+    counts = () if written_out else prose.conventions
+    against = (*(f"the text counts otherwise: {one.told}" for one in counts), *prose.against)
+    untold = (*(() if convention else against), *prose.limits)
     judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
     others = chain(
-        unsaid(truth, judged, readings, statements, held, not (counted or region)),
+        unsaid(truth, judged, readings, statements, held, written_out and not (counted or region)),
         other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
     judged = as_meant(judged)
-    if not (counted or held or region):
+    if written_out and not (counted or held or region):
         judged = in_special_case(truth, judged)
-    if blame:
+    searched = written_out or _operations(truth) <= LARGEST_SEARCHED
+    if blame and searched:
         judged = _blamed(reference, judged, counted, held)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
     told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
@@ -179,12 +184,13 @@ def check(
     remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
     remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
-        remarks += doubtful(readings)
-    twice = redundancy(truth, judged)
+        remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
+    twice = redundancy(truth, judged) if written_out else ""
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
     unjudged = (*prose.unjudged, *_definitions(readings))
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, truth, unjudged)
+    shown = truth if written_out else None
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged)
 
 
 def _reference(
@@ -218,42 +224,6 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             )
 
 
-def _check_program(
-    reference: Reference, blame: bool, things: Sequence[Any], names: Mapping[str, str] | None,
-    *how: Any,
-) -> Check:  # fmt: skip
-    """Verdicts on a scene whose equations stay a program."""
-    truth = reference.truth
-    readings = of_one_document(things, [read(truth.scene, t, names, *how) for t in things])
-    every = [statement for reading in readings for statement in reading.statements]
-    statements = of_one_dimension(truth, every)
-    judged = _as_they_stand(truth, statements)
-    matches = {match.name: match for reading in readings for match in reading.names}
-    source = [text for part in things for text in source_of(part)]
-    prose = prose_of(truth.scene, statements, [*matches.values()], source)
-    counts = (f"the text counts otherwise: {one.told}" for one in prose.conventions)
-    untold = (*counts, *prose.against, *prose.limits)
-    judged = tuple(as_told(entry, untold) for entry in judged)
-    others = chain(
-        unsaid(truth, judged, readings, statements, {}, False), other_readings(truth, statements)
-    )
-    judged = as_meant(left_open(judged, others, partial(_as_they_stand, truth)))
-    remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    if blame and _operations(truth) <= LARGEST_SEARCHED:
-        judged = blamed(reference, judged)
-    elif any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
-        remarks += (
-            "no term-by-term search is made for a scene of this size: its equations stay a program",
-        )
-    unjudged = (*prose.unjudged, *_definitions(readings))
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, None, unjudged)
-
-
-def _as_they_stand(truth: Equations, statements: Sequence[Statement]) -> tuple[Judged, ...]:
-    settled = settle(truth, statements, partial(_right, truth, {}, False))
-    return tuple(_by_letter(Judged(s.statement, judge(truth, s.statement, {})), s) for s in settled)
-
-
 def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
     """Definitions of texts that nothing uses."""
     return dict.fromkeys(words for reading in readings for words in reading.unjudged)
@@ -262,6 +232,7 @@ def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
 LARGEST_SEARCHED = 800
 """Operations of a scene's rows up to which mistakes are looked for where these stay a program; a
 quadrotor takes 658, a bicycle 2667."""
+TOO_LARGE = "no term-by-term search is made for a scene of this size: its equations stay a program"
 
 
 def _operations(truth: Equations) -> int:

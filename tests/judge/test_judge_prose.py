@@ -190,3 +190,9 @@ def test_what_a_text_counts_otherwise_is_not_proved_where_equations_stay_a_progr
 ) -> None:
     row = r"$$I_{xx}\dot p = L(F_2-F_4) - (I_{zz}-I_{yy}) q r$$"
     assert check(quadrotor.scene(), lead + row, blame=False).verdict.name == verdict
+
+
+def test_a_part_of_an_energy_is_not_refuted_where_equations_stay_a_program() -> None:
+    text = r"The translational kinetic energy is $T = \frac12 m (v_x^2 + v_y^2 + v_z^2)$."
+    (entry,) = check(quadrotor.scene(), text, blame=False).judged
+    assert entry.verdict is Verdict.UNDECIDED
