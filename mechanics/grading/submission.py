@@ -29,6 +29,7 @@ from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
+from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
 from mechanics.judge.sources import Another, Beside, NotRead, on_the_file
@@ -73,6 +74,11 @@ def things_in(path: Path, *, function: str | None = None, run_python: bool = Fal
 
 BLOCK = re.compile(r"^```[ \t]*(?:python|py)[ \t]*\n(.*?)^```[ \t]*$", re.DOTALL | re.MULTILINE)
 """Code in Python on a page in Markdown."""
+FENCE = re.compile(
+    r"^[ \t]*(?P<marks>`{3,}|~{3,})[^\n]*\n(?P<text>.*?)(?:^[ \t]*(?P=marks)[^\n]*$|\Z)",
+    re.DOTALL | re.MULTILINE,
+)
+"""Code in any language on a page."""
 
 
 def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
@@ -90,7 +96,7 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
 
 def _parts(path: Path, cells: list[Cell], function: str | None, run_python: bool) -> list[Any]:
     """The prose of cells together, what their code defines, and what is not read of them."""
-    pages = (BLOCK.sub("", cell.text) for cell in cells if cell.kind == "markdown")
+    pages = (FENCE.sub("", cell.text) for cell in cells if cell.kind == "markdown")
     shown = (GONE.sub("", text) for text in pages)
     prose = "\n\n".join(text for text in shown if text.strip())
     code = [cell for cell in cells if cell.kind == "code"]
@@ -125,7 +131,7 @@ NO_CLAIM = "it may hold an equation, and is neither prose nor code that is run"
 def _is_unread(cell: Cell) -> bool:
     """Whether a cell that is neither code nor prose, or code on a page, may claim a thing."""
     if cell.kind == "markdown":
-        return any(not is_inert(text) for text in BLOCK.findall(cell.text))
+        return any("=" in found["text"] for found in FENCE.finditer(cell.text))
     return cell.kind != "code" and "=" in cell.text
 
 
@@ -142,7 +148,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
     try:
-        names = standing_in(lambda: _run(path, code))
+        names, shown_things = standing_in(lambda: _run(path, code))
     except InputError as error:
         raise InputError(f"file {path}: {error}") from None
     except Exception as error:
@@ -163,8 +169,10 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         lines, unread = claims_of(code, _own(whole))
         if not claims and lines and not unread:
             claims = ["\n".join(lines)]
+        claims += [one for one in equations_in(shown_things) if one not in claims]
         if claims:
-            return [*claims, Beside("\n".join(comments(code, ".py")))]
+            left = [NotRead(name, WHY) for name in unread_values(_own(whole), set())]
+            return [*claims, *left, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise NothingError(path, f"there is no function {chosen or 'to check'}: {told}")
@@ -179,11 +187,13 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
             f"file {path}: {strange[0]} depends on where the file is run: write what it is"
         )
     lines, unread = claims_of(code, _own(whole))
-    formulas = ["\n".join(lines)] if lines and not unread else []
+    formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []
     loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
     loose += [
         NotRead(f"the function in line {line}", "it has no name") for line in _nameless(code, own)
     ]
+    loose += [NotRead(name, WHY) for name in unread_values(_own(whole), used)]
+    formulas += equations_in(shown_things)
     return [names[chosen], *on_the_file(code), *others, *formulas, *loose]
 
 
@@ -251,21 +261,30 @@ def _is_empty(function: FunctionType) -> bool:
     return not loads or "NotImplementedError" in code.co_names
 
 
-def _run(path: Path, code: str) -> dict[str, Any]:
-    """The names of a file that is run."""
+def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any]]:
+    """The names of a file that is run, and what its lines show."""
     module = ModuleType("submission")
     names = vars(module)
     names["__file__"], names["__package__"] = str(path), FOLDER
+    shown: list[Any] = []
+
+    def remembered(thing: Any) -> Any:
+        shown.append(thing)
+        return thing
+
     before = sys.modules.get("submission")
     sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
         with libraries_unchanged():
-            exec(compile(code, str(path), "exec"), names)  # in a worker, as the caller allows
+            page = ast.fix_missing_locations(Showing().visit(ast.parse(code, str(path))))
+            names[SHOW] = remembered
+            exec(compile(page, str(path), "exec"), names)  # in a worker, as the caller allows
     finally:
         del sys.modules["submission"]
         if before is not None:
             sys.modules["submission"] = before
-    return names
+    del names[SHOW]
+    return names, shown
 
 
 SOLVERS = re.compile(r"solve_ivp|odeint|^ode$|^RK45$|^LSODA$|^rk4|runge", re.IGNORECASE)

@@ -53,6 +53,26 @@ def test_defaults_are_symbols_and_that_is_said() -> None:
     assert "tolerance = 1e-06: the default" in str(found)
 
 
+@pytest.mark.parametrize(("value", "verdict"), [("9.81", RIGHT), ("-9.81", REFUTED)])
+def test_a_number_that_somebody_names_has_the_sign_of_the_parameter(
+    tmp_path: Path, value: str, verdict: str
+) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(
+        f"gravity = {value}\ndef rate(y, F, m, c):\n    return [y[1], (F - c*y[1])/m - gravity]\n"
+    )
+    assert _verdict(run_file(path).rate, names={"gravity": "g"}) == verdict
+
+
+def test_what_is_no_number_stands_for_no_parameter(tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(
+        "m = float('inf')\ndef rate(y, F, c, g):\n    return [y[1], (F - c*y[1])/m - g]\n"
+    )
+    with pytest.raises(InputError, match="the constant inf has no exact value"):
+        check(SCENE, run_file(path).rate)
+
+
 def test_a_default_that_is_no_number_is_said() -> None:
     def rate(y, F, m, c, g, unit="SI", drag=True):  # type: ignore[no-untyped-def]
         return np.array([y[1], (F - (c * y[1] if drag else 0)) / m - g])

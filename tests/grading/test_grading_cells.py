@@ -35,6 +35,17 @@ OTHERS = {
         "from scipy.integrate import solve_ivp\n"
         "s = solve_ivp(lambda t, y: [y[1], -y[0]], (0, 1), [0.1, 0])",
     ),
+    "what is printed": ("code", f"{SYMBOLS}print(Eq(theta.diff(t, 2), -g*theta))"),
+    "what is shown": ("code", f"{SYMBOLS}Eq(theta.diff(t, 2), -g*theta)"),
+    "a class": ("code", f"{SYMBOLS}class A:\n    one = Eq(theta.diff(t, 2), -g*theta)"),
+    "an object": ("code", f"{SYMBOLS}class A: pass\na = A()\na.one = -g*theta"),
+    "what can be called": (
+        "code",
+        "class A:\n    def __call__(self, theta, u, m, l, g): return -g*theta\nother = A()",
+    ),
+    "what SymPy makes": ("code", f"{SYMBOLS}from sympy import lambdify\nf = lambdify(g, -g)"),
+    "text": ("code", "one = r'\\ddot\\theta = -g/l'"),
+    "a block of another language": ("markdown", "~~~julia\nacc(theta) = -g/l*theta\n~~~"),
     "raw text": ("raw", "theta'' = -g/l*theta"),
     "another kind": ("heading", "theta'' = -g/l*theta"),
     "a block": ("markdown", "```python\nacc = lambda theta: -g/l*theta\n```"),

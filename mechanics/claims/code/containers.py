@@ -77,8 +77,8 @@ def _another(value: Any) -> Any:
     make: Callable[..., type] = type(value)
     try:
         return make(value.__name__, (value,), {})
-    except TypeError:
-        return value  # a class that nothing is derived from
+    except (TypeError, AttributeError, ValueError):
+        return value  # a class that nothing is derived from, or only in its own way
 
 
 def of_classes(kind: type) -> dict[str, Any]:

@@ -6,6 +6,7 @@ def f(t, z, m=2.0, g=9.81, tol=1e-9)    ->    t, z, m, g        m and g are name
 import inspect
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -165,11 +166,10 @@ def _standing(
     own = held(function, constants).numbers
     # Beside what is named, the file may compute from numbers that only it uses.
     whole = getattr(owner_of(function)[0], "__globals__", {})
-    values = {n: v for n, v in whole.items() if is_number(v)} | own
-    named = {n: s for n, s in constants.items() if n not in values or _may_be(s, values[n])}
+    values = {n: v for n, v in whole.items() if is_number(v)} | own | held(function, names).numbers
+    meant = constants | {n: constants[m] for n, m in names.items() if m in constants}
     known: dict[str, Expr] = {
-        **named,
-        **{n: constants[m] for n, m in names.items() if m in constants},
+        n: s for n, s in meant.items() if n not in values or _may_be(s, values[n])
     }
     known |= derived(function, known)
     numbers = held(function, known).numbers
@@ -219,4 +219,5 @@ def beside(
 
 def _may_be(symbol: Expr, value: float) -> bool:
     """Whether a symbol can have a value: g = -9.81 is not the g > 0 of a scene."""
-    return value >= 0 or not (symbol.is_positive or symbol.is_nonnegative)
+    signed = symbol.is_positive or symbol.is_nonnegative
+    return isfinite(value) and (value >= 0 or not signed)
