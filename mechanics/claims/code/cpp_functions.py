@@ -151,9 +151,9 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     """
     root = _tree(text)
     nodes, twice = _functions(root)
-    if origin.endswith(SMALL) and not wanted and nodes.keys() >= SKETCH:
-        names = joined([name for name in nodes if name not in SKETCH])
-        raise Unread(f"setup and loop return nothing: name a function, --function: {names}")
+    if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
+        others = [name for name in nodes if name not in SKETCH]
+        raise Unread(f"setup and loop return nothing: name one, --function {others[0]}")
     if not nodes or (wanted and wanted not in nodes):
         raise Unread(f"there is no function {wanted or ''} in it")
     _refuse_outside(root)
@@ -750,8 +750,11 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
             scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
         if value is not None and value.type == "argument_list" and not _is_scalar(kind):
-            many = len(named(value)) > (2 if "Matrix" in kind else 1)
-            if many or not SIZED.search(kind) or not all(_whole(n, scope) for n in named(value)):
+            sizes = named(value)
+            if len(sizes) == 2 and re.fullmatch(r"0(?:\.0*)?", words(sizes[1])):
+                sizes = sizes[:1]  # entries of 0
+            many = len(sizes) > (2 if "Matrix" in kind else 1)
+            if many or not SIZED.search(kind) or not all(_whole(n, scope) for n in sizes):
                 raise refuse(one, "what an object is made of is not read: set its entries")
         new = value if value is not None and value.type == "new_expression" else None
         if new is not None and new.child_by_field_name("arguments") is not None:

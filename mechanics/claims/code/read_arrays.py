@@ -81,7 +81,8 @@ def read_cpp(
     found = _together([read_function(scene, one, names, about, text) for one in functions])
     (one,) = functions
     doubt = ""
-    if unknown := cpp_functions.undeclared(text, inspect.signature(one).parameters):
+    unsaid = [name for name in inspect.signature(one).parameters if name not in (names or {})]
+    if unknown := cpp_functions.undeclared(text, unsaid):
         doubt = (
             f"nothing here declares {', '.join(unknown)}, and a header that is not here may: put"
             " the declaration into the file"
