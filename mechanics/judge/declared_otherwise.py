@@ -35,6 +35,8 @@ SHAPES = (
 """Letters of two shapes, which are read as one name."""
 LASTING = re.compile(r"\b(?:const|constexpr)\b[^;{}()]*;")
 """Of C++: what no line changes."""
+NAMED = re.compile(r"\w+(?=\s*[={(]|\s+\(?0)")
+"""What it names."""
 KINDS = r"(?:int|long|short|signed|unsigned|char|bool|boolean|byte|word|u?int\w*_t)"
 INTEGER = re.compile(rf"\b{KINDS}[ \t]+(?P<name>\w+)[ \t]*(?=[,;)\[])")
 COUNTER = r"\bfor\s*\(\s*(?:\w+\s+)?{0}\s*=|\[\s*{0}\b"
@@ -55,9 +57,17 @@ def declared_in_code(
 ) -> Iterator[str]:
     """What code declares otherwise, in words.
 
-    Zero is an example of what is positive, no damping, but of what statements divide by.
+    Zero is an example of what is positive, no damping, but of what statements divide by, and of a
+    constant: no line of such code has another value.
     """
-    yield from _outside(facts, _assignments(source), lambda symbol: _divide(statements, symbol))
+    lasting = [m[0] for m in (*LASTING.finditer(source), *DEFINED.finditer(source))]
+    names = (name for one in lasting for name in NAMED.findall(one))
+    fixed = {facts.own_name(name) for name in names}
+
+    def no_zero(symbol: Symbol) -> bool:
+        return symbol.name in fixed or _divide(statements, symbol)
+
+    yield from _outside(facts, _assignments(source), no_zero)
     yield from _integers(facts, source)
     yield from _aliases(facts, "\n".join(m[0] for m in LASTING.finditer(source)))
 

@@ -158,7 +158,12 @@ def get(a: Any, *indices: Any) -> Any:
     return tidy(flat.reshape(1, -1) if row else flat)
 
 
-def put(a: Any, value: Any, *indices: Any) -> Any:
+def lay(a: Any, value: Any, *indices: Any) -> Any:
+    """The array of C++ after a[2] = value: others have no value before they are set."""
+    return put(a, value, *indices, unset=np.nan)
+
+
+def put(a: Any, value: Any, *indices: Any, unset: float = 0) -> Any:
     """The array after a(2) = value"""
     if isinstance(a, bool):
         raise ValueError("entries of what is true or false are not set")
@@ -172,7 +177,7 @@ def put(a: Any, value: Any, *indices: Any) -> Any:
             rows, columns = single, [0] * len(single)
         else:
             rows, columns = [0] * len(single), single
-        grown = _grown(array, max(rows, default=0) + 1, max(columns, default=0) + 1)
+        grown = _grown(array, max(rows, default=0) + 1, max(columns, default=0) + 1, unset)
         grown[rows, columns] = np.ravel(value) if isinstance(value, np.ndarray) else value
         return _kept(grown)
     lengths = list(array.shape)
@@ -180,15 +185,16 @@ def put(a: Any, value: Any, *indices: Any) -> Any:
         if isinstance(index, slice) and not array.size:  # x(1, :) = 2 of what is not there yet
             lengths[axis] = 1
     rows, columns = (places(i, n) for i, n in zip(indices, lengths, strict=True))
-    grown = _grown(array, max(rows) + 1, max(columns) + 1)
+    grown = _grown(array, max(rows) + 1, max(columns) + 1, unset)
     if isinstance(value, np.ndarray):
         value = value.reshape(len(rows), len(columns))
     grown[np.ix_(rows, columns)] = value
     return _kept(grown)
 
 
-def _grown(array: Any, rows: int, columns: int) -> Any:
-    found = np.zeros((max(rows, array.shape[0]), max(columns, array.shape[1])), dtype=object)
+def _grown(array: Any, rows: int, columns: int, unset: float) -> Any:
+    shape = max(rows, array.shape[0]), max(columns, array.shape[1])
+    found = np.full(shape, unset, dtype=object)
     found[: array.shape[0], : array.shape[1]] = array
     return found
 

@@ -44,6 +44,8 @@ TO_SINGLE = re.compile(
 """What makes a number one of single precision."""
 SINGLE_NAMES = re.compile(r"\bfloat\b((?:[\s*&]*\w+(?:\s*\[[^][]*\])*\s*(?:,|(?=[;)=({])))+)")
 """Names that are declared so."""
+TAKES = re.compile(r"\b(\w+)\s*\([^()]*\bfloat\b(?!\s*[*&])[^()]*\)\s*(?:const\s*)?\{")
+"""A function of such a number, which others may call."""
 CHANGE = (
     r"\b{0}\b\s*(?:\[[^][]*\]\s*)*(?:[-+*/]?=(?!=)|\+\+|--|\{{)"
     r"|\bfloat\s+{0}\s*\([^()]*(?:[\d.]+[^()]*\)\s*;|\)\s*\{{)"
@@ -114,6 +116,9 @@ def made_single(text: str) -> re.Match[str] | None:
         return None
     for one in TO_SINGLE.finditer(text):
         if one["number"] is None or Fraction(one["number"]) != float32(float(one["number"])):
+            return one
+    for one in TAKES.finditer(text):
+        if len(re.findall(rf"\b{one[1]}\s*\(", text)) > 1:
             return one
     for names in SINGLE_NAMES.findall(text):
         for name in re.findall(r"(\w+)\s*(?:\[[^][]*\]\s*)*(?:,|$)", names):

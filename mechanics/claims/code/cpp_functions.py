@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -65,8 +65,14 @@ OWN_KIND = re.compile(
 """A name of the file for a kind of integers."""
 OVERLOADED = re.compile(r"\busing\s+(?:namespace\s+std|std::abs)\b|<(?:math|stdlib)\.h>")
 """Where abs is that of real numbers, too."""
+LIBRARIES = re.compile(r'"(?:Eigen|boost|casadi|gsl|rbdl|kdl|armadillo|glm)\b')
+"""Whose headers declare no name of a formula."""
+SIZED = re.compile(r"\b(?:vector|valarray|(?:Row)?(?:Vector|Array|Matrix)X\w*|\w*_(?:type|t))\b")
+"""Types of which what they are made of is their size."""
 SMALL = ".ino"
 """Of processors whose integers may have 16 bits."""
+SKETCH = frozenset(("setup", "loop"))
+"""Functions of a sketch for such a one."""
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
 WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
@@ -93,6 +99,8 @@ class Scope:
         Of its integers, and of arrays of these.
     whole : Kind or None
         The kind of integers that it returns.
+    zeros : set of str
+        Its arrays whose entries are 0 where nothing else is said.
     """
 
     arguments: list[str]
@@ -117,6 +125,7 @@ class Scope:
     returns: bool = True
     whole: Kind | None = None
     numbers: bool = False
+    zeros: set[str] = field(default_factory=set)
 
 
 def _language() -> object:
@@ -142,6 +151,9 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     """
     root = _tree(text)
     nodes, twice = _functions(root)
+    if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
+        others = [name for name in nodes if name not in SKETCH]
+        raise Unread(f"setup and loop return nothing: name one, --function {others[0]}")
     if not nodes or (wanted and wanted not in nodes):
         raise Unread(f"there is no function {wanted or ''} in it")
     _refuse_outside(root)
@@ -176,6 +188,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
+        _learn_kind(nodes[name], scope)
         if whole := sorted(members & scope.free.keys()):
             raise refuse(
                 nodes[name],
@@ -189,6 +202,34 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
     return tuple(space[name] for name in chosen)
+
+
+def undeclared(text: str, names: Iterable[str]) -> list[str]:
+    """Names that nothing in a file declares, where it includes a file of its own that is not here.
+
+    Parameters
+    ----------
+    text : str
+    names : iterable of str
+    """
+    root = _tree(text)
+    absent = [
+        words(one)
+        for one in within(root, "preproc_include")
+        if (path := one.child_by_field_name("path")) is not None
+        and path.type == "string_literal" and not LIBRARIES.match(words(path))
+    ]  # fmt: skip
+    kinds = ("declaration", "field_declaration", "parameter_declaration",
+             "optional_parameter_declaration", "preproc_def")  # fmt: skip
+    known = {
+        safe(words(name))
+        for one in within(root, *kinds)
+        for head in (*one.children_by_field_name("declarator"), one.child_by_field_name("name"))
+        if head is not None
+        for name in [head, *within(head, "identifier", "field_identifier")]
+        if not words(name).startswith("__")
+    }
+    return [name for name in names if name not in known] if absent else []
 
 
 def _tree(text: str) -> Any:
@@ -294,6 +335,8 @@ def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
     for part in parts:
         if (found := made_single(words(part) + doubles)) is not None:
             raise refuse(part, f"{found[0]} {ROUNDED}")
+    if parts and (found := made_single("\n".join(map(words, parts)))) is not None:  # of a call
+        raise refuse(parts[0], f"{found[0]} {ROUNDED}")
 
 
 def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:
@@ -322,6 +365,8 @@ def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str
     for node in within(root, "declaration", "field_declaration"):
         fixed = {"const", "constexpr"} & {*words(node).split()}
         if _owner(node) if node.type == "declaration" else not fixed:
+            continue
+        if node.child_by_field_name("type") is None:  # of a constructor
             continue
         kind = words(node.child_by_field_name("type"))
         values = node.children_by_field_name("default_value")
@@ -538,6 +583,17 @@ def _root(target: Any) -> str:
     return safe(words(within(target, "identifier")[0])) if within(target, "identifier") else ""
 
 
+def _learn_kind(node: Any, scope: Scope) -> None:
+    """The kind of integers that a function returns whose type is what it returns."""
+    if words(node.child_by_field_name("type")) != "auto":
+        return
+    returned = within(node.child_by_field_name("body"), "return_statement")
+    kinds = {_kind(named(one)[0], scope) for one in returned if named(one)}
+    if len(kinds) > 1:
+        raise refuse(node, "what it returns is of several types")
+    scope.whole = scope.whole or next(iter(kinds), None)
+
+
 def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: bool) -> None:
     body_of = node.child_by_field_name("body")
     sizes = {
@@ -648,6 +704,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         line = line_of(one)
         if declarator.type == "structured_binding_declarator":
             names = [safe(words(part)) for part in named(declarator)]
+            if _kind(value, scope) is not None:
+                raise refuse(one, "integers of a structure are not read: write them with a point")
             scope.locals |= {*names}
             page.put(line, depth, f"{joined(names)} = {_value(value, scope)}")
             continue
@@ -691,7 +749,19 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
             scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
+        if value is not None and value.type == "argument_list" and not _is_scalar(kind):
+            sizes = named(value)
+            if len(sizes) == 2 and re.fullmatch(r"0(?:\.0*)?", words(sizes[1])):
+                sizes = sizes[:1]  # entries of 0
+            many = len(sizes) > (2 if "Matrix" in kind else 1)
+            if many or not SIZED.search(kind) or not all(_whole(n, scope) for n in sizes):
+                raise refuse(one, "what an object is made of is not read: set its entries")
+        new = value if value is not None and value.type == "new_expression" else None
+        if new is not None and new.child_by_field_name("arguments") is not None:
+            raise refuse(one, "what an object is made of is not read: set its entries")
         bare = value is not None and value.type == "initializer_list" and not inner
+        if value is not None and (bare or value.type != "new_expression") and "X" not in kind:
+            scope.zeros.add(name)
         empty = value is not None and (
             value.type == "new_expression" or (bare and not _is_scalar(kind))
         )
@@ -762,7 +832,8 @@ def _changed(node: Any, scope: Scope) -> str:
     if name not in scope.locals or name not in scope.filled:
         scope.locals.add(name)
         scope.filled.setdefault(name)
-    return f"{name} = put({joined([name, value, *(f'({i}) + 1' for i in indices)])})"
+    put = "put" if name in scope.zeros else "lay"
+    return f"{name} = {put}({joined([name, value, *(f'({i}) + 1' for i in indices)])})"
 
 
 def _streamed(node: Any, scope: Scope) -> str:
@@ -994,7 +1065,7 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "field_expression" or head.type == "subscript_expression":
         return _place(node, scope)
     casts = ("static_cast<double>", "static_cast<float>", "double", "float")
-    if words(head).startswith(casts) or _is_type(head):
+    if (words(head).startswith(casts) or _is_type(head)) and len(named(given)) == 1:
         return _value(named(given)[0], scope)
     if "::" in words(head) and not re.match(r"(?:std|Eigen|this)?::", words(head)):
         raise refuse(node)
@@ -1003,6 +1074,8 @@ def _call(node: Any, scope: Scope) -> str:
         base, power = (_value(part, scope) for part in named(given))
         return f"power({base}, {power})"
     if name in PAIRS:
+        if any(_whole(part, scope) and words(part) != "0" for part in named(given)):
+            raise refuse(node, "integers of a structure are not read: write them with a point")
         return f"block({joined([f'({_value(part, scope)},)' for part in named(given)])})"
     if words(head) == "abs" and not (scope.overloaded or _whole(named(given)[0], scope)):
         raise refuse(node, "abs may be the one of integers here: write std::abs")
@@ -1041,5 +1114,8 @@ def _call_of(name: str, node: Any, scope: Scope) -> str:
         if argument in callee.kinds and argument in callee.arguments else _value(v, scope)
         for argument, v in zip(callee.arguments, given, strict=False)
     ]  # fmt: skip
+    for argument, text in zip(callee.arguments[len(given) :], left, strict=True):
+        if argument in callee.kinds:
+            _held(node, text, argument, callee.kinds[argument], kind_of_literal(text, scope.bits))
     values = [*passed_values, *left, *(_read(n, scope) for n in passed)]
     return f"{name}({joined(values)})"

@@ -11,8 +11,11 @@ makes another array here: code in which two names may be one array that changes 
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 from unicodedata import normalize
+
+from numpy import float32
 
 from mechanics.claims.code import array_language
 from mechanics.claims.code.matlab import ELEMENTWISE, RECIPROCAL, Translated
@@ -350,12 +353,16 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     one.scalar, one.others = known, others
     for part in named(named(one.call)[1]):
         _argument(one, part)
+    for number in within(one.node, "float_literal"):
+        if (text := words(number)) and re.search(r"\df-?\d", text) and not _is_single(text):
+            raise refuse(number, f"{text} is rounded to single precision: write it as a double")
     for typed in within(one.node, "typed_expression"):
         inner, kind = named(typed)[0], words(named(typed)[-1])
         argument = typed.parent is not None and typed.parent.type == "argument_list"
         if WHOLE.fullmatch(kind) and not (argument and not known(words(inner))):
             raise refuse(typed, f"what is converted to {kind} is not read")
-        if not (argument or {*re.findall(r"[^\W\d]\w*", kind)} <= REALS | _open_kinds(one.node)):
+        reals = REALS - {"Float32"} | _open_kinds(one.node)
+        if not (argument or {*re.findall(r"[^\W\d]\w*", kind)} <= reals):
             raise refuse(typed, f"what is converted to {kind} is not read")
     targets = [t for t in _assigned(one.node) if _around(t[2]) == one.node]
     if one.node.type == "assignment":
@@ -430,9 +437,32 @@ def _around_it(one: Function) -> dict[str, list[Any]]:
         owners.append(outer)
         outer = _around(outer)
     for target, value, whole in _assigned(top):
+        if not _is_name(_base(target)):
+            continue
+        name, here = name_of(_base(target)), _around(whole) in (None, *owners)
+        changed = target.type != "identifier" or words(whole.parent).startswith("global")
+        if here or (changed and name not in _kept(whole)):
+            own.setdefault(name, []).append((None if changed else value, whole))
+    for call in within(top, "call_expression"):
+        head, *rest = named(call)
+        if words(head).endswith("!") and _around(call) in (None, *owners):
+            for given in (i for part in rest for i in within(part, "identifier") if _is_name(i)):
+                own.get(name_of(given), []).append((None, call))
+    return own
+
+
+def _kept(node: Any) -> set[str]:
+    """Names that are the own ones of the function around a node: it assigns or takes them."""
+    outer = _around(node)
+    if outer is None:
+        return set()
+    head = named(outer)[0]
+    own = {name_of(i) for i in within(head, "identifier") if _is_name(i)}
+    shared = {words(i) for one in within(outer, "global_statement") for i in _tree_names(one)}
+    for target, _, whole in _assigned(outer):
         plain_name = target.type == "identifier" and _is_name(target)
-        if plain_name and _around(whole) in (None, *owners):
-            own.setdefault(name_of(target), []).append((value, whole))
+        if plain_name and words(target) not in shared and _around(whole) == outer:
+            own.add(name_of(target))
     return own
 
 
@@ -752,6 +782,12 @@ def _number(node: Any) -> str:
     return text.replace("f", "e")
 
 
+def _is_single(text: str) -> bool:
+    """Whether a number is one of single precision as it is: 1.5f0."""
+    text = text.replace("f", "e").replace("_", "")
+    return Fraction(text) == float32(float(text))
+
+
 def _macro(node: Any) -> str:
     """The name of a macro."""
     return words(named(node)[0]).lstrip("@")
@@ -922,6 +958,9 @@ def _call(node: Any, one: Function) -> str:
     if any(part.type in ("named_argument", "splat_expression") for part in parts):
         raise refuse(node)
     name = name_of(head)
+    literal = words(parts[0]) if parts and parts[0].type == "float_literal" else "0"
+    if name == "Float32" and not _is_single(literal):
+        raise refuse(node, f"{words(node)} is rounded to single precision: write a double")
     given = [expression(part, one) for part in parts]
     if name in one.others and name not in one.locals:
         return f"{name}({joined(given)})"
@@ -953,6 +992,6 @@ def _call(node: Any, one: Function) -> str:
         return f"block({joined([f'({part},)' for part in given])})"
     if name == "view":
         return f"get({joined(given)})"
-    if name in KINDS:
+    if name in KINDS and given:
         return given[0]
     raise refuse(node)

@@ -49,6 +49,8 @@ SHOWN = frozenset(
      "syms", "error", "warning", "assert", "tic", "toc", "drawnow"}
 )  # fmt: skip
 """Commands that change no number."""
+SETS = ("=", "+=", "-=", "*=", "/=", "^=", "++", "--")
+"""What Octave sets inside of what is shown, disp(x = 2)."""
 SOLVERS = ("ode", "lsode", "integral")
 DECIMAL = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 OCTAVE = re.compile(r"\bend(?:function|if|for|switch|while)\b")
@@ -128,6 +130,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     for wrong in map(first_error, (nodes[name] for name in wanted)):
         if wrong is not None:
             raise refuse(wrong)
+    _refuse_shared({name: nodes[name] for name in wanted})
     page = Page()
     flags: dict[str, None] = {}
     scopes = {name: _scope(nodes[name], {*nodes}, known) for name in wanted}
@@ -141,6 +144,25 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     space = page.module(origin, _arrays())
     remarks = tuple(f"{name} is read as true" for name in flags)
     return Translated(tuple(space[name] for name in chosen), remarks)
+
+
+def _refuse_shared(nodes: dict[str, Any]) -> None:
+    """Refuse what is global and set by one of several functions.
+
+    Raises
+    ------
+    Unread
+    """
+    shared = [
+        (name, safe(words(i)))
+        for name, node in nodes.items()
+        for one in within(node, "global_operator")
+        for i in within(one, "identifier")
+    ]
+    for name, node in nodes.items():
+        for target, _ in _targets(node):
+            if any(other != name and own == _base(target) for other, own in shared):
+                raise refuse(target, f"{_base(target)} is global, and set here: pass it")
 
 
 def _refuse_comments(root: Any, text: str) -> None:
@@ -468,7 +490,7 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")  # the file gives values to the scene's names
         case "function_call" if words(_name(node)) == "error" and depth == 1:
             page.put(line, depth, "raise ValueError", opens=False)
-        case "function_call" if words(_name(node)) in SHOWN:
+        case "function_call" if words(_name(node)) in SHOWN and not within(node, *SETS):
             page.put(line, depth, "pass")
         case "command" if words(named(node)[0]) in SHOWN:
             page.put(line, depth, "pass")

@@ -3,6 +3,7 @@
 x.m -> its tree -> functions of Python, line by line -> statements
 """
 
+import inspect
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -78,10 +79,20 @@ def read_cpp(
             cpp_functions.with_plain_integers(text), origin, function
         )
     found = _together([read_function(scene, one, names, about, text) for one in functions])
+    (one,) = functions
+    doubt = ""
+    unsaid = [name for name in inspect.signature(one).parameters if name not in (names or {})]
+    if unknown := cpp_functions.undeclared(text, unsaid):
+        doubt = (
+            f"nothing here declares {', '.join(unknown)}, and a header that is not here may: put"
+            " the declaration into the file"
+        )
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
-    statements = (replace(s, notes=(*s.notes, *notes)) for s in found.statements)
+    statements = (
+        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt) for s in found.statements
+    )
     return replace(found, statements=tuple(statements))
 
 

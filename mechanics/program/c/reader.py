@@ -465,6 +465,8 @@ class Reader:
             if self.turns > MOST_TURNS_IN_ALL:
                 raise ExpressionError(f"{where}: more than {MOST_TURNS_IN_ALL} turns of all loops")
             self._turn(node, counter, whole(turn))
+            if self.value(cond.right) != last:
+                raise ExpressionError(f"{where}: a loop that changes its bound is not supported")
 
     def _step(self, node: Any, counter: str, where: Any) -> int:
         """1 for ``++i``, n for ``i += n``."""
