@@ -96,3 +96,4 @@ def test_a_block_of_comments_is_no_code() -> None:
     assert not shown(f"{''.join(head)}{WRONG}%{{\n{right}%}}\nend\n", "text")
     assert not shown(f"{''.join(head)}{WRONG}%{{\n{right}end\n", "text")
     assert shown(f"{PROGRAM}%{{\n{WRONG}%}}\nend\n", "text")
+    assert not shown(f"{TEXT}\n%{{\nT = 0\n", "text")

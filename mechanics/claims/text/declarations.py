@@ -103,6 +103,8 @@ LEFT = re.compile(
 """Where a function ends though more stands behind it."""
 
 
+OPENED = re.compile(r"^[ \t]*[%#]\{[ \t\r]*$(?!.*^[ \t]*[%#]\}[ \t\r]*$)", re.MULTILINE | re.DOTALL)
+"""A comment of MATLAB's over lines that nothing ends."""
 MADE = re.compile(
     r"(?:^|(?<=;))[ \t]*(?P<name>\w+)[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*\(", re.MULTILINE
 )
@@ -114,6 +116,8 @@ def without_effect(text: str) -> Iterator[tuple[int, str]]:
 
     ``du = [a, b]`` in a function of du gives the name to another array, ``du .= [a, b]`` does not.
     """
+    if opened := OPENED.search(text):
+        yield opened.start(), "this comment is not closed: close it, or remove it"
     for made in MADE.finditer(text):
         entry = re.compile(rf"(?<![\w.]){made['name']}[(\[][^=\n]*[)\]][ \t]*\.?=(?!=)")
         if entry.search(text, 0, made.start("name")):
