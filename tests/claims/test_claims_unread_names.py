@@ -44,7 +44,7 @@ def test_what_is_defined_on_a_line_that_is_not_read_is_not_guessed(text: str) ->
 @pytest.mark.parametrize(
     "text",
     [
-        f"# r = 2*R\n{HOOP}", f"// r = 2*R\n{HOOP}", f"{HOOP}  % r = 2*R", f"{HOOP}  // r = 2*R",
+        f"# r = 2*R\n{HOOP}", f"// r = 2*R\n{HOOP}", f"{HOOP}  % r = 2*R", f"{HOOP};  // r = 2*R",
         f"# d = 2*R\n{RIGHT}", rf"\verb|r=2R| {LATEX}",
         "\\begin{lstlisting}[language=C]\nr = 2*R;\n\\end{lstlisting}\n" + LATEX,
     ],

@@ -103,11 +103,25 @@ LEFT = re.compile(
 """Where a function ends though more stands behind it."""
 
 
+OPENED = re.compile(r"^[ \t]*[%#]\{[ \t\r]*$(?!.*^[ \t]*[%#]\}[ \t\r]*$)", re.MULTILINE | re.DOTALL)
+"""A comment of MATLAB's over lines that nothing ends."""
+MADE = re.compile(
+    r"(?:^|(?<=;))[ \t]*(?P<name>\w+)[ \t]*=[ \t]*(?:zeros|ones|similar)[ \t]*\(", re.MULTILINE
+)
+"""Where an array is made, whatever its entries have been."""
+
+
 def without_effect(text: str) -> Iterator[tuple[int, str]]:
     """Places of a text of functions where what is computed is lost, and why.
 
     ``du = [a, b]`` in a function of du gives the name to another array, ``du .= [a, b]`` does not.
     """
+    if opened := OPENED.search(text):
+        yield opened.start(), "this comment is not closed: close it, or remove it"
+    for made in MADE.finditer(text):
+        entry = re.compile(rf"(?<![\w.]){made['name']}[(\[][^=\n]*[)\]][ \t]*\.?=(?!=)")
+        if entry.search(text, 0, made.start("name")):
+            yield made.start("name"), f"{made['name']} is made anew: what it held is lost"
     for function in BODY.finditer(text):
         for one in LEFT.finditer(function[2]):
             yield function.start(2) + one.start(), "the function ends here: remove what follows"

@@ -15,8 +15,11 @@ from mechanics.claims.text.line_continuation import on_one_line, sentences
 from mechanics.claims.text.markdown import without_markdown
 from mechanics.program.c.tokens import blanked
 
-BLOCK = re.compile(r"#=(?!=).*?=#", re.DOTALL)
-"""A comment of Julia's, behind which its line goes on."""
+BLOCK = re.compile(
+    r"#=(?!=).*?=#|^[ \t]*[%#]\{[ \t\r]*$.*?(?:^[ \t]*[%#]\}[ \t\r]*$|\Z)",
+    re.DOTALL | re.MULTILINE,
+)
+"""A comment of Julia's, behind which its line goes on, and one of MATLAB's over lines."""
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.\uE002]")
