@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from sympy import Pow, Symbol
 
-from mechanics.claims.code.cpp_functions import with_plain_integers
+from mechanics.claims.code.cpp_functions import with_plain_types
 from mechanics.claims.statement import Statement
 from mechanics.judge.modelica import is_model, model_otherwise
 from mechanics.judge.phrases import GIVEN
@@ -99,7 +99,7 @@ def _dimension(facts: SceneFacts, name: str) -> Dimension | None:
 def _integers(facts: SceneFacts, text: str) -> Iterator[str]:
     """Quantities of the scene that are declared as integers."""
     known = {match.name for match in facts.known} | facts.names
-    text = with_plain_integers(text)
+    text = with_plain_types(text)
     for said in INTEGER.finditer(text):
         if said["name"] in known and not re.search(COUNTER.format(said["name"]), text):
             yield f"{said['name']} is declared as an integer, the scene's is a real number"

@@ -79,6 +79,7 @@ FUNCTIONS = frozenset((
 ))  # fmt: skip
 KNOWN = FUNCTIONS | {"pi", "time", "Real", "Integer", "Boolean"}
 """Names that are known without a declaration: what gives one another meaning is not read."""
+PI = ("Modelica.Constants.pi", "acos(-1)", "2*asin(1)", "4*atan(1)")
 CLASS = re.compile(
     r"(?<!\bend )\b(?:model|block|class|package|function|record|type|connector|operator)\s+"
     r"(?!function\b|record\b)'?(\w+)"
@@ -143,7 +144,7 @@ def _other_meanings(text: str) -> Iterator[str]:
     """What gives a name that is known another meaning."""
     code = STRING.sub(" ", without_comments(text, ".mo"))
     for name in CLASS.findall(code):
-        if name in KNOWN or name in TYPES:
+        if name in KNOWN or name in LIBRARY:
             yield f"{name} has another meaning here, which is not read"
     for alias, path, rest in IMPORT.findall(code):
         *places, last = path.split(".")
@@ -172,7 +173,7 @@ def _moved(facts: SceneFacts, declared: Iterable[Declared], equations: str) -> I
     for one in declared:
         own = facts.own_name(one.name)
         if one.name in KNOWN:
-            number = _number(one.value)
+            number = math.pi if one.value in PI else _number(one.value)
             if one.name != "pi" or number is None or abs(number - math.pi) > 1e-9:
                 yield f"{one.name} has another meaning here, which is not read"
         rate = rf"\bder\s*\(\s*{one.name}\s*\)"

@@ -63,6 +63,9 @@ OWN_KIND = re.compile(
     rf"|\busing\s+(\w+)\s*=\s*(?:{INTEGERS.pattern}\s*)+;"
 )
 """A name of the file for a kind of integers."""
+ROW = r"(?:std::)?(?:vector|valarray)\s*<\s*double\s*>"
+OWN_ROW = re.compile(rf"\btypedef\s+({ROW})\s+(\w+)\s*;|\busing\s+(\w+)\s*=\s*({ROW})\s*;")
+"""A name of the file for a row of numbers."""
 OVERLOADED = re.compile(r"\busing\s+(?:namespace\s+std|std::abs)\b|<(?:math|stdlib)\.h>")
 """Where abs is that of real numbers, too."""
 LIBRARIES = re.compile(r'"(?:Eigen|boost|casadi|gsl|rbdl|kdl|armadillo|glm)\b')
@@ -134,10 +137,12 @@ def _language() -> object:
     return tree_sitter_cpp.language()
 
 
-def with_plain_integers(text: str) -> str:
-    """The text with ``int`` for names that it gives to kinds of integers."""
-    for own in OWN_KIND.findall(text):
-        text = re.sub(rf"\b{''.join(own)}\b(?=[\s*&]+\w)", "int", text)
+def with_plain_types(text: str) -> str:
+    """The text with ``int`` and ``vector`` for names that it gives to them."""
+    plain = [("".join(own), "int") for own in OWN_KIND.findall(text)]
+    plain += [(last or first, kind or row) for kind, last, first, row in OWN_ROW.findall(text)]
+    for name, kind in plain:
+        text = re.sub(rf"\b{name}\b(?=[\s*&]+\w)", kind, text)
     return text
 
 

@@ -75,9 +75,7 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     keeps_keywords(text, origin)
     with located(origin):
-        functions = cpp_functions.in_python(
-            cpp_functions.with_plain_integers(text), origin, function
-        )
+        functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
     found = _together([read_function(scene, one, names, about, text) for one in functions])
     (one,) = functions
     doubt = ""
