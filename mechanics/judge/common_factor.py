@@ -8,7 +8,18 @@ It counts as a divisor of what the equation says, as in ``(theta'' - a)/u = 0``.
 
 from collections.abc import Collection, Iterator
 
-from sympy import Expr, Mul, Piecewise, S, Symbol, factor_terms
+from sympy import (
+    Add,
+    Expr,
+    Mul,
+    Number,
+    NumberSymbol,
+    Piecewise,
+    Pow,
+    S,
+    Symbol,
+    factor_terms,
+)
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.demands import Demand
@@ -36,6 +47,9 @@ def _divisors(difference: Expr, moving: Collection[Symbol]) -> Iterator[Expr]:
         if S.Zero in [value for value, _ in says]:
             yield Piecewise(*says, (S.Zero, True))
         return
+    candidates = _candidates(difference, {})
+    if len(candidates) < 2 and not any(isinstance(one, Piecewise) for one in candidates):
+        return
     factors = [f.as_base_exp() for f in Mul.make_args(factor_terms(difference))]
     moves = [base for base, _ in factors if base.free_symbols & {*moving}]
     if len(moves) != 1:
@@ -45,3 +59,22 @@ def _divisors(difference: Expr, moving: Collection[Symbol]) -> Iterator[Expr]:
             yield base
     if isinstance(moves[0], Piecewise):
         yield from _divisors(moves[0], moving)
+
+
+def _candidates(expression: Expr, known: dict[Expr, frozenset[Expr]]) -> frozenset[Expr]:
+    """What a product may have as factors, shared parts looked at once; SymPy takes long for it."""
+    if expression not in known:
+        known[expression] = _found(expression, known)
+    return known[expression]
+
+
+def _found(expression: Expr, known: dict[Expr, frozenset[Expr]]) -> frozenset[Expr]:
+    if isinstance(expression, Mul):
+        return frozenset().union(*(_candidates(part, known) for part in expression.args))
+    if isinstance(expression, Add):
+        first, *others = (_candidates(part, known) for part in expression.args)
+        common = first.intersection(*others)
+        return common | {expression}
+    if isinstance(expression, Pow):
+        return _candidates(expression.base, known)
+    return frozenset() if isinstance(expression, Number | NumberSymbol) else frozenset({expression})
