@@ -232,3 +232,23 @@ def arm() -> tuple[Equations, object]:
     truth = derived(scene)
     assert truth.textbook is None
     return truth, compile(truth)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "where"),
+    [
+        ("(theta - 1)^2*theta''", "(theta - 1)^2*({})", "except where theta - 1 = 0"),
+        ("(theta^2 - 2*theta + 1)*theta''", "(theta - 1)^2*({})", "except where theta - 1 = 0"),
+        ("theta*theta'' - theta''", "(theta - 1)*({})", "except where theta - 1 = 0"),
+        (
+            "sin(theta)*theta'' - cos(theta)*theta''", "(sin(theta) - cos(theta))*({})",
+            "except where -sin(theta) + cos(theta) = 0",
+        ),
+        ("m*l*theta'' + m*theta''", "(l + 1)*m*({})", ""),
+        ("(theta^2 + 1)*theta''", "({})*(1 + theta^2)", ""),
+    ],
+)  # fmt: skip
+def test_where_a_factor_is_zero_an_equation_says_nothing(left: str, right: str, where: str) -> None:
+    equation = f"{left} = {right.format('3*g/(2*l)*sin(theta) + 3*u/(m*l^2)')}"
+    (entry,) = check(rod(), equation, blame=False).judged
+    assert (entry.finding.verdict, entry.finding.domain) == (Verdict.PROVED, where)
