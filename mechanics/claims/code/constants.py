@@ -11,8 +11,8 @@ bounded, so that fewer than one in a million of random doubles is next to one.
 
 from fractions import Fraction
 from math import isfinite, pi, ulp
+from typing import Any
 
-import numpy as np
 import sympy
 from sympy import Expr, Rational
 
@@ -84,7 +84,7 @@ def _rational(number: Fraction) -> Rational:
     return Rational(number.numerator, number.denominator)
 
 
-def exact_in_single(value: float, single: np.floating) -> None:
+def exact_in_single(value: float, single: Any) -> None:
     """Refuse a number that a precision below that of doubles has rounded: its formula is another.
 
     Raises
