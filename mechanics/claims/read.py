@@ -65,6 +65,7 @@ def read_source(
         raise InputError(f"notation {notation!r}: {instead(notation, NOTATIONS, 'notations')}")
     if about is not None and about not in QUANTITIES:
         raise InputError(f"about {about!r}: {instead(about, QUANTITIES, 'quantities')}")
+    refuse_private_use(text, origin or "text")
     chosen = notation or notation_of(text[:LARGEST_TEXT])
     title = origin or ("LaTeX" if chosen == "latex" else "text")
     text = expanded(text, title) if chosen == "latex" else text
@@ -119,8 +120,29 @@ def decoded(data: bytes, origin: str) -> str:
     if len(data) > 4 * LARGEST_TEXT:
         raise InputError(f"{origin}, line 1, column 1: more than {4 * LARGEST_TEXT} bytes")
     try:
-        return data.decode("utf-8-sig")
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
         raise InputError(f"{origin}, line {line}, column {column}: no UTF-8 text") from None
+    refuse_private_use(text, origin)
+    return text
+
+
+PRIVATE = re.compile("[\ue000-\uf8ff\U000f0000-\U0010ffff]")
+
+
+def refuse_private_use(text: str, origin: str) -> None:
+    """Refuse characters that mean what each font makes of them; some are marks of the readers.
+
+    Raises
+    ------
+    InputError
+    """
+    if (found := PRIVATE.search(text)) is not None:
+        line = text.count("\n", 0, found.start()) + 1
+        column = found.start() - text.rfind("\n", 0, found.start())
+        raise InputError(
+            f"{origin}, line {line}, column {column}: U+{ord(found[0]):04X} is a character for"
+            " private use, which has no meaning of its own: type the sign itself"
+        )

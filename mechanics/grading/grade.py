@@ -13,6 +13,7 @@ from mechanics.blame.reference import Reference
 from mechanics.errors import InputError
 from mechanics.judge.check import check
 from mechanics.judge.complete import determined, independent
+from mechanics.judge.sources import COMPUTED
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged
@@ -98,9 +99,11 @@ class Grade:
 
     @property
     def hint(self) -> str:
-        """The first hint, or what is missing."""
+        """The first hint, or what is missing or not judged."""
         hints = (line.hint for line in self.lines if line.hint)
-        return next(hints, self.missing and f"something is missing: {self.missing}")
+        missing = self.missing and f"something is missing: {self.missing}"
+        numbers = next((words for words in self.unjudged if words.endswith(COMPUTED)), "")
+        return next(hints, missing or (numbers and f"not judged: {numbers}"))
 
     def to_json(self) -> dict[str, Any]:
         """As plain data, without the page."""

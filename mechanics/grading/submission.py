@@ -29,10 +29,11 @@ from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
+from mechanics.grading.lost_values import KEEP, keeper, keeping, numbers_of_formulas
 from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
-from mechanics.judge.sources import Another, Beside, NotRead, on_the_file
+from mechanics.judge.sources import Another, Beside, NotRead, Numbers, on_the_file
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -148,7 +149,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
     try:
-        names, shown_things = standing_in(lambda: _run(path, code))
+        names, shown_things, lost = standing_in(lambda: _run(path, code))
     except InputError as error:
         raise InputError(f"file {path}: {error}") from None
     except Exception as error:
@@ -156,6 +157,9 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     whole = names
     own = [
         n for n, v in names.items() if isinstance(v, FunctionType) and v.__module__ == "submission"
+    ]
+    gone = [
+        NotRead(words, "it is overwritten or deleted later, and nothing uses it") for words in lost
     ]
     shown, solved = _returning(code)
     if not (function in own if function else any(n in shown and _takes(names[n]) for n in own)):
@@ -172,7 +176,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         claims += [one for one in equations_in(shown_things) if one not in claims]
         if claims:
             left = [NotRead(name, WHY) for name in unread_values(_own(whole), set())]
-            return [*claims, *left, Beside("\n".join(comments(code, ".py")))]
+            return [*claims, *left, *gone, Beside("\n".join(comments(code, ".py")))]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise NothingError(path, f"there is no function {chosen or 'to check'}: {told}")
@@ -194,7 +198,9 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     ]
     loose += [NotRead(name, WHY) for name in unread_values(_own(whole), used)]
     formulas += equations_in(shown_things)
-    return [names[chosen], *on_the_file(code), *others, *formulas, *loose]
+    numbers = tuple(numbers_of_formulas(code, whole, used))
+    formulas += [Numbers(numbers)] if numbers else []
+    return [names[chosen], *on_the_file(code), *others, *formulas, *loose, *gone]
 
 
 def _nameless(code: str, own: Sequence[str]) -> Iterator[int]:
@@ -261,12 +267,13 @@ def _is_empty(function: FunctionType) -> bool:
     return not loads or "NotImplementedError" in code.co_names
 
 
-def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any]]:
-    """The names of a file that is run, and what its lines show."""
+def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any], dict[str, None]]:
+    """The names of a file that is run, what its lines show, and formulas that it loses."""
     module = ModuleType("submission")
     names = vars(module)
     names["__file__"], names["__package__"] = str(path), FOLDER
     shown: list[Any] = []
+    lost: dict[str, None] = {}
 
     def remembered(thing: Any) -> Any:
         shown.append(thing)
@@ -276,15 +283,15 @@ def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any]]:
     sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
         with libraries_unchanged():
-            page = ast.fix_missing_locations(Showing().visit(ast.parse(code, str(path))))
-            names[SHOW] = remembered
+            page = ast.fix_missing_locations(Showing().visit(keeping(ast.parse(code, str(path)))))
+            names[SHOW], names[KEEP] = remembered, keeper(lost)
             exec(compile(page, str(path), "exec"), names)  # in a worker, as the caller allows
     finally:
         del sys.modules["submission"]
         if before is not None:
             sys.modules["submission"] = before
-    del names[SHOW]
-    return names, shown
+    del names[SHOW], names[KEEP]
+    return names, shown, lost
 
 
 SOLVERS = re.compile(r"solve_ivp|odeint|^ode$|^RK45$|^LSODA$|^rk4|runge", re.IGNORECASE)

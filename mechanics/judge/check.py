@@ -161,8 +161,7 @@ def check(
         pairs = zip(judged, statements, strict=True)
         judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
     judged = one_root_each(truth, judged, statements)
-    if written_out:  # how rows grow with accelerations is not looked at in a program
-        judged = complete_residuals(truth, judged)
+    judged = complete_residuals(truth, judged)
     counts = () if written_out else prose.conventions
     against = (*(f"the text counts otherwise: {one.told}" for one in counts), *prose.against)
     untold = (*(() if convention else against), *prose.limits)
@@ -185,7 +184,7 @@ def check(
     remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
     if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
         remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
-    twice = redundancy(truth, judged) if written_out else ""
+    twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
     unjudged = (*prose.unjudged, *_definitions(readings))

@@ -9,7 +9,7 @@ from functools import partial
 from random import Random
 
 import numpy as np
-from sympy import Expr, Matrix, Mul, S, factor_terms, lambdify
+from sympy import Expr, Matrix, Mul, S, factor_terms
 
 from mechanics.checks.ledger_motion import closing, gradient
 from mechanics.checks.manifold import project
@@ -21,6 +21,11 @@ from mechanics.judge.definedness import where_defined
 from mechanics.kernel import undecided
 from mechanics.kernel.field import Inadmissible
 from mechanics.kinematics.momenta import momenta_written_out
+from mechanics.kinematics.printer import symbols
+from mechanics.program.builder import Node
+from mechanics.program.derivatives import gradient as gradient_of
+from mechanics.program.interpret import include, interpret
+from mechanics.program.numpy_domain import Arrays
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.quantities import (
     EquationOfMotion,
@@ -28,7 +33,7 @@ from mechanics.scene.quantities import (
     Lagrangian,
     ReactionValue,
 )
-from mechanics.symbolic import generic_rank, slope
+from mechanics.symbolic import Arithmetic
 
 MOST_TOGETHER = 3
 """Equations whose determinant is written out; of more it is looked at at states."""
@@ -112,50 +117,58 @@ def _counted(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int,
     forces = [r.symbol for r in scene.reactions if r.name not in given]
     written = partial(momenta_written_out, truth.kinematics)
     sides = [[scene.plain(written(s), r.tag) for s in r.sides[:2]] for r in rows]
-    # u (theta'' - ...) = 0 says nothing of what moves by itself.
-    idle = dict.fromkeys(scene.input_symbols, S.Zero)
-    slopes = [[e.xreplace(idle) for e in gradient(scene, pair)] for pair in sides]
-    unknown = [[slope(a - b, force).xreplace(idle) for force in forces] for a, b in sides]
-    constraints = closing(truth).tolist()
     closure = truth.kinematics.mechanism.closure
+    constraints = closing(truth).tolist()
     if closure and not closure.values:
         return count, len(rows), len(scene.ud) - len(constraints), count  # no exact state is known
+    a = Arithmetic()
+    for symbol in scene.input_symbols:
+        a.assign(symbol, 0)  # u (theta'' - ...) = 0 says nothing of what moves by itself
     try:
-        held = _rank(truth, constraints)
-        both = [[*a, *b] for a, b in zip(slopes, unknown, strict=True)]
-        both += [[*row, *(S.Zero for _ in forces)] for row in constraints]
-        new = _rank(truth, both) - held
-        rank = new - _rank(truth, unknown)
+        project(a, truth.kinematics)
+        unknowns = [a.value(symbol) for symbol in (*scene.ud, *forces)]
+        both = [gradient_of([a.value(x) - a.value(y)], [1], unknowns) for x, y in sides]
+        speeds = len(scene.ud)
+        slopes, unknown = [row[:speeds] for row in both], [row[speeds:] for row in both]
+        closed = [[a.value(e) for e in row] for row in constraints]
+        held = a.rank(closed)
+        both += [[*row, *(a.rational(0) for _ in forces)] for row in closed]
+        new = a.rank(both) - held
+        rank = new - a.rank(unknown)
     except Inadmissible:
         return count, len(rows), len(scene.ud) - len(constraints), count  # no state to look at
     if rank == len(rows) == len(scene.ud):
-        few = rank <= MOST_TOGETHER
-        meet = _meet_somewhere(truth, entries, slopes) if few else _meet_at_a_state(truth, slopes)
+        few = rank <= MOST_TOGETHER and truth.textbook is not None
+        meet = _meet_somewhere(truth, entries, sides) if few else _meet_at_a_state(truth, a, slopes)
         rank -= int(meet)
     return count, rank, len(scene.ud) - held, new
 
 
-def _meet_at_a_state(truth: Equations, slopes: list[list[Expr]]) -> bool:
+def _meet_at_a_state(truth: Equations, a: Arithmetic, slopes: list[list[Node]]) -> bool:
     """Whether slopes are combinations of the mass matrix that meet where one quantity is special.
 
     slopes = T M, and det T vanishes there, or changes its sign between states.
     """
-    scene, source = truth.scene, Random(0)
-    mass = [[scene.plain(entry, "mass matrix") for entry in row]
-            for row in truth.kinematics.mass_matrix.tolist()]  # fmt: skip
+    scene, source, named = truth.scene, Random(0), symbols(truth.scene)
+    own = truth.kinematics.mechanism.builder.program(
+        {"mass": [entry for row in truth.kinematics.mass_nodes for entry in row]}
+    )
+    given = {name: a.value(named[name]) for name in own.inputs}
+    mass = include(a.builder, own, given)["mass"]
+    program = a.builder.program({"rows": [e for row in slopes for e in row], "mass": mass})
     moving = [str(symbol) for symbol in (*scene.q, *scene.u)]
-    symbols = sorted(Matrix([*slopes, *mass]).free_symbols, key=str)
-    typical = {str(s): float(getattr(s, "typical", None) or 1) for s in symbols}
+    known = {name: symbol for symbol, name in a.inputs.items()}
+    typical = {n: float(getattr(known.get(n), "typical", None) or 1) for n in program.inputs}
     states = [{name: source.uniform(-3, 3) for name in moving} for _ in range(STATES)]
     states += [dict.fromkeys(moving, 0.0)]
     states += [{**states[0], name: value} for name in moving for value in SPECIAL]
-    both = lambdify(symbols, [slopes, mass], "math")
     signs = set()
     for state in states:
-        values = {**typical, **state}
-        try:
-            rows, metric = np.array(both(*(values[str(s)] for s in symbols)), dtype=float)
-        except (ValueError, ArithmeticError):
+        with np.errstate(all="ignore"):
+            found = interpret(program, Arrays(), {**typical, **state})
+        rows, metric = (np.array(found[key], dtype=float).reshape(len(slopes), -1)
+                        for key in ("rows", "mass"))  # fmt: skip
+        if not (np.isfinite(rows).all() and np.isfinite(metric).all()):
             continue  # it has no value there
         if np.linalg.cond(metric) > SINGULAR:
             continue
@@ -171,11 +184,13 @@ def _sign(value: float) -> int:
     return 0 if abs(value) < NOTHING else 1 if value > 0 else -1
 
 
-def _meet_somewhere(truth: Equations, entries: Sequence[Judged], slopes: list[list[Expr]]) -> bool:
+def _meet_somewhere(truth: Equations, entries: Sequence[Judged], sides: list[list[Expr]]) -> bool:
     """Whether as many equations as freedoms say less at some state.
 
     e1 = 0 and x e2 + e1 = 0, where x = 0: their determinant by accelerations vanishes.
     """
+    idle = dict.fromkeys(truth.scene.input_symbols, S.Zero)
+    slopes = [[e.xreplace(idle) for e in gradient(truth.scene, pair)] for pair in sides]
     determinant = Matrix(slopes).det(method="berkowitz")
     factors = Mul.make_args(factor_terms(determinant))
     divisors = [f.as_base_exp()[0] for f in factors if f.free_symbols]
@@ -190,8 +205,3 @@ def _loses_motions(truth: Equations, entry: Judged) -> bool:
     alone = replace(entry.statement, demands=Demands(demands_of_factors(truth, entry.statement)))
     finding = where_defined(truth, alone, replace(entry.finding, domain=""))
     return bool(alone.demands.of) and (bool(finding.domain) or not finding.shown)
-
-
-def _rank(truth: Equations, rows: list[list[Expr]]) -> int:
-    prepare = partial(project, kinematics=truth.kinematics)
-    return generic_rank(rows, prepare) if rows and rows[0] else 0

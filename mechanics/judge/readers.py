@@ -28,7 +28,7 @@ from mechanics.claims.code.tracing import OtherKindError
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
-from mechanics.judge.sources import Another, Beside, NotRead
+from mechanics.judge.sources import COMPUTED, Another, Beside, NotRead, Numbers
 from mechanics.scene import Scene
 
 FILE = re.compile(
@@ -100,6 +100,9 @@ def read(
     """
     if isinstance(thing, Beside):
         return Reading((), (), ())
+    if isinstance(thing, Numbers):
+        told = (f"{name}: {COMPUTED}" for name in thing.names)
+        return Reading((), (), (), tuple(told))
     if isinstance(thing, NotRead):
         return _not_read(thing)
     if isinstance(thing, Another):

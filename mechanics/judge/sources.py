@@ -25,11 +25,21 @@ MOST = 64
 """Functions that one calls."""
 
 
+COMPUTED = "its formula was computed to numbers"
+
+
 @dataclass(frozen=True)
 class Beside:
     """Words beside a function, as in the other cells of a notebook: they are its comments."""
 
     words: str
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """Names of numbers that a file computes, which are compared with nothing."""
+
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -92,7 +102,7 @@ def source_of(thing: Any) -> tuple[Source, ...]:
         return () if thing.suffix in PAGES else (Source(file_text(thing), thing.suffix),)
     if isinstance(thing, Beside):
         return (Source(thing.words, ""),)
-    if isinstance(thing, NotRead | Another):
+    if isinstance(thing, NotRead | Another | Numbers):
         return ()
     return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
 

@@ -166,7 +166,12 @@ class Kinematics:
     @cached_property
     def mass_matrix(self) -> Matrix:
         """Second derivatives of the kinetic energy by the speeds, n x n."""
-        return self._matrix(energy.mass_matrix(self.mechanism, flat.from_iterable(self._energies)))
+        return self._matrix(self.mass_nodes)
+
+    @cached_property
+    def mass_nodes(self) -> Rows:
+        """The same as nodes."""
+        return energy.mass_matrix(self.mechanism, flat.from_iterable(self._energies))
 
     @cached_property
     def energy_in_rates(self) -> Expr:

@@ -332,3 +332,35 @@ def test_formulas_without_a_value_anywhere_are_told() -> None:
 
     words = doubt_when_called(nowhere, given, trace(nowhere, given))
     assert words == "it cannot be called with numbers: its formulas have no value at random states"
+
+
+TENTH, QUARTER = np.float32(0.1), np.float32(0.25)
+
+
+def a_rounded_number(theta, theta_dot, u, m, l, g):
+    return np.float32(0.1) * g * 15 / l * np.sin(theta) + 3 * u / (m * l**2)
+
+
+def a_rounded_number_outside(theta, theta_dot, u, m, l, g):
+    return TENTH * g * 15 / l * np.sin(theta) + 3 * u / (m * l**2)
+
+
+def a_rounded_entry(theta, theta_dot, u, m, l, g):
+    numbers = np.array([0.1, 3], dtype=np.float32)
+    return numbers[0] * g * 15 / l * np.sin(theta) + numbers[1] * u / (m * l**2)
+
+
+@pytest.mark.parametrize("function", [a_rounded_number, a_rounded_number_outside, a_rounded_entry])
+def test_a_number_that_single_precision_rounds_is_refused(function: Callable) -> None:
+    with pytest.raises(InputError, match=r"0\.1 is rounded to 0\.1000000014"):
+        mechanics.check(ROD, function)
+
+
+def a_held_number(theta, theta_dot, u, m, l, g):
+    return QUARTER * 6 * g / l * np.sin(theta) + np.float32(3) * u / (m * l**2)
+
+
+def test_single_precision_is_told() -> None:
+    found = mechanics.check(ROD, a_held_number)
+    assert found.ok
+    assert any(note.startswith("single precision") for note in found.judged[0].statement.notes)

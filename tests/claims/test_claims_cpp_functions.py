@@ -207,3 +207,32 @@ def test_loops_and_formulas_are_bounded(turns: int, words: str, tmp_path: Path) 
     )
     with pytest.raises(InputError, match=words):
         mechanics.check(mechanics.derive(rod_pendulum.scene(), "free_body"), path)
+
+
+@pytest.mark.parametrize(
+    ("before", "body", "name"),
+    [
+        ("#define g 9.81", "return 1.5*g/l*std::sin(theta) + 3*u/(m*l*l);", "g"),
+        ("#define theta 0.5", "return 1.5*g/l*std::sin(theta) + 3*u/(m*l*l);", "theta"),
+        ("", "double sin = 2*cos(theta); return 1.5*g/l*sin(theta) + 3*u/(m*l*l);", "sin"),
+    ],
+)
+def test_no_variable_is_named_like_a_macro_or_a_function_that_is_called(
+    before: str, body: str, name: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "own.cpp"
+    head = "double acc(double theta, double theta_dot, double u, double m, double l, double g)"
+    path.write_text(f"#include <cmath>\n{before}\n{head} {{ {body} }}\n")
+    with pytest.raises(InputError, match=f"{name} is declared twice: rename one"):
+        mechanics.check(rod_pendulum.scene(), path)
+
+
+def test_a_reference_to_a_single_number_rounds_what_it_is_given(tmp_path: Path) -> None:
+    path = tmp_path / "own.cpp"
+    path.write_text(
+        "#include <cmath>\nstatic double half(const float &x) { return 0.5*x; }\n"
+        "double acc(double theta, double theta_dot, double u, double m, double l, double g)"
+        " { return 3*half(g)/l*std::sin(theta) + 3*u/(m*l*l); }\n"
+    )
+    with pytest.raises(InputError, match="rounded to single precision among doubles"):
+        mechanics.check(rod_pendulum.scene(), path)

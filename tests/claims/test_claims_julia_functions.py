@@ -10,6 +10,7 @@ import mechanics
 from benchmarks.corpus.builders import P, pendulum
 from mechanics.claims.code.julia import in_python
 from mechanics.claims.code.python_page import Unread
+from systems import rod_pendulum
 
 PENDULUM = """using DifferentialEquations, Plots
 const g, l = 9.81, 0.5   # of the file
@@ -168,3 +169,24 @@ def test_a_function_that_one_makes_has_its_arguments() -> None:
     assert list(function(y=np.array([3.0, 5.0]), k=4.0, m=2.0)) == [5.0, -6.0]
     with pytest.raises(Unread):
         functions(MAKER % "k = 3", "k", "m")
+
+
+@pytest.mark.parametrize(
+    ("name", "head", "body", "end"),
+    [
+        ("own.jl", 'include("my.jl")\nfunction acc({})', "return {}", "end"),
+        ("own.m", "function a = acc({})\nrun('my.m')", "a = {};", "end"),
+    ],
+)
+def test_a_file_that_is_not_here_may_say_what_names_are(
+    name: str, head: str, body: str, end: str, tmp_path: Path
+) -> None:
+    def verdict(arguments: str, **options: object) -> str:
+        lines = (head.format(arguments), body.format(right), end)
+        (tmp_path / name).write_text("\n".join(lines))
+        return mechanics.check(rod_pendulum.scene(), tmp_path / name, **options).verdict.name
+
+    right = "1.5*g/l*sin(theta) + 3*u/(m*l^2)"
+    assert verdict("theta, theta_dot, u, m, l, g") == "PROVED"
+    assert verdict("theta, theta_dot, u") == "UNDECIDED"
+    assert verdict("theta, theta_dot, u", names={"m": "m", "l": "l", "g": "g"}) == "PROVED"

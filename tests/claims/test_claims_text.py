@@ -1,6 +1,7 @@
 """Plain text in SymPy's or MATLAB's notation, read and judged."""
 
 import re
+from pathlib import Path
 
 import pytest
 from sympy import Eq, Expr
@@ -153,3 +154,12 @@ def test_a_function_of_another_moment_is_no_coordinate(moment: Expr) -> None:
     angle = pendulum.theta.diff(T, 2)
     assert check(pendulum.scene(), Eq(angle, right), blame=False).ok
     assert not check(pendulum.scene(), Eq(angle, right.subs(T, moment)), blame=False).ok
+
+
+@pytest.mark.parametrize("sign", ["\ue000", "\ue001", "\uf8ff", "\U000f0001"])
+@pytest.mark.parametrize("name", ["", "a.tex", "a.txt", "a.m", "a.jl", "a.c", "a.cpp"])
+def test_characters_for_private_use_are_refused(sign: str, name: str, tmp_path: Path) -> None:
+    text = f"theta'' = 3*g/(2*l)*sin(theta)\n  + {sign}u"
+    (tmp_path / (name or "a.txt")).write_text(text)
+    with pytest.raises(InputError, match=r"line 2, column 5: U\+[0-9A-F]{4,5} is a character for"):
+        check(rod_pendulum.scene(), tmp_path / name if name else text)

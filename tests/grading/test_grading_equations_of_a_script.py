@@ -5,10 +5,12 @@ from pathlib import Path
 import pytest
 
 import mechanics
+from mechanics.blame.reference import Reference
 from mechanics.errors import InputError
+from mechanics.grading.grade import Grade, grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
-from systems import cartpole
+from systems import cartpole, rod_pendulum
 
 CART = derived(cartpole.scene())
 SCRIPT = """
@@ -76,3 +78,43 @@ def test_energies_and_what_vanishes_are_claims_of_a_script(
 def test_a_formula_that_is_no_part_and_no_claim_is_not_read(tmp_path: Path, beside: str) -> None:
     with pytest.raises(InputError, match="no function to check"):
         submitted(tmp_path, LAGRANGE + beside)
+
+
+SYMBOLS = (
+    "from sympy import *\nt = symbols('t')\nm, l, g, u = symbols('m l g u', positive=True)\n"
+    "theta = Function('theta')(t)\n"
+)
+MOVES = "Eq(m*l**2/3*theta.diff(t, 2), {}m*g*l/2*sin(theta) + u)"
+
+
+def graded(code: str, tmp_path: Path) -> Grade:
+    (tmp_path / "a.py").write_text(code)
+    things = things_in(tmp_path / "a.py", run_python=True)
+    return grade(Reference(derived(rod_pendulum.scene())), "a.py", things)
+
+
+@pytest.mark.parametrize(
+    ("lines", "verdict"),
+    [
+        (f"eq = {MOVES.format('')}", "right"),
+        (f"eq = {MOVES.format('-')}\neq = {MOVES.format('')}", "in doubt"),
+        (f"eq = {MOVES.format('')}\neq2 = {MOVES.format('-')}\ndel eq2", "in doubt"),
+        (f"eq = {MOVES.format('')}\neq = Eq(2*eq.lhs, 2*eq.rhs)", "right"),
+    ],
+)
+def test_an_equation_that_the_script_loses_is_named(
+    lines: str, verdict: str, tmp_path: Path
+) -> None:
+    assert graded(SYMBOLS + lines, tmp_path).verdict == verdict
+
+
+def test_numbers_of_a_formula_are_named_as_not_judged(tmp_path: Path) -> None:
+    code = (
+        "import numpy as np\nm, l, g, u = 1.0, 2.0, 9.81, 0.0\ntheta = np.linspace(0, 1, 5)\n"
+        "def acc(theta, theta_dot, u, m, l, g):\n"
+        "    return 3*g/(2*l)*np.sin(theta) + 3*u/(m*l**2)\n"
+        "wrong = -3*g/(2*l)*np.sin(theta)\n"
+    )
+    found = graded(code, tmp_path)
+    assert found.unjudged == ("wrong: its formula was computed to numbers",)
+    assert found.hint == f"not judged: {found.unjudged[0]}"

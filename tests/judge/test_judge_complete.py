@@ -6,9 +6,10 @@ from math import cos, sin
 import casadi
 import pytest
 import sympy
+from serial_arms import serial_arm
 from sympy.physics.mechanics import KanesMethod, ReferenceFrame, dynamicsymbols
 
-from mechanics import check, derive
+from mechanics import check, compile, derive
 from mechanics.claims.code.outputs import named_by_title
 from mechanics.equations import Equations
 from mechanics.errors import InputError
@@ -204,3 +205,50 @@ def test_an_equation_that_stands_twice_is_counted_once() -> None:
     found = check(pole(), [text, f"2*({text.replace(' = F', '')}) = 2*F"])
     assert found.verdict is Verdict.PROVED
     assert "independent equations of motion: 1 of these 2; the motion needs 2" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("combine", "verdict"),
+    [
+        (lambda r: r, Verdict.CERTIFIED),
+        (lambda r: casadi.vertcat(r[1] - r[0], r[0], 3 * r[3], r[2] + r[3]), Verdict.CERTIFIED),
+        (lambda r: casadi.vertcat(r[0], r[0], r[0], r[0]), Verdict.UNDECIDED),
+        (lambda r: casadi.vertcat(r[0], r[1], r[2], r[0] + 2 * r[1]), Verdict.UNDECIDED),
+    ],
+)
+def test_residuals_of_equations_that_stay_a_program(combine: object, verdict: Verdict) -> None:
+    truth, model = arm()
+    f = model.casadi["inverse_dynamics"]
+    names = [f.name_in(k) for k in range(f.n_in())]
+    given = [casadi.SX.sym(name, *f.size_in(k)) for k, name in enumerate(names)]
+    rows = combine(f(*given))
+    residual = casadi.Function("residual", given, [rows], names, ["residual"])
+    assert check(truth, residual, blame=False).verdict is verdict
+
+
+@cache
+def arm() -> tuple[Equations, object]:
+    scene = serial_arm(4).scene
+    truth = derived(scene)
+    assert truth.textbook is None
+    return truth, compile(truth)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "where"),
+    [
+        ("(theta - 1)^2*theta''", "(theta - 1)^2*({})", "except where theta - 1 = 0"),
+        ("(theta^2 - 2*theta + 1)*theta''", "(theta - 1)^2*({})", "except where theta - 1 = 0"),
+        ("theta*theta'' - theta''", "(theta - 1)*({})", "except where theta - 1 = 0"),
+        (
+            "sin(theta)*theta'' - cos(theta)*theta''", "(sin(theta) - cos(theta))*({})",
+            "except where -sin(theta) + cos(theta) = 0",
+        ),
+        ("m*l*theta'' + m*theta''", "(l + 1)*m*({})", ""),
+        ("(theta^2 + 1)*theta''", "({})*(1 + theta^2)", ""),
+    ],
+)  # fmt: skip
+def test_where_a_factor_is_zero_an_equation_says_nothing(left: str, right: str, where: str) -> None:
+    equation = f"{left} = {right.format('3*g/(2*l)*sin(theta) + 3*u/(m*l^2)')}"
+    (entry,) = check(rod(), equation, blame=False).judged
+    assert (entry.finding.verdict, entry.finding.domain) == (Verdict.PROVED, where)

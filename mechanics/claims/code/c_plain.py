@@ -44,7 +44,10 @@ TO_SINGLE = re.compile(
 """What makes a number one of single precision."""
 SINGLE_NAMES = re.compile(r"\bfloat\b((?:[\s*&]*\w+(?:\s*\[[^][]*\])*\s*(?:,|(?=[;)=({])))+)")
 """Names that are declared so."""
-TAKES = re.compile(r"\b(\w+)\s*\([^()]*\bfloat\b(?!\s*[*&])[^()]*\)\s*(?:const\s*)?\{")
+TAKES = re.compile(
+    r"\b(\w+)\s*\([^()]*(?:\bfloat\b(?!\s*[*&])|\bconst\s+float\s*&|\bfloat\s+const\s*&)[^()]*\)"
+    r"\s*(?:const\s*)?\{"
+)
 """A function of such a number, which others may call."""
 CHANGE = (
     r"\b{0}\b\s*(?:\[[^][]*\]\s*)*(?:[-+*/]?=(?!=)|\+\+|--|\{{)"

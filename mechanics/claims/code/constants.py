@@ -11,6 +11,7 @@ bounded, so that fewer than one in a million of random doubles is next to one.
 
 from fractions import Fraction
 from math import isfinite, pi, ulp
+from typing import Any
 
 import sympy
 from sympy import Expr, Rational
@@ -81,3 +82,17 @@ def constant_from(value: Fraction) -> tuple[Expr, str]:
 
 def _rational(number: Fraction) -> Rational:
     return Rational(number.numerator, number.denominator)
+
+
+def exact_in_single(value: float, single: Any) -> None:
+    """Refuse a number that a precision below that of doubles has rounded: its formula is another.
+
+    Raises
+    ------
+    InputError
+    """
+    if isfinite(value) and float(single) != value:
+        raise InputError(
+            f"{value!r} is rounded to {float(single)!r} as {type(single).__name__}, which is no"
+            " exact formula: write it as a double"
+        )

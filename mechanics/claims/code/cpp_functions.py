@@ -186,7 +186,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     scopes: dict[str, Scope] = {}
     bodies: dict[str, Page] = {}
     for name in order:
-        _refuse_shadows(nodes[name], set())
+        _refuse_shadows(nodes[name], _meant_otherwise(root, nodes[name]))
         scope = _scope(nodes[name], structs, nodes, scopes, bits)
         scope.constants, scope.kinds = {**constants}, {**kinds, **scope.kinds}
         scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
@@ -426,6 +426,16 @@ def _refuse_inexact(node: Any, number: str) -> None:
     """Refuse an integer that no double is."""
     if WHOLE.fullmatch(number) and abs(int(number.rstrip("uUlL"))) > EXACT:
         raise refuse(node, f"{number} is more than a double holds exactly: write it with a point")
+
+
+def _meant_otherwise(root: Any, node: Any) -> set[str]:
+    """Macros, and functions of the library that are called: no variable can have their names."""
+    macros = {
+        words(one.child_by_field_name("name"))
+        for one in within(root, "preproc_def", "preproc_function_def")
+    }
+    called = {words(c.child_by_field_name("function")) for c in within(node, "call_expression")}
+    return macros | (called & {*LIBRARY, "pow"})
 
 
 def _refuse_shadows(node: Any, outside: set[str]) -> None:

@@ -169,7 +169,9 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     remarks = (f"of the functions {joined(chosen)} is read, {joined(left)} not",) if left else ()
     if any(SINGLE.search(words(functions[name].node)) for name in wanted):
         remarks = (*remarks, "single precision (Float32) is read as exact numbers")
-    return Translated(tuple(space[name] for name in chosen), remarks)
+    includes = any(words(named(one)[0]) == "include" for one in within(root, "call_expression"))
+    free = dict.fromkeys(n for _, one in bodies for n in one.free) if includes else ()
+    return Translated(tuple(space[name] for name in chosen), remarks, tuple(free))
 
 
 def _language() -> object:

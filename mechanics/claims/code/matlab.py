@@ -93,10 +93,13 @@ class Translated:
     functions : tuple of callable
         Those that no other one calls, in their order.
     remarks : tuple of str
+    elsewhere : tuple of str
+        Names that nothing here gives a value, where a file that is not here may.
     """
 
     functions: tuple[Callable[..., Any], ...]
     remarks: tuple[str, ...]
+    elsewhere: tuple[str, ...] = ()
 
 
 def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translated:
@@ -143,7 +146,13 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     page.constants({name: scopes[name].constants for name, _ in bodies})
     space = page.module(origin, _arrays())
     remarks = tuple(f"{name} is read as true" for name in flags)
-    return Translated(tuple(space[name] for name in chosen), remarks)
+    runs = any(words(_name(one)) == "run" for one in within(root, "function_call"))
+    free = (
+        dict.fromkeys(n for name, _ in bodies for n, of in scopes[name].free.items() if not of)
+        if runs
+        else ()
+    )
+    return Translated(tuple(space[name] for name in chosen), remarks, tuple(free))
 
 
 def _refuse_shared(nodes: dict[str, Any]) -> None:

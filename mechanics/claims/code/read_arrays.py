@@ -5,7 +5,7 @@ x.m -> its tree -> functions of Python, line by line -> statements
 
 import inspect
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -65,7 +65,8 @@ def read_arrays(
         translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows)
     told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
     readings = [read_function(scene, one, names, about, told) for one in translated.functions]
-    return _together(readings, translated.remarks)
+    found = _together(readings, translated.remarks)
+    return _elsewhere(found, translated.elsewhere, names, "a file that is read first")
 
 
 def read_cpp(
@@ -78,20 +79,29 @@ def read_cpp(
         functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
     found = _together([read_function(scene, one, names, about, text) for one in functions])
     (one,) = functions
-    doubt = ""
-    unsaid = [name for name in inspect.signature(one).parameters if name not in (names or {})]
-    if unknown := cpp_functions.undeclared(text, unsaid):
-        doubt = (
-            f"nothing here declares {', '.join(unknown)}, and a header that is not here may: put"
-            " the declaration into the file"
-        )
+    unknown = cpp_functions.undeclared(text, inspect.signature(one).parameters)
+    found = _elsewhere(found, unknown, names, "a header")
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
-    statements = (
-        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt) for s in found.statements
-    )
+    statements = (replace(s, notes=(*s.notes, *notes)) for s in found.statements)
     return replace(found, statements=tuple(statements))
+
+
+def _elsewhere(
+    found: Reading, unknown: Iterable[str], names: Mapping[str, str] | None, where: str
+) -> Reading:
+    """The reading; in doubt where nothing here says what names are, and something elsewhere may."""
+    left = [name for name in unknown if name not in (names or {})]
+    if not left:
+        return found
+    doubt = (
+        f"nothing here declares {', '.join(left)}, and {where} that is not here may: put the"
+        " declaration into the file"
+    )
+    return replace(
+        found, statements=tuple(replace(s, doubt=s.doubt or doubt) for s in found.statements)
+    )
 
 
 @contextmanager

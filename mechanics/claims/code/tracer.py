@@ -21,7 +21,7 @@ import numpy as np
 import sympy
 from sympy import Expr
 
-from mechanics.claims.code.constants import constant_of
+from mechanics.claims.code.constants import constant_of, exact_in_single
 from mechanics.claims.code.exact import DEGREE, ELEMENTARY, OF_DEGREES, Exact
 from mechanics.claims.code.explorer import Condition, Explorer
 from mechanics.claims.code.formulas import (
@@ -326,6 +326,8 @@ def expression_of(value: Any, explorer: Explorer) -> Expr | None:
         return value.expr
     if isinstance(value, float | np.floating) and isnan(value):
         return sympy.S.Zero  # it asks for what no state has
+    if isinstance(value, np.float32 | np.float16):
+        exact_in_single(float(str(value)), value)
     if isinstance(value, float | np.floating):
         number, note = constant_of(float(value))
         if note and note not in explorer.notes:

@@ -24,7 +24,7 @@ from mechanics.claims.code.explorer import MOST_PATHS, Explorer
 from mechanics.claims.code.formulas import Authored, Formulas, leaf
 from mechanics.claims.code.side_effects import changed, seen
 from mechanics.claims.code.tracer import Traced, asked_of, expression_of
-from mechanics.claims.code.tracing_modules import copy_of
+from mechanics.claims.code.tracing_modules import SINGLE_NOTE, copy_of, names_single
 from mechanics.claims.code.unpacking import Record
 from mechanics.claims.demands import ERROR, RAISED, Demand, gathered
 from mechanics.errors import InputError, MechanicsError
@@ -141,7 +141,10 @@ def _follow(
     function: Callable[..., Any], given: Given, standing: Mapping[str, Expr], ways: _Ways
 ) -> None:
     """Go all ways through a function."""
-    own, copied = held(function, standing), copy_of(function)
+    made: dict[int, Any] = {}
+    own, copied = held(function, standing), copy_of(function, made)
+    if any(names_single(one.__code__) for one in made.values() if hasattr(one, "__code__")):
+        ways.notes.append(SINGLE_NOTE)
     # What only fills arrays is called by what returns them: the lines are those of the first.
     origin = getattr(function, "__wrapped__", function)
     prefix: tuple[bool, ...] | None = ()

@@ -25,6 +25,7 @@ from sympy import Expr
 
 from mechanics.claims.code import linear_systems
 from mechanics.claims.code.closure_numbers import content, foreign, named
+from mechanics.claims.code.constants import exact_in_single
 from mechanics.claims.code.containers import library, of_library
 from mechanics.claims.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
 from mechanics.claims.code.objects import class_with_methods, methods_of, with_methods
@@ -109,7 +110,13 @@ def _objects(make: Callable[..., np.ndarray]) -> Callable[..., np.ndarray]:
         same = isinstance(x, np.ndarray) and x.dtype == object
         kept = {k: v for k, v in options.items() if k != "dtype" and (k != "copy" or same)}
         positional = [r for r in rest if not isinstance(r, str | type | np.dtype)]
-        return make(x, *positional, dtype=object, **kept)
+        found = make(x, *positional, dtype=object, **kept)
+        kind = np.dtype(asked[0]) if asked else np.dtype(float)
+        if kind.kind == "f" and kind.itemsize <= SINGLE_BYTES:
+            for entry in found.flat:
+                if isinstance(entry, float):
+                    exact_in_single(float(entry), kind.type(entry))
+        return found
 
     return apply
 
@@ -144,6 +151,8 @@ class _Kind(type):
     def __call__(cls, x: Any = 0.0, *_: Any, **__: Any) -> Any:
         if isinstance(x, Traced) and cls is Single:
             x.explorer.notes += [note for note in (SINGLE_NOTE,) if note not in x.explorer.notes]
+        if cls is Single and not isinstance(x, Traced):
+            exact_in_single(float(x), np.float32(x))
         return x if isinstance(x, Traced | Exact) else float(x)
 
 
@@ -167,6 +176,16 @@ class Single(Float):
 
 SINGLE_BYTES = 4
 SINGLE_NOTE = "single precision (np.float32) is read as exact numbers"
+
+
+SINGLE_WORDS = frozenset(("float32", "float16", "f4", "<f4", "f2", "<f2"))
+
+
+def names_single(code: types.CodeType) -> bool:
+    """Whether code names a precision below that of doubles; ``half`` may be anybody's function."""
+    inner = (names_single(part) for part in code.co_consts if isinstance(part, types.CodeType))
+    words = {part for part in code.co_consts if isinstance(part, str)}
+    return bool(SINGLE_WORDS & {*code.co_names, *words}) or any(inner)
 
 
 class _Type(_Kind):
