@@ -7,7 +7,7 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -135,7 +135,19 @@ def assemble(
     statements = _beside_unread(work.statements, lines, naming)
     statements = tuple(_of_places(statement, places) for statement in statements)
     matches = naming.matches(name.name for name in used(lines))
-    return Reading(statements, matches, (*work.remarks, *told), tuple(work.unjudged))
+    unjudged = (*work.unjudged, *_commented_out(text))
+    return Reading(statements, matches, (*work.remarks, *told), unjudged)
+
+
+CUT = re.compile(r"^[^\n%#=]*[^\s%#=\\][ \t]*[%#]+[ \t]*(&?=(?!=)[^\n]*)", re.MULTILINE)
+"""A line whose right side is a comment."""
+
+
+def _commented_out(text: str) -> Iterator[str]:
+    """Right sides that are comments: the left ones say nothing."""
+    for match in CUT.finditer(text):
+        line = text.count("\n", 0, match.start(1)) + 1
+        yield f"line {line}: {match[1].strip()}, which is a comment"
 
 
 def _of_places(found: Statement, places: Mapping[str, Line]) -> Statement:

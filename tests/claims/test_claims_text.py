@@ -163,3 +163,14 @@ def test_characters_for_private_use_are_refused(sign: str, name: str, tmp_path: 
     (tmp_path / (name or "a.txt")).write_text(text)
     with pytest.raises(InputError, match=r"line 2, column 5: U\+[0-9A-F]{4,5} is a character for"):
         check(rod_pendulum.scene(), tmp_path / name if name else text)
+
+
+@pytest.mark.parametrize(("name", "sign"), [("a.m", "%"), ("a.txt", "#"), ("a.md", "%")])
+def test_a_right_side_that_is_a_comment_is_told(name: str, sign: str, tmp_path: Path) -> None:
+    right = "theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
+    (tmp_path / name).write_text(f"{right}\ntheta'' {sign} = -3*g/(2*l)*sin(theta)\n")
+    told = check(rod_pendulum.scene(), tmp_path / name, blame=False).unjudged
+    assert "line 2: = -3*g/(2*l)*sin(theta), which is a comment" in told
+    (tmp_path / name).write_text(f"{right} {sign} = what Newton says\n")
+    told = check(rod_pendulum.scene(), tmp_path / name, blame=False).unjudged
+    assert not any("which is a comment" in words for words in told)
