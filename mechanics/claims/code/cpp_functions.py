@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -209,32 +209,16 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     return tuple(space[name] for name in chosen)
 
 
-def undeclared(text: str, names: Iterable[str]) -> list[str]:
-    """Names that nothing in a file declares, where it includes a file of its own that is not here.
+def absent_headers(text: str) -> list[str]:
+    """Files of the person's own that a file includes, which may define any name as a macro.
 
     Parameters
     ----------
     text : str
-    names : iterable of str
     """
-    root = _tree(text)
-    absent = [
-        words(one)
-        for one in within(root, "preproc_include")
-        if (path := one.child_by_field_name("path")) is not None
-        and path.type == "string_literal" and not LIBRARIES.match(words(path))
-    ]  # fmt: skip
-    kinds = ("declaration", "field_declaration", "parameter_declaration",
-             "optional_parameter_declaration", "preproc_def")  # fmt: skip
-    known = {
-        safe(words(name))
-        for one in within(root, *kinds)
-        for head in (*one.children_by_field_name("declarator"), one.child_by_field_name("name"))
-        if head is not None
-        for name in [head, *within(head, "identifier", "field_identifier")]
-        if not words(name).startswith("__")
-    }
-    return [name for name in names if name not in known] if absent else []
+    paths = (one.child_by_field_name("path") for one in within(_tree(text), "preproc_include"))
+    own = [words(path) for path in paths if path is not None and path.type != "system_lib_string"]
+    return [path for path in own if not LIBRARIES.match(path)]
 
 
 def _tree(text: str) -> Any:

@@ -64,6 +64,17 @@ COMPARED = {
 CONSTANTS = {"π": "np.pi", "pi": "np.pi", "true": "True", "false": "False", "nothing": "None"}
 SHOWN = frozenset(("println", "print", "show", "info", "warn", "debug", "assert", "printf"))
 """Calls and macros that change no number."""
+MACROS = KINDS | SHOWN | frozenset(
+    (".", "inline", "noinline", "propagate_inbounds", "simd", "unpack", "UnPack", "doc", "time",
+     "elapsed", "btime", "benchmark", "test", "testset", "named", "variables", "parameters",
+     "independent_variables", "constants", "mtkbuild", "mtkcompile", "mtkmodel", "kwdef",
+     "with_kw", "sprintf", "isdefined", "animate", "gif", "layout", "recipe", "L_str", "brownian",
+     "connector", "component", "syms", "SVector", "SMatrix", "SArray", "MVector", "MMatrix",
+     "polyvar", "tturbo", "turbo", "muladd", "static", "model", "variable", "objective")
+)  # fmt: skip
+"""Macros outside of functions, and on these, that give no name another meaning."""
+EVALUATES = frozenset(("eval", "evalfile", "include_string"))
+"""Calls that run any text as code."""
 SOLVES = re.compile(r"ode", re.IGNORECASE)
 """In the name of what solves equations: ODEProblem, ode78, CoupledODEs."""
 BRACKET = re.compile(r"(?<=\d)([-+*/\\^]|\.[-+*/\\^])\(")
@@ -243,6 +254,12 @@ def _own_names(root: Any, nodes: list[Any]) -> None:
     """
     for macro in within(root, "macro_definition"):
         raise refuse(macro, "macros of one's own are not read")
+    for macro in within(root, "macrocall_expression"):
+        if _around(macro) is None and _macro(macro).rpartition("@")[2] not in MACROS:
+            raise refuse(macro, f"what the macro {words(named(macro)[0])} makes of it is not known")
+    for call in within(root, "call_expression"):
+        if words(named(call)[0]).rpartition(".")[2] in EVALUATES:
+            raise refuse(call, "what is run as code from a text may give names another meaning")
     known = {*FUNCTIONS, *OWN, *KINDS, *RECIPROCAL, *CONSTANTS, *MAKES, "sincos", "abs2"}
     _refuse_imports(root, known)
     for node in within(root, "function_definition", "assignment"):

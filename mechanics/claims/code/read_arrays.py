@@ -3,7 +3,6 @@
 x.m -> its tree -> functions of Python, line by line -> statements
 """
 
-import inspect
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -77,13 +76,11 @@ def read_cpp(
     with located(origin):
         functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
     found = _together([read_function(scene, one, names, about, text) for one in functions])
-    (one,) = functions
     doubt = ""
-    unsaid = [name for name in inspect.signature(one).parameters if name not in (names or {})]
-    if unknown := cpp_functions.undeclared(text, unsaid):
+    if absent := cpp_functions.absent_headers(text):
         doubt = (
-            f"nothing here declares {', '.join(unknown)}, and a header that is not here may: put"
-            " the declaration into the file"
+            f"{absent[0]} is not here, and may give any name another meaning: put what it"
+            " declares into the file"
         )
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
