@@ -131,7 +131,8 @@ class Scope:
     zeros: set[str] = field(default_factory=set)
 
 
-def _language() -> object:
+def language() -> object:
+    """The grammar of C++."""
     import tree_sitter_cpp
 
     return tree_sitter_cpp.language()
@@ -155,7 +156,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         For what is not read, by line and column.
     """
     root = _tree(text)
-    nodes, twice = _functions(root)
+    nodes, twice = functions_of(root)
     if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
         others = [name for name in nodes if name not in SKETCH]
         raise Unread(f"setup and loop return nothing: name one, --function {others[0]}")
@@ -223,7 +224,7 @@ def absent_headers(text: str) -> list[str]:
 
 def _tree(text: str) -> Any:
     """The tree of a file, where ``(a[1]) - (b)`` is no cast to a type a[1]."""
-    root = tree(_language, text, "tree-sitter-cpp")
+    root = tree(language, text, "tree-sitter-cpp")
     data = bytearray(text.encode())
     for node in within(root, "cast_expression"):
         kind, value = (node.child_by_field_name(f) for f in ("type", "value"))
@@ -234,7 +235,7 @@ def _tree(text: str) -> Any:
     return _tree(data.decode()) if data != text.encode() else root
 
 
-def _functions(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
+def functions_of(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
     """Functions by their names, without those that only make objects.
 
     And what is to be said of two of one name, and of one of the library's.

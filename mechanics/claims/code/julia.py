@@ -148,10 +148,10 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     Unread
         For what is not read, by line and column.
     """
-    root = tree(_language, BRACKET.sub(r"\1 (", text), "tree-sitter-julia")
+    root = tree(language, BRACKET.sub(r"\1 (", text), "tree-sitter-julia")
     functions: dict[str, Function] = {}
     twice: set[str] = set()
-    for one in _functions(root):
+    for one in functions_of(root):
         name = name_of(named(one.call)[0])
         twice |= {name} & functions.keys()
         functions[name] = one
@@ -176,14 +176,14 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     own = {name: getattr(array_language, name) for name in vars(array_language)
            if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
     space = page.module(origin, own)
-    left = [name for name in functions if name not in wanted and functions[name].takes]
-    remarks = (f"of the functions {joined(chosen)} is read, {joined(left)} not",) if left else ()
+    remarks: tuple[str, ...] = ()
     if any(SINGLE.search(words(functions[name].node)) for name in wanted):
         remarks = (*remarks, "single precision (Float32) is read as exact numbers")
     return Translated(tuple(space[name] for name in chosen), remarks)
 
 
-def _language() -> object:
+def language() -> object:
+    """The grammar of Julia."""
     import tree_sitter_julia
 
     return tree_sitter_julia.language()
@@ -202,7 +202,7 @@ def name_of(node: Any) -> str:
     return safe(letters + DOTS[order])
 
 
-def _functions(root: Any) -> Iterator[Function]:
+def functions_of(root: Any) -> Iterator[Function]:
     """Those with a name of their own: ``function f(x) ... end`` and ``f(x) = ...``."""
     ours = {words(target) for target, _, one in _assigned(root) if _around(one) is None}
     for node in within(root, "function_definition", "assignment"):

@@ -37,7 +37,7 @@ def has_solved_handle(text: str) -> bool:
 
 def has_function(text: str) -> bool:
     """Whether a file is code: its equations alone are text."""
-    return re.search(r"^[ \t]*(?:@\w+[ \t]+)?function\b", text, re.MULTILINE) is not None
+    return re.search(r"^[ \t]*(?:@[\w.]+[ \t]+)*function\b", text, re.MULTILINE) is not None
 
 
 def read_arrays(
