@@ -146,7 +146,7 @@ def _moving_parameters(declared: Mapping[str, Declared]) -> Iterator[str]:
     still = {n for n, one in declared.items() if {"parameter", "constant"} & {*one.prefixes}}
     for name in sorted(still):
         for other in dict.fromkeys(NAME.findall(declared[name].value)):
-            if other not in still and other not in ("pi", "Modelica", "true", "false"):
+            if other not in still and other not in SPOKEN - {"time"}:
                 yield f"'{name} = {declared[name].value}': {other} is no parameter, so {name} moves"
 
 

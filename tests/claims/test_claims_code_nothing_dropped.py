@@ -150,6 +150,8 @@ QUARTER = RIGHT.replace("sin(theta)", "cos(theta - pi/2)")
         ("", "import pi = Modelica.Constants.e;", QUARTER, "Real w;"),
         ("", "constant Real pi = 3;", QUARTER, "Real w;"),
         ("", "", RIGHT, 'Real w(unit="m/s");'), ("", "", RIGHT, "Modelica.Units.SI.Velocity w;"),
+        ("", "parameter Real k = 2*u;", f"({RIGHT})*k/k", "Real w;"),
+        ("", "constant Real k = theta;", f"({RIGHT})*k/k", "Real w;"),
         ("", "", RIGHT, "Real w = 2;"), ("type Real = Integer;\n", "", RIGHT, "Real w;"),
     ],
 )  # fmt: skip
@@ -161,3 +163,11 @@ def test_modelica(tmp_path: Path, above: str, inside: str, formula: str, rate: s
 def test_a_unit_of_a_rate_may_be_right(tmp_path: Path) -> None:
     for rate in ('Real w(unit="rad/s");', "Modelica.Units.SI.AngularVelocity w;"):
         assert verdict(tmp_path, ".mo", MODEL.format("", "", RIGHT, rate)) is Verdict.PROVED
+
+
+def test_a_parameter_may_be_made_of_others(tmp_path: Path) -> None:
+    inside = "parameter Real k = 3*g/(2*l);"
+    made = MODEL.format("", inside, "k*sin(theta) + 3*u/(m*l*l)", "Real w;")
+    assert verdict(tmp_path, ".mo", made) is Verdict.PROVED
+    moved = made.replace("m = 1", "m = 2*u")
+    assert verdict(tmp_path, ".mo", moved) is Verdict.UNDECIDED
