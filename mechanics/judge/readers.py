@@ -113,16 +113,16 @@ def read(
             text, origin = file_text(thing), str(thing)
             if thing.suffix in SUFFIXES:
                 found = read_cpp(scene, text, function, names, about, origin)
-                return _with_rest(found, scene, thing, text, names)
+                return found if function else _with_rest(found, scene, thing, text, names)
             try:
                 found = read_c(scene, text, function, names, about, origin)
-                return _with_rest(found, scene, thing, text, names)
+                return found if function else _with_rest(found, scene, thing, text, names)
             except InputError as error:
                 if "is not declared" not in str(error) or '#include "' in text:
                     raise  # a header that is not there may define anything
                 try:  # with names that nothing declares as arguments
                     found = read_cpp(scene, text, function, names, about, origin)
-                    return _with_rest(found, scene, thing, text, names)
+                    return found if function else _with_rest(found, scene, thing, text, names)
                 except InputError:
                     raise error from None
         options = {"names": names, "notation": notation, "about": about}
@@ -130,11 +130,11 @@ def read(
         text = file_text(thing) if known else ""
         if known and has_function(text):
             found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
-            return _with_rest(found, scene, thing, text, names)
+            return found if function else _with_rest(found, scene, thing, text, names)
         if known and thing.suffix == ".m" and has_solved_handle(text):
             with suppress(InputError):  # else a page of equations
                 found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
-                return _with_rest(found, scene, thing, text, names)
+                return found if function else _with_rest(found, scene, thing, text, names)
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")
