@@ -109,9 +109,12 @@ class Reading:
         Definitions of the person, and what else was made of the text.
     unjudged : tuple of str
         Definitions of the person's own names that nothing uses and nothing can contradict.
+    beside : tuple of str
+        Functions and lines of a file of code that are no part of what was read.
     """
 
     statements: tuple[Statement, ...]
     names: tuple[Match, ...]
     remarks: tuple[str, ...]
     unjudged: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()

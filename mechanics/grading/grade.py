@@ -178,7 +178,7 @@ def _verdict(found: Check, require: str, lacking: int) -> str:
         return RIGHT
     if found.verdict is Verdict.REFUTED:
         return WRONG
-    if not found.ok:
+    if not found.ok or found.beside:
         return DOUBT
     return INCOMPLETE if lacking else RIGHT
 

@@ -187,9 +187,10 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    unjudged = (*prose.unjudged, *_definitions(readings))
+    beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
+    unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged)
+    return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside)
 
 
 def _reference(

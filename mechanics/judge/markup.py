@@ -34,6 +34,32 @@ ELEMENTS = words("""
     b i u em strong p br hr sub sup h1 h2 h3 h4 h5 h6 ul ol li div span center table thead tbody
     tr td th code pre a img font math
 """)
+LOADS = re.compile(
+    r"\\(?:usepackage|RequirePackage|documentclass)\s*(?:\[[^\[\]]*\]\s*)?\{(?P<names>[^{}]*)\}"
+)
+LOADED = words("""
+    article report book letter minimal amsart amsbook scrartcl scrreprt scrbook revtex4 revtex4-1
+    revtex4-2 IEEEtran standalone beamer memoir elsarticle exam extarticle extreport llncs svjour3
+    aastex631 mnras proc slides tufte-handout tufte-book scrlttr2 iopart
+    amsmath amssymb amsfonts amsthm amsbsy amstext amsopn mathtools mathrsfs bm bbm dsfont esint
+    physics physics2 derivative diffcoeff siunitx units nicefrac xfrac cancel empheq breqn cases
+    tensor braket esvect esdiff commath accents wasysym stmaryrd latexsym textcomp gensymb upgreek
+    nccmath mathptmx newtxmath newtxtext txfonts pxfonts lmodern times palatino helvet courier
+    fourier kpfonts libertine mathpazo eucal euscript cmbright concmath unicode-math fontspec
+    inputenc fontenc babel polyglossia csquotes microtype setspace parskip indentfirst ragged2e
+    geometry fullpage a4wide fancyhdr lastpage titling titlesec tocloft appendix abstract authblk
+    graphicx graphics xcolor color epsfig epstopdf subcaption subfigure subfig caption float
+    wrapfig rotating pdfpages svg tikz pgf pgfplots circuitikz tkz-euclide asymptote pstricks
+    tikz-cd array tabularx tabulary longtable booktabs multirow multicol makecell diagbox colortbl
+    dcolumn enumerate enumitem paralist listings minted verbatim fancyvrb algorithm algorithmic
+    algorithmicx algpseudocode algorithm2e hyperref url cleveref xurl doi cite natbib biblatex
+    backref footmisc footnote lineno comment todonotes soul ulem framed mdframed tcolorbox lipsum
+    blindtext xspace ifthen etoolbox xparse calc environ chngcntr afterpage placeins pdflscape
+    lscape needspace relsize scalerel adjustbox changepage varwidth hyphenat ctex xeCJK CJKutf8
+    german ngerman french t1enc type1cm exsymath psfrag overpic import subfiles datetime
+    mathdots polynom systeme mhchem chemformula nomencl glossaries acronym makeidx
+""")
+"""Classes and packages of LaTeX, which leave the names of mathematics what they are."""
 COLOURED = re.compile(rf"\\(?:textcolor|color)\s*\{{\s*(?:{COLOURS})\s*\}}")
 COMMAND = re.compile(r"\\([A-Za-z@]+)\*?")
 BRACED = re.compile(r"\\(begin|end)\s*\{\s*([^{}]*?)\*?\s*\}(?:\s*\[[^\[\]]*\]|\s*\{[\w\s|.@]*\})*")
@@ -59,6 +85,10 @@ def unread_markup(text: str) -> Iterator[str]:
     text : str
         With marks for formulas.
     """
+    for load in LOADS.finditer(text):
+        for name in load["names"].split(","):
+            if name.strip() and name.strip() not in LOADED:
+                yield f"the package {name.strip()!r}"
     text = KEY.sub(" ", COLOURED.sub(" ", MARKED.sub("\u27e8\u27e9", text)))
     for command in BRACED.finditer(text):
         if command[2] not in ENVIRONMENTS:

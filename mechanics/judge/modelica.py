@@ -134,10 +134,20 @@ def model_otherwise(facts: SceneFacts, text: str) -> Iterator[str]:
             if one.type not in parts:  # what a part declares is its own
                 yield from _otherwise(facts, one, "" if title in parts else one.name)
         yield from _initially(names, model)
+        yield from _moving_parameters(names)
         yield from _moved(facts, names.values(), _equations(model))
         for name in dict.fromkeys(NAME.findall(_equations(model))):
             if name not in names and name not in SPOKEN:
                 yield f"nothing declares {name}"
+
+
+def _moving_parameters(declared: Mapping[str, Declared]) -> Iterator[str]:
+    """Parameters whose values are made of something else than numbers and parameters."""
+    still = {n for n, one in declared.items() if {"parameter", "constant"} & {*one.prefixes}}
+    for name in sorted(still):
+        for other in dict.fromkeys(NAME.findall(declared[name].value)):
+            if other not in still and other not in SPOKEN - {"time"}:
+                yield f"'{name} = {declared[name].value}': {other} is no parameter, so {name} moves"
 
 
 def _other_meanings(text: str) -> Iterator[str]:

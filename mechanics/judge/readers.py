@@ -15,6 +15,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
 from mechanics.claims.code.cpp_functions import SUFFIXES
+from mechanics.claims.code.not_judged import not_judged
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
     LANGUAGES,
@@ -25,6 +26,7 @@ from mechanics.claims.code.read_arrays import (
 )
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
 from mechanics.claims.code.tracing import OtherKindError
+from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
@@ -113,24 +115,29 @@ def read(
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
             if thing.suffix in SUFFIXES:
-                return read_cpp(scene, text, function, names, about, origin)
+                found = read_cpp(scene, text, function, names, about, origin)
+                return found if function else _with_rest(found, scene, thing, text, names)
             try:
-                return read_c(scene, text, function, names, about, origin)
+                found = read_c(scene, text, function, names, about, origin)
+                return found if function else _with_rest(found, scene, thing, text, names)
             except InputError as error:
                 if "is not declared" not in str(error) or '#include "' in text:
                     raise  # a header that is not there may define anything
                 try:  # with names that nothing declares as arguments
-                    return read_cpp(scene, text, function, names, about, origin)
+                    found = read_cpp(scene, text, function, names, about, origin)
+                    return found if function else _with_rest(found, scene, thing, text, names)
                 except InputError:
                     raise error from None
         options = {"names": names, "notation": notation, "about": about}
         known = thing.suffix in LANGUAGES and notation is None
         text = file_text(thing) if known else ""
         if known and has_function(text):
-            return read_arrays(scene, text, thing.suffix, names, about, str(thing))
+            found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+            return found if function else _with_rest(found, scene, thing, text, names)
         if known and thing.suffix == ".m" and has_solved_handle(text):
             with suppress(InputError):  # else a page of equations
-                return read_arrays(scene, text, thing.suffix, names, about, str(thing))
+                found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+                return found if function else _with_rest(found, scene, thing, text, names)
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")
@@ -154,6 +161,15 @@ def read(
         if (objects := _returned(thing)) is None:
             raise
     return read_sympy(scene, objects, names, about)
+
+
+def _with_rest(
+    found: Reading, scene: Scene, path: Path, text: str, names: Mapping[str, str] | None
+) -> Reading:
+    """What was read of a file of code, and what stands in it beside that."""
+    judged = {s.source.partition(":")[0] for s in found.statements}
+    naming = Naming(Vocabulary(scene), names or {})
+    return replace(found, beside=not_judged(text, path.suffix, judged, naming))
 
 
 def _not_read(thing: NotRead) -> Reading:

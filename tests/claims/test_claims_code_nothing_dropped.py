@@ -91,11 +91,16 @@ def test_c_plus_plus(tmp_path: Path, above: str, inside: str, formula: str) -> N
     assert found not in (Verdict.PROVED, Verdict.CERTIFIED)
 
 
-def test_names_of_a_header_that_is_not_here_are_in_doubt(tmp_path: Path) -> None:
-    text = f"double Rod::acc(double theta, double u) {{ return {RIGHT}; }}\n"
+def test_a_header_that_is_not_here_may_give_names_another_meaning(tmp_path: Path) -> None:
     declared = "class Rod { double m, l, g; double acc(double theta, double u); };\n"
+    text = f"{declared}double Rod::acc(double theta, double u) {{ return {RIGHT}; }}\n"
     assert verdict(tmp_path, ".cpp", f'#include "rod.h"\n{text}') is Verdict.UNDECIDED
-    assert verdict(tmp_path, ".cpp", f'#include "rod.h"\n{declared}{text}') is Verdict.PROVED
+    assert verdict(tmp_path, ".cpp", f"#define FAST <cmath>\n#include FAST\n{text}") is (
+        Verdict.UNDECIDED
+    )
+    assert verdict(tmp_path, ".cpp", f'#include <cmath>\n#include "Eigen/Dense"\n{text}') is (
+        Verdict.PROVED
+    )
 
 
 @pytest.mark.parametrize(
@@ -121,6 +126,9 @@ def test_matlab(tmp_path: Path, below: str, inside: str, formula: str) -> None:
         ("", "k = Float32(0.1)", f"({RIGHT})*10*k"), ("", "", f"({RIGHT})*10*0.1f0"),
         ("", "k::Float32 = 0.1", f"({RIGHT})*10*k"),
         ("h(k)::Float32 = k", "", f"h({RIGHT})"),
+        ('eval(Meta.parse("sin(x) = sind(x)"))', "", RIGHT), ("@eval sin(x) = sind(x)", "", RIGHT),
+        ('include_string(Main, "sin(x) = sind(x)")', "", RIGHT), ("@other", "", RIGHT),
+        ("Core.eval(Main, :(sin(x) = sind(x)))", "", RIGHT), ("@other @inline", "", RIGHT),
     ],
 )  # fmt: skip
 def test_julia(tmp_path: Path, above: str, inside: str, formula: str) -> None:
@@ -142,6 +150,8 @@ QUARTER = RIGHT.replace("sin(theta)", "cos(theta - pi/2)")
         ("", "import pi = Modelica.Constants.e;", QUARTER, "Real w;"),
         ("", "constant Real pi = 3;", QUARTER, "Real w;"),
         ("", "", RIGHT, 'Real w(unit="m/s");'), ("", "", RIGHT, "Modelica.Units.SI.Velocity w;"),
+        ("", "parameter Real k = 2*u;", f"({RIGHT})*k/k", "Real w;"),
+        ("", "constant Real k = theta;", f"({RIGHT})*k/k", "Real w;"),
         ("", "", RIGHT, "Real w = 2;"), ("type Real = Integer;\n", "", RIGHT, "Real w;"),
     ],
 )  # fmt: skip
@@ -153,3 +163,11 @@ def test_modelica(tmp_path: Path, above: str, inside: str, formula: str, rate: s
 def test_a_unit_of_a_rate_may_be_right(tmp_path: Path) -> None:
     for rate in ('Real w(unit="rad/s");', "Modelica.Units.SI.AngularVelocity w;"):
         assert verdict(tmp_path, ".mo", MODEL.format("", "", RIGHT, rate)) is Verdict.PROVED
+
+
+def test_a_parameter_may_be_made_of_others(tmp_path: Path) -> None:
+    inside = "parameter Real k = 3*g/(2*l);"
+    made = MODEL.format("", inside, "k*sin(theta) + 3*u/(m*l*l)", "Real w;")
+    assert verdict(tmp_path, ".mo", made) is Verdict.PROVED
+    moved = made.replace("m = 1", "m = 2*u")
+    assert verdict(tmp_path, ".mo", moved) is Verdict.UNDECIDED

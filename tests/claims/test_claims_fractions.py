@@ -2,6 +2,7 @@
 
 import pytest
 
+from mechanics.errors import InputError
 from tests.notation_scenes import judged, verdicts
 
 ROOT = r"\ddot\theta + \omega_0^2\sin\theta = 0"
@@ -30,6 +31,31 @@ ROOT = r"\ddot\theta + \omega_0^2\sin\theta = 0"
 def test_fractions_and_powers(right: str, wrong: str) -> None:
     assert verdicts("pendulum", right) == ["PROVED"]
     assert verdicts("pendulum", wrong) == ["REFUTED"]
+
+
+@pytest.mark.parametrize(
+    "number",
+    [r"1\tfrac12", r"1\frac{1}{2}", r"1\,\frac 12", r"1{\frac12}",
+     r"1{1 \over 2}", r"1 \dfrac{1}2"],
+)  # fmt: skip
+def test_a_mixed_number_is_neither_a_sum_nor_a_product(number: str) -> None:
+    for formula in (rf"T = {number}\,m l^2\dot\theta^2", rf"T = \frac{{{number} m l^2}}1"):
+        with pytest.raises(InputError, match=r"may be a sum or a product: write \\frac\{3\}\{2\}"):
+            judged("pendulum", formula)
+
+
+@pytest.mark.parametrize(
+    "number",
+    [r"1\cdot\tfrac12", r"\frac12\frac22", r"(1)\tfrac12", r"\frac{1}{2}", "0.5", r"\frac24"],
+)
+def test_products_of_numbers_are_read(number: str) -> None:
+    assert verdicts("pendulum", rf"T = {number} m l^2\dot\theta^2") == ["PROVED"]
+
+
+@pytest.mark.parametrize("number", ["1 1/2", "1\u00bd", "1 \u00bd"])
+def test_nor_is_one_in_text(number: str) -> None:
+    with pytest.raises(InputError):
+        judged("pendulum", f"T = {number}*m*l^2*theta_dot^2")
 
 
 NORMAL = (

@@ -85,3 +85,16 @@ def test_a_right_statement_is_proved_and_a_wrong_one_is_not(text: str) -> None:
 def test_the_d_of_a_differential_is_no_length(text: str) -> None:
     with pytest.raises(InputError, match="a derivative by something other than time"):
         mechanics.check(CART, text, notation="latex", blame=False)
+
+
+MOTION = r"\[ (m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F \]"
+
+
+@pytest.mark.parametrize("head", [r"\documentclass{%s}", r"\usepackage{amsmath, %s}"])
+def test_a_package_of_ones_own_may_redefine_any_command(head: str) -> None:
+    known = "article" if "class" in head else "physics"
+    plain = mechanics.check(CART, f"{head % known}\n{MOTION}")
+    other = mechanics.check(CART, f"{head % 'macros'}\n{MOTION}")
+    assert plain.ok
+    assert not other.ok
+    assert "the package 'macros' is not read" in str(other)

@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -131,7 +131,8 @@ class Scope:
     zeros: set[str] = field(default_factory=set)
 
 
-def _language() -> object:
+def language() -> object:
+    """The grammar of C++."""
     import tree_sitter_cpp
 
     return tree_sitter_cpp.language()
@@ -155,7 +156,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         For what is not read, by line and column.
     """
     root = _tree(text)
-    nodes, twice = _functions(root)
+    nodes, twice = functions_of(root)
     if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
         others = [name for name in nodes if name not in SKETCH]
         raise Unread(f"setup and loop return nothing: name one, --function {others[0]}")
@@ -209,37 +210,21 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     return tuple(space[name] for name in chosen)
 
 
-def undeclared(text: str, names: Iterable[str]) -> list[str]:
-    """Names that nothing in a file declares, where it includes a file of its own that is not here.
+def absent_headers(text: str) -> list[str]:
+    """Files of the person's own that a file includes, which may define any name as a macro.
 
     Parameters
     ----------
     text : str
-    names : iterable of str
     """
-    root = _tree(text)
-    absent = [
-        words(one)
-        for one in within(root, "preproc_include")
-        if (path := one.child_by_field_name("path")) is not None
-        and path.type == "string_literal" and not LIBRARIES.match(words(path))
-    ]  # fmt: skip
-    kinds = ("declaration", "field_declaration", "parameter_declaration",
-             "optional_parameter_declaration", "preproc_def")  # fmt: skip
-    known = {
-        safe(words(name))
-        for one in within(root, *kinds)
-        for head in (*one.children_by_field_name("declarator"), one.child_by_field_name("name"))
-        if head is not None
-        for name in [head, *within(head, "identifier", "field_identifier")]
-        if not words(name).startswith("__")
-    }
-    return [name for name in names if name not in known] if absent else []
+    paths = (one.child_by_field_name("path") for one in within(_tree(text), "preproc_include"))
+    own = [words(path) for path in paths if path is not None and path.type != "system_lib_string"]
+    return [path for path in own if not LIBRARIES.match(path)]
 
 
 def _tree(text: str) -> Any:
     """The tree of a file, where ``(a[1]) - (b)`` is no cast to a type a[1]."""
-    root = tree(_language, text, "tree-sitter-cpp")
+    root = tree(language, text, "tree-sitter-cpp")
     data = bytearray(text.encode())
     for node in within(root, "cast_expression"):
         kind, value = (node.child_by_field_name(f) for f in ("type", "value"))
@@ -250,7 +235,7 @@ def _tree(text: str) -> Any:
     return _tree(data.decode()) if data != text.encode() else root
 
 
-def _functions(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
+def functions_of(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
     """Functions by their names, without those that only make objects.
 
     And what is to be said of two of one name, and of one of the library's.

@@ -64,6 +64,17 @@ COMPARED = {
 CONSTANTS = {"π": "np.pi", "pi": "np.pi", "true": "True", "false": "False", "nothing": "None"}
 SHOWN = frozenset(("println", "print", "show", "info", "warn", "debug", "assert", "printf"))
 """Calls and macros that change no number."""
+MACROS = KINDS | SHOWN | frozenset(
+    (".", "inline", "noinline", "propagate_inbounds", "simd", "unpack", "UnPack", "doc", "time",
+     "elapsed", "btime", "benchmark", "test", "testset", "named", "variables", "parameters",
+     "independent_variables", "constants", "mtkbuild", "mtkcompile", "mtkmodel", "kwdef",
+     "with_kw", "sprintf", "isdefined", "animate", "gif", "layout", "recipe", "L_str", "brownian",
+     "connector", "component", "syms", "SVector", "SMatrix", "SArray", "MVector", "MMatrix",
+     "polyvar", "tturbo", "turbo", "muladd", "static", "model", "variable", "objective")
+)  # fmt: skip
+"""Macros outside of functions, and on these, that give no name another meaning."""
+EVALUATES = frozenset(("eval", "evalfile", "include_string"))
+"""Calls that run any text as code."""
 SOLVES = re.compile(r"ode", re.IGNORECASE)
 """In the name of what solves equations: ODEProblem, ode78, CoupledODEs."""
 BRACKET = re.compile(r"(?<=\d)([-+*/\\^]|\.[-+*/\\^])\(")
@@ -137,10 +148,10 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     Unread
         For what is not read, by line and column.
     """
-    root = tree(_language, BRACKET.sub(r"\1 (", text), "tree-sitter-julia")
+    root = tree(language, BRACKET.sub(r"\1 (", text), "tree-sitter-julia")
     functions: dict[str, Function] = {}
     twice: set[str] = set()
-    for one in _functions(root):
+    for one in functions_of(root):
         name = name_of(named(one.call)[0])
         twice |= {name} & functions.keys()
         functions[name] = one
@@ -165,8 +176,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     own = {name: getattr(array_language, name) for name in vars(array_language)
            if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
     space = page.module(origin, own)
-    left = [name for name in functions if name not in wanted and functions[name].takes]
-    remarks = (f"of the functions {joined(chosen)} is read, {joined(left)} not",) if left else ()
+    remarks: tuple[str, ...] = ()
     if any(SINGLE.search(words(functions[name].node)) for name in wanted):
         remarks = (*remarks, "single precision (Float32) is read as exact numbers")
     includes = any(words(named(one)[0]) == "include" for one in within(root, "call_expression"))
@@ -174,7 +184,8 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     return Translated(tuple(space[name] for name in chosen), remarks, tuple(free))
 
 
-def _language() -> object:
+def language() -> object:
+    """The grammar of Julia."""
     import tree_sitter_julia
 
     return tree_sitter_julia.language()
@@ -193,7 +204,7 @@ def name_of(node: Any) -> str:
     return safe(letters + DOTS[order])
 
 
-def _functions(root: Any) -> Iterator[Function]:
+def functions_of(root: Any) -> Iterator[Function]:
     """Those with a name of their own: ``function f(x) ... end`` and ``f(x) = ...``."""
     ours = {words(target) for target, _, one in _assigned(root) if _around(one) is None}
     for node in within(root, "function_definition", "assignment"):
@@ -245,6 +256,12 @@ def _own_names(root: Any, nodes: list[Any]) -> None:
     """
     for macro in within(root, "macro_definition"):
         raise refuse(macro, "macros of one's own are not read")
+    for macro in within(root, "macrocall_expression"):
+        if _around(macro) is None and _macro(macro).rpartition("@")[2] not in MACROS:
+            raise refuse(macro, f"what the macro {words(named(macro)[0])} makes of it is not known")
+    for call in within(root, "call_expression"):
+        if words(named(call)[0]).rpartition(".")[2] in EVALUATES:
+            raise refuse(call, "what is run as code from a text may give names another meaning")
     known = {*FUNCTIONS, *OWN, *KINDS, *RECIPROCAL, *CONSTANTS, *MAKES, "sincos", "abs2"}
     _refuse_imports(root, known)
     for node in within(root, "function_definition", "assignment"):

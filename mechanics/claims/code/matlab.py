@@ -117,7 +117,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         For what is not read, by line and column.
     """
     text = as_it_makes(OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text))
-    root = tree(_language, text, "tree-sitter-matlab")
+    root = tree(language, text, "tree-sitter-matlab")
     _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
     if not nodes:
@@ -125,7 +125,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
     around = {n: _around(node) for n, node in nodes.items()}
-    returning = {n: calls[n] for n, node in nodes.items() if _outputs(node)} or calls
+    returning = {n: calls[n] for n, node in nodes.items() if outputs_of(node)} or calls
     chosen = [n for n in nodes if n in solved] or _uncalled(returning)
     wanted = list(chosen)
     for name in wanted:
@@ -250,7 +250,8 @@ def _arrays() -> dict[str, Any]:
             if callable(value) or name == "ALL"}  # fmt: skip
 
 
-def _language() -> object:
+def language() -> object:
+    """The grammar of MATLAB."""
     import tree_sitter_matlab
 
     return tree_sitter_matlab.language()
@@ -310,7 +311,8 @@ def _uncalled(calls: dict[str, list[str]]) -> list[str]:
     return found or list(calls)[:1]
 
 
-def _outputs(node: Any) -> list[str]:
+def outputs_of(node: Any) -> list[str]:
+    """Names of what a function returns."""
     found = next((c for c in node.children if c.type == "function_output"), None)
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
@@ -344,7 +346,7 @@ def _base(target: Any) -> str:
 
 
 def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scope:
-    arguments, outputs = _arguments(node), _outputs(node)
+    arguments, outputs = _arguments(node), outputs_of(node)
     targets = list(_targets(node))
     names = [_base(target) for target, _ in targets]
     counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}

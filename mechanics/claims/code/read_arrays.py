@@ -3,7 +3,6 @@
 x.m -> its tree -> functions of Python, line by line -> statements
 """
 
-import inspect
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -38,7 +37,7 @@ def has_solved_handle(text: str) -> bool:
 
 def has_function(text: str) -> bool:
     """Whether a file is code: its equations alone are text."""
-    return re.search(r"^[ \t]*(?:@\w+[ \t]+)?function\b", text, re.MULTILINE) is not None
+    return re.search(r"^[ \t]*(?:@[\w.]+[ \t]+)*function\b", text, re.MULTILINE) is not None
 
 
 def read_arrays(
@@ -78,13 +77,18 @@ def read_cpp(
     with located(origin):
         functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
     found = _together([read_function(scene, one, names, about, text) for one in functions])
-    (one,) = functions
-    unknown = cpp_functions.undeclared(text, inspect.signature(one).parameters)
-    found = _elsewhere(found, unknown, names, "a header")
+    doubt = ""
+    if absent := cpp_functions.absent_headers(text):
+        doubt = (
+            f"{absent[0]} is not here, and may give any name another meaning: put what it"
+            " declares into the file"
+        )
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
-    statements = (replace(s, notes=(*s.notes, *notes)) for s in found.statements)
+    statements = (
+        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt) for s in found.statements
+    )
     return replace(found, statements=tuple(statements))
 
 

@@ -182,6 +182,13 @@ def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) 
 SHORTER = "the argument of a function is its first factor: write brackets around it"
 STRAY = "an equation outside of a formula is not read: put it between \\[ and \\]"
 END_OF_LINE = "\u2028"
+MIXED = re.compile(
+    r"(?<![\w.^])(?<!_)(?P<whole>\d+)(?:\s|\\[,;:! ]|~|\{)*"
+    r"(?:\\[dtc]?frac\s*(?:\{\s*(?P<above>\d+)\s*\}|(?P<a>\d))"
+    r"\s*(?:\{\s*(?P<below>\d+)\s*\}|(?P<b>\d))"
+    r"|(?P<c>\d+)\s*\\over\s*(?P<d>\d+))"
+)
+"""3\\tfrac12, a mixed number in print."""
 SUMMED = f"a side with {SUM} is what the others are"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
@@ -229,6 +236,7 @@ def _block(
         try:
             if row.doubt:
                 raise Refused(_span(pieces)[0], row.doubt)
+            _refuse_mixed(text, *_span(pieces))
             line = _line(pieces, text, whole, offset, naming)
         except Refused as reason:
             # One line that cannot be read does not spoil the others.
@@ -236,6 +244,27 @@ def _block(
         if line is not None:
             found.append(line)
     return found
+
+
+def _refuse_mixed(text: str, start: int, end: int) -> None:
+    """Refuse an integer that stands directly before a fraction of two integers that is below 1.
+
+    Readers take it for their sum, as in a mixed number, or for their product.
+
+    Raises
+    ------
+    Refused
+    """
+    for one in MIXED.finditer(text, start, end):
+        whole = int(one["whole"])
+        above, below = (
+            int(next(one[name] for name in names if one[name]))
+            for names in (("above", "a", "c"), ("below", "b", "d"))
+        )
+        if 0 < above < below:
+            both = f"write \\frac{{{whole * below + above}}}{{{below}}} for the sum"
+            words = f"{one[0]} may be a sum or a product: {both}, \\cdot for the product"
+            raise Refused(one.start(), words)
 
 
 def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused, origin: str) -> Unread:

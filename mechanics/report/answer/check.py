@@ -32,7 +32,9 @@ class Check:
     derived : Equations or None
         What the statements were compared with; None where that stays a program.
     unjudged : tuple of str
-        Sentences around the statements that nothing was compared with.
+        Sentences around the statements that nothing was compared with, and what is beside.
+    beside : tuple of str
+        Functions and lines of a file of code that are no part of what was judged.
 
     Examples
     --------
@@ -52,6 +54,7 @@ class Check:
     remarks: tuple[str, ...]
     derived: Equations | None = None
     unjudged: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
