@@ -23,12 +23,13 @@ from sympy import Basic, Eq
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.code.comments import comments
+from mechanics.claims.code.file_names import unsettled
 from mechanics.claims.code.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.cells import Cell, is_inert, runnable
-from mechanics.grading.file_level import different_elsewhere, libraries_unchanged, used_by
+from mechanics.grading.file_level import libraries_unchanged, used_by
 from mechanics.grading.lost_values import KEEP, keeper, keeping, numbers_of_formulas
 from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
@@ -168,7 +169,10 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
             names, own = held, methods
     best = [n for n in own if n in solved] or [n for n in own if n in shown] or own
     chosen = function or (_last(names, best) if best else "")
-    if not (own or function or different_elsewhere(code)):
+    if not (own or function):
+        held_ones = {n for n, v in _own(whole).items() if isinstance(v, HOLDING)}
+        if strange := unsettled(ast.parse(code), held_ones):
+            raise InputError(f"file {path}: {strange}")
         claims = _equations(whole)
         lines, unread = claims_of(code, _own(whole))
         if not claims and lines and not unread:
@@ -186,10 +190,8 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         )
     others = [] if function else _others(names, own, chosen, shown)
     used = set().union(*(used_by(whole, n) for n in (chosen, *(other.name for other in others))))
-    if strange := sorted(different_elsewhere(code) & used):
-        raise InputError(
-            f"file {path}: {strange[0]} depends on where the file is run: write what it is"
-        )
+    if strange := unsettled(ast.parse(code), used, used):
+        raise InputError(f"file {path}: {strange}")
     lines, unread = claims_of(code, _own(whole))
     formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []
     loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
@@ -243,6 +245,10 @@ def _others(
 def _own(names: Mapping[str, Any]) -> dict[str, Any]:
     """Names of a script without those of SymPy's that it takes over."""
     return {n: v for n, v in names.items() if getattr(sympy, n, None) is not v}
+
+
+HOLDING = (Basic, MatrixBase, list, tuple, dict)
+"""What holds equations of a script."""
 
 
 def _equations(names: Mapping[str, Any]) -> list[Any]:

@@ -41,6 +41,7 @@ from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
 from mechanics.claims.code.execution_paths import ways_of
+from mechanics.claims.code.file_names import refuse_unsettled
 from mechanics.claims.code.formulas import (
     Assignment,
     Assignments,
@@ -133,6 +134,7 @@ def read_function(
     function = returning(function, size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(vocabulary), names or {}, title)
+    refuse_unsettled(function, {n for n, symbol in called.standing.items() if symbol.is_Symbol})
 
     def run(given: Arguments) -> Outputs:
         passed = [symbol for value in given.values.values() for symbol in _entries(value)]
