@@ -9,6 +9,7 @@ from pathlib import Path
 
 from mechanics.claims.about import QUANTITIES
 from mechanics.claims.assemble import Reading, assemble
+from mechanics.claims.latex.blocks import page
 from mechanics.claims.latex.macros import expanded
 from mechanics.claims.latex.read import read_latex
 from mechanics.claims.lines import Entry
@@ -68,6 +69,8 @@ def read_source(
     refuse_private_use(text, origin or "text")
     chosen = notation or notation_of(text[:LARGEST_TEXT])
     title = origin or ("LaTeX" if chosen == "latex" else "text")
+    if chosen == "latex" and Path(origin).suffix != ".tex":
+        text = page(text)
     text = expanded(text, title) if chosen == "latex" else text
     reader = NOTATIONS[chosen]
     try:

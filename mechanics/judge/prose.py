@@ -75,6 +75,9 @@ def prose_of(
     limits: dict[str, None] = {}
     unjudged: dict[str, None] = {}
     for sentence in every:
+        if sentence.unread:
+            unjudged[sentence.words] = None
+            continue
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
         if sentence.comment:

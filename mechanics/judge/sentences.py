@@ -8,8 +8,10 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
+from mechanics.claims.code.comments import EQUATION
 from mechanics.claims.latex.blocks import blocks
-from mechanics.claims.latex.comments import verbatim, without_hidden
+from mechanics.claims.latex.comments import SIGN, verbatim, without_hidden
+from mechanics.claims.latex.comments import comments as of_latex
 from mechanics.claims.latex.prepare import CONDITION as OF_DISPLAY
 from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
@@ -107,11 +109,14 @@ class Sentence:
         As a reader sees it, with dots for long formulas.
     comment : bool
         Whether it is one of code.
+    unread : bool
+        Whether it is an equation in a comment, which nobody judges.
     """
 
     marked: str
     words: str
     comment: bool = False
+    unread: bool = False
 
 
 def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sentence]:
@@ -129,16 +134,24 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
     beside = notation == "comment"
     code = notation == "text" and CODE.search(text) is not None
     if notation == "latex":
+        for said in of_latex(text):
+            if EQUATION.search(said) or TWO_WORDS.search(said):
+                yield Sentence(MARKED, said, comment=True, unread=True)
         text = without_markup(marked(text))
     else:
-        for said in OF_LINE.finditer(text):
-            value = said[0].strip(" \t,;")
+        for beside_it in OF_LINE.finditer(text):
+            value = beside_it[0].strip(" \t,;")
             yield Sentence(_mark(value.partition(" ")[2]), value)
         text = BEHIND.sub(r"\n\1", text)
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         for words in (LEADS, LABELLED):
             text = words.sub(r"\n\g<0>\n", text)
         mark = _formula if beside else _statement
+        for line in TEXT_FORMULA.finditer(text):
+            if (beside or COMMENT.match(line[0].lstrip())) and mark(line) == MARKED:
+                said = line[0].strip().lstrip("#%/*! \t")
+                if EQUATION.search(said):
+                    yield Sentence(MARKED, said, comment=True, unread=True)
         text = TEXT_FORMULA.sub(mark, CODE.sub(mark, text))
         text = text if code else HEADING.sub("", text)
         text = WORD.sub(lambda m: _word(m, names), re.sub(r"\n(?!\n)", ".\n", text))
@@ -201,7 +214,7 @@ def marked(text: str) -> str:
             out += [f". {_inside(words)}. " for words in BESIDE.findall(SCRIPT.sub(" ", formula))]
         out += [f". {words}. " for words in _labels(formula)]
         at = block.end if block.closed else len(shown)
-    return "".join(out) + DELIMITER.sub(" ", shown[at:])
+    return ("".join(out) + DELIMITER.sub(" ", shown[at:])).replace(SIGN, "%")
 
 
 def _with_verbatim(text: str) -> str:

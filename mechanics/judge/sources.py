@@ -11,7 +11,7 @@ from pathlib import Path
 from types import FunctionType, MethodType
 from typing import Any
 
-from mechanics.claims.code.comments import comments, without_comments
+from mechanics.claims.code.comments import EQUATION, SENTENCE, comments, without_comments
 from mechanics.claims.code.containers import library
 from mechanics.claims.code.objects import methods_used, names_in
 from mechanics.claims.code.wrappers import unwrapped
@@ -132,6 +132,8 @@ def _source(function: FunctionType) -> Source:
 
 
 def on_the_file(code: str) -> list[Beside]:
-    """What a file in Python says outside of its functions."""
+    """What a file in Python says outside of its functions, and all equations of its comments."""
     words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
+    said = (line for one in comments(code, ".py") for line in one.splitlines())
+    words += [line for line in said if EQUATION.search(line) and not SENTENCE.search(line)]
     return [Beside("\n\n".join(words))] if any(words) else []

@@ -35,6 +35,12 @@ DESCRIBED = ".mo"
 """Whose strings are documentation."""
 SENTENCE = re.compile(r"[^\W\d_]{2,}[,;:]?[ ]+[^\W\d_]{2,}")
 """What a string has that is read by people."""
+EQUATION = re.compile(
+    r"[^\s=<>!:~+*/-][ \t&]*(?:={1,2}|:=|\u2254|\u2248|\u2261|\\(?:approx|simeq|equiv|sim)\b)"
+    r"[ \t&]*[-+]?[ \t]*[^\W_]"
+    r"|[\w)\]'}][ \t&]*(?:={1,2}|:=|\u2254|\u2248|\u2261)[ \t&]*[-+]?[ \t]*[(\[\\{]"
+)
+"""What words hold that may be wrong as an equation is."""
 GOES_ON = re.compile(r"(?:(?<=[a-z]{2})|(?<=,))[ \t]*\n[ \t]*(?=[a-z])")
 """The end of a line within a sentence."""
 
@@ -52,7 +58,7 @@ def comments(text: str, suffix: str) -> Iterator[str]:
         return
     last, block = -1, ""
     for found in LANGUAGES[suffix].finditer(text):
-        if found["string"] is not None and suffix != DESCRIBED and not SENTENCE.search(found[0]):
+        if found["string"] is not None and suffix != DESCRIBED and not _says(found[0]):
             continue
         if block and text[last : found.start()].strip(" \t") not in ("", "\n"):
             yield GOES_ON.sub(" ", block)
@@ -61,6 +67,10 @@ def comments(text: str, suffix: str) -> Iterator[str]:
         block, last = f"{block}\n{words}" if block else words, found.end()
     if block:
         yield GOES_ON.sub(" ", block)
+
+
+def _says(string: str) -> bool:
+    return any(words.search(string) for words in (SENTENCE, EQUATION))
 
 
 def without_comments(text: str, suffix: str) -> str:

@@ -9,6 +9,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from mechanics.claims.latex.comments import as_signs, is_source, without_comments_in_prose
+
 OPENS = re.compile(
     r"\$\$|(?<!\\)\\\[|^[ \t]*(?P<fence>`{3,})[ \t]*math[ \t]*$"
     r"|^[ \t]*(?P<copy>\{[ \t]*\\displaystyle)(?![A-Za-z])"
@@ -97,6 +99,16 @@ def blocks(text: str) -> list[Block]:
     found = sorted((*shown, *inline), key=lambda block: block.start)
     kept = [block for block in found if text[block.start : block.end].strip()]
     return kept
+
+
+def page(text: str) -> str:
+    """A page as LaTeX: its percent signs outside of formulas begin no comment."""
+    if "%" not in text or is_source(text):
+        return text
+    marked = [b for b in blocks(as_signs(text)) if not b.bare and b.closed]
+    if not marked:
+        return text
+    return without_comments_in_prose(text, ((b.start, b.end) for b in marked))
 
 
 def continued(text: str, found: list[Block]) -> tuple[str, list[Block]]:

@@ -2,6 +2,8 @@ r"""What LaTeX does not print: comments, verbatim text, and what stands between 
 
     a = b  % c        \iffalse a = b \fi        \begin{comment} a = b \end{comment}
 
+    50 % of it: $a = b$        in a page of Markdown or a cell a percent sign is one
+
 It is blanked: no character moves, so that messages name the right place.
 """
 
@@ -11,7 +13,12 @@ from collections.abc import Iterator
 from mechanics.claims.place import Refused
 from mechanics.program.c.tokens import blanked
 
-COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%(?P<words>[^\n]*)")
+PERCENT = re.compile(r"(?<!\\)((?:\\\\)*)%")
+SIGN = "\uff05"
+"""What stands for a percent sign that begins no comment."""
+SOURCE = re.compile(r"^[^%\n]*\\(?:documentclass|begin\s*\{document\})", re.MULTILINE)
+"""What only a document in LaTeX has."""
 HIDDEN = re.compile(
     r"\\begin\s*\{(?P<env>comment|verbatim\*?|Verbatim|lstlisting|minted|filecontents\*?)\}"
     r"(?P<inside>.*?)(?:\\end\s*\{(?P=env)\}|\Z)"
@@ -23,6 +30,37 @@ UNPRINTED = ("comment", "filecontents", "filecontents*")
 OPTIONS = re.compile(r"\s*(?:\[[^\]]*\])?(?:\{\w*\})?")
 CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")
 BODY = re.compile(r"\\begin\s*\{document\}")
+
+
+def is_source(text: str) -> bool:
+    """Whether a text is a document in LaTeX, not a page with formulas in it."""
+    return SOURCE.search(text) is not None
+
+
+def without_comments_in_prose(text: str, formulas: Iterator[tuple[int, int]]) -> str:
+    """A page in which a percent sign begins a comment in formulas alone, place by place.
+
+    Parameters
+    ----------
+    formulas : iterator of (int, int)
+        Where they stand in order, in `as_signs` of the text.
+    """
+    signs, out, at = as_signs(text), "", 0
+    for start, end in formulas:
+        out += signs[at:start] + text[start:end]
+        at = end
+    return out + signs[at:]
+
+
+def as_signs(text: str) -> str:
+    """The text without comments: all its percent signs are signs."""
+    return PERCENT.sub(lambda m: f"{m[1]}{SIGN}", text)
+
+
+def comments(text: str) -> Iterator[str]:
+    """What comments of a text say, with what stands behind a percent sign in verbatim text."""
+    for match in COMMENT.finditer(text):
+        yield match["words"].strip("% \t")
 
 
 def without_hidden(text: str) -> str:

@@ -21,6 +21,18 @@ BLOCK = re.compile(
 )
 """A comment of Julia's, behind which its line goes on, and one of MATLAB's over lines."""
 COMMENT = re.compile(r"[%#][^\n]*|\.\.\.[^\n]*\n|\\[ \t]*\r?\n")
+OPERAND = (
+    r"(?![ \t]*\(\w{1,12}\)[ \t]*$)(?=[^\n]*\w)"
+    r"(?:[\d.()+*/^'; \t-]|(?<![A-Za-z])[A-Za-z]{1,2}(?![A-Za-z])"
+    r"|(?<![A-Za-z])(?:alpha|beta|gamma|theta|phi|psi|omega|tau)(?![A-Za-z]))+$"
+)
+IN_TEXT = re.compile(
+    rf"#[^\n]*|(?!(?<=[^\s;])%{OPERAND}|(?<=[^\s;][ \t])%{OPERAND})%[^\n]*"
+    r"|\.\.\.[ \t]*(?:[%#][^\n]*)?\n(?=[ \t]*\S)|\\[ \t]*\r?\n",
+    re.MULTILINE,
+)
+"""The same outside of MATLAB: three dots go on at the end of a line alone, and a % b may be a
+remainder; either is refused where it is left."""
 ENDS = re.compile(r"[\w)\]'.\u0307\u0308\u00b2\u00b3]")
 STARTS = re.compile(r"[\w(\[.\uE002]")
 
@@ -129,7 +141,7 @@ def prepared(text: str) -> str:
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     text = BLOCK.sub(lambda m: blanked(m[0]), text)
     code = CODE.search(text) is not None
-    for words in (COMMENT, SLASHES):
+    for words in (COMMENT if code else IN_TEXT, SLASHES):
         text = words.sub(lambda m: " " * len(m[0]), text)
     text = OVER_TIMES.sub(lambda m: (m[1] or m[2]).ljust(len(m[0])), text)
     text = barred(without_declarations(text))

@@ -3,6 +3,7 @@ r"""What has to be changed, in words.
 write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
 """
 
+import re
 from collections.abc import Sequence
 
 from mechanics.blame.result import Edit
@@ -86,9 +87,17 @@ def sides(statement: Statement) -> tuple[str, str]:
     return "written", "derived"
 
 
-MOST_QUOTED = 3
+MOST_QUOTED = 8
 """Sentences of a person in one line."""
 LONGEST = 90
+QUANTITY = re.compile(
+    r"[\d=%\u2026\u00bd\u2153\u00bc]|(?<![\w'])[^\W\daAI_](?!\w)"
+    r"|\b(?:half|halves|thirds?|quarters?|fourths?|fifths?|sixths?|sevenths?|eighths?|ninths?"
+    r"|tenths?|elevenths?|twel(?:fths?|ve)|twice|thrice|double|triple|squared?|cubed?|times|zero|one"
+    r"|two|three|four|five|six|seven|eight|nine|ten|eleven|negative|minus|plus|sign|equals?)\b",
+    re.IGNORECASE,
+)
+"""Numbers, formulas and letters: what is likely to say something of a motion."""
 
 
 def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
@@ -101,13 +110,30 @@ def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
     return f"The formulas are {verdict}. {unjudged} {words} not judged."
 
 
-def quoted(sentences: Sequence[str]) -> tuple[str, ...]:
-    """The first sentences that were not judged, and how many there are beside, as one line."""
+def quoted(sentences: Sequence[str], scene: Scene | None = None) -> tuple[str, ...]:
+    """Sentences that were not judged, and how many there are beside, as one line.
+
+    Where they are more than `MOST_QUOTED`, those with quantities or names come first.
+
+    Parameters
+    ----------
+    sentences : sequence of str
+    scene : Scene, optional
+    """
     if not sentences:
         return ()
-    first = ", ".join(f"'{words[:LONGEST]}'" for words in sentences[:MOST_QUOTED])
+    shown = list(sentences)
+    if len(shown) > MOST_QUOTED:
+        told = (*scene.q, *scene.input_symbols, *scene.parameters) if scene is not None else ()
+        names = {symbol.name for symbol in told}
+        shown.sort(key=lambda words: not (QUANTITY.search(words) or _words(words) & names))
+    first = ", ".join(f"'{words[:LONGEST]}'" for words in shown[:MOST_QUOTED])
     more = len(sentences) - MOST_QUOTED
     return (f"not judged: {first}{f' and {more} more' if more > 0 else ''}",)
+
+
+def _words(sentence: str) -> set[str]:
+    return set(re.findall(r"\w+", sentence))
 
 
 def solved(

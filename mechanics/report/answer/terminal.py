@@ -95,7 +95,7 @@ def answer(
         *_names(names),
         *(Hanging(line(words, "dim")) for words in notes),
         *(Hanging(line(spoken(words, hand), "dim")) for words in remarks),
-        *(Hanging(line(words, "dim")) for words in quoted(unjudged)),
+        *(Hanging(line(words, "dim")) for words in quoted(unjudged, scene)),
     ]
     if len(judged) > 1:
         last.insert(0, Hanging(_counted(judged)))
