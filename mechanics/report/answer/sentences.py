@@ -3,6 +3,7 @@ r"""What has to be changed, in words.
 write \frac{L^{2}}{3} for \frac{L^{2}}{12}: the factor is wrong
 """
 
+import re
 from collections.abc import Sequence
 
 from mechanics.blame.result import Edit
@@ -89,6 +90,13 @@ def sides(statement: Statement) -> tuple[str, str]:
 MOST_QUOTED = 3
 """Sentences of a person in one line."""
 LONGEST = 90
+SAYS = re.compile(
+    r"[=\d]|\b(?:no[tr]?|never|nobody|nowhere|none|only|neither|without|wrong|false|opposite|other"
+    r"|half|twice|double[ds]?|thirds?|quarters?|twel(?:ve|fths?)|squared?|times|reversed?|flip\w*"
+    r"|minus|sign|instead|mistakes?|ignored?|neglect\w*)\b",
+    re.IGNORECASE,
+)
+"""What a sentence has that may deny, limit, or say a number: such ones are quoted first."""
 
 
 def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
@@ -105,7 +113,8 @@ def quoted(sentences: Sequence[str]) -> tuple[str, ...]:
     """The first sentences that were not judged, and how many there are beside, as one line."""
     if not sentences:
         return ()
-    first = ", ".join(f"'{words[:LONGEST]}'" for words in sentences[:MOST_QUOTED])
+    ordered = sorted(sentences, key=lambda words: SAYS.search(words) is None)
+    first = ", ".join(f"'{words[:LONGEST]}'" for words in ordered[:MOST_QUOTED])
     more = len(sentences) - MOST_QUOTED
     return (f"not judged: {first}{f' and {more} more' if more > 0 else ''}",)
 
