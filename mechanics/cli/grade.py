@@ -18,6 +18,7 @@ from mechanics.errors import InputError
 from mechanics.grading.grade import REQUIRE, RIGHT, UNJUDGED
 from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
+from mechanics.report.answer.sentences import quoted
 from mechanics.worker import Limits
 
 
@@ -123,6 +124,8 @@ def _table(found: Group) -> Table:
         score = "" if one.score is None else f"{100 * one.score:.0f} %"
         words = one.hint or "; ".join(one.remarks if one.score is None else ())
         table.add_row(one.name, score, one.verdict, words)
+        for line in quoted(one.unjudged):
+            table.add_row("", "", "", line)
     return table
 
 

@@ -12,7 +12,7 @@ import inspect
 import json
 import re
 import sys
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dis import get_instructions
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -31,6 +31,7 @@ from mechanics.grading.absent_modules import FOLDER, standing_in
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import libraries_unchanged, used_by
 from mechanics.grading.lost_values import KEEP, keeper, keeping, numbers_of_formulas
+from mechanics.grading.other_functions import passing, unjudged_functions
 from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
@@ -127,6 +128,7 @@ def _parts(path: Path, cells: list[Cell], function: str | None, run_python: bool
     return found
 
 
+NOT_JUDGED = "it is neither judged nor called by what is judged: leave it out, or hand it in"
 NO_CLAIM = "it may hold an equation, and is neither prose nor code that is run"
 
 
@@ -188,38 +190,31 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         raise InputError(
             f"file {path}: {chosen} is a method of {' and of '.join(twice)}: leave one"
         )
-    others = [] if function else _others(names, own, chosen, shown)
+    others = [] if function else _others(names, own, chosen, shown, passing(code))
     used = set().union(*(used_by(whole, n) for n in (chosen, *(other.name for other in others))))
     if strange := unsettled(ast.parse(code), used, used):
         raise InputError(f"file {path}: {strange}")
     lines, unread = claims_of(code, _own(whole))
     formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []
     loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
-    loose += [
-        NotRead(f"the function in line {line}", "it has no name") for line in _nameless(code, own)
-    ]
-    loose += [NotRead(name, WHY) for name in unread_values(_own(whole), used)]
+    values = [*unread_values(_own(whole), used)]
+    if not function:
+        known = {chosen, *(o.name for o in others), *(type(whole[n]).__name__ for n in values)}
+        deleted = {getattr(one, "name", "") for one in ast.parse(code).body} - {*whole}
+        loose += [NotRead(p, NOT_JUDGED) for p in unjudged_functions(code, known | deleted)]
+    loose += [NotRead(name, WHY) for name in values]
     formulas += equations_in(shown_things)
     numbers = tuple(numbers_of_formulas(code, whole, used))
     formulas += [Numbers(numbers)] if numbers else []
     return [names[chosen], *on_the_file(code), *others, *formulas, *loose, *gone]
 
 
-def _nameless(code: str, own: Sequence[str]) -> Iterator[int]:
-    """Lines that solve what is no function of the file: ``solve_ivp(lambda ...)``."""
-    for node in ast.walk(ast.parse(code)):
-        called = getattr(node, "func", None)
-        name = getattr(called, "id", getattr(called, "attr", ""))
-        if isinstance(node, ast.Call) and node.args and SOLVERS.search(name):
-            first = node.args[0]
-            body = first.body if isinstance(first, ast.Lambda) else None
-            inner = body.func if isinstance(body, ast.Call) else None
-            if body is not None and getattr(inner, "id", getattr(inner, "attr", "")) not in own:
-                yield node.lineno
-
-
 def _others(
-    names: Mapping[str, Any], own: Sequence[str], chosen: str, shown: Collection[str]
+    names: Mapping[str, Any],
+    own: Sequence[str],
+    chosen: str,
+    shown: Collection[str],
+    passing_on: Collection[str],
 ) -> list[Another]:
     """Functions with arguments that are no parts of the one that is judged, and do not use it."""
     codes = {n: getattr(names[n], "__func__", names[n]).__code__ for n in own}
@@ -234,7 +229,8 @@ def _others(
         return found
 
     near = {*reached(chosen), *(n for n in own if chosen in reached(n))}
-    used = {part for n in own for part in parts[n]}
+    # A function that is only passed on is no part of what does that.
+    used = {part for n in own if n not in passing_on for part in parts[n]}
     return [
         Another(names[n], n) for n in own
         if n not in near and n not in used and (n in shown or codes[n].co_name == "<lambda>")

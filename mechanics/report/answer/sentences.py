@@ -94,10 +94,12 @@ QUANTITY = re.compile(
     r"[\d=%\u2026\u00bd\u2153\u00bc]|(?<![\w'])[^\W\daAI_](?!\w)"
     r"|\b(?:half|halves|thirds?|quarters?|fourths?|fifths?|sixths?|sevenths?|eighths?|ninths?"
     r"|tenths?|elevenths?|twel(?:fths?|ve)|twice|thrice|double|triple|squared?|cubed?|times|zero|one"
-    r"|two|three|four|five|six|seven|eight|nine|ten|eleven|negative|minus|plus|sign|equals?)\b",
+    r"|two|three|four|five|six|seven|eight|nine|ten|eleven|negative|minus|plus|sign|equals?"
+    r"|no[tr]?|never|nobody|nowhere|none|only|neither|without|wrong|false|opposite|other"
+    r"|reversed?|flip\w*|instead|mistakes?|ignored?|neglect\w*)\b",
     re.IGNORECASE,
 )
-"""Numbers, formulas and letters: what is likely to say something of a motion."""
+"""Numbers, formulas, letters and what denies: what is likely to say something of a motion."""
 
 
 def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
