@@ -17,7 +17,7 @@ COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%(?P<words>[^\n]*)")
 PERCENT = re.compile(r"(?<!\\)((?:\\\\)*)%")
 SIGN = "\uff05"
 """What stands for a percent sign that begins no comment."""
-SOURCE = re.compile(r"^[^%\n]*\\(?:documentclass|begin\s*\{document\})", re.MULTILINE)
+SOURCE = re.compile(r"^[^%\n]*\\(?:documentclass|(?:begin|end)\s*\{document\})", re.MULTILINE)
 """What only a document in LaTeX has."""
 HIDDEN = re.compile(
     r"\\begin\s*\{(?P<env>comment|verbatim\*?|Verbatim|lstlisting|minted|filecontents\*?)\}"
