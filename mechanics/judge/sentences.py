@@ -19,7 +19,7 @@ from mechanics.claims.prose import ENDS, SYMBOL
 from mechanics.claims.text.letters import plain
 from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.line_continuation import LABELLED
-from mechanics.claims.text.prepare import LEADS
+from mechanics.claims.text.prepare import BLOCK, LEADS
 from mechanics.claims.unread_names import given
 from mechanics.judge.markup import without_markup
 from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED
@@ -139,6 +139,10 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
                 yield Sentence(MARKED, said, comment=True, unread=True)
         text = without_markup(marked(text))
     else:
+        for block in () if beside else BLOCK.finditer(text):
+            for said in map(str.strip, block[0].splitlines()):
+                if EQUATION.search(said):
+                    yield Sentence(MARKED, said.lstrip("#%/*= \t"), comment=True, unread=True)
         for beside_it in OF_LINE.finditer(text):
             value = beside_it[0].strip(" \t,;")
             yield Sentence(_mark(value.partition(" ")[2]), value)

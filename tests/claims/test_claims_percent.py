@@ -56,6 +56,23 @@ def test_a_comment_of_a_document_is_one_and_is_quoted(tmp_path):
         assert found.unjudged == (f"${WRONG}$",)
 
 
+@pytest.mark.parametrize(
+    ("hidden", "name"),
+    [("\\begin{comment}\n?\n\\end{comment}", "a.tex"), ("\\iffalse\n?\n\\fi", "a.tex")],
+)
+def test_what_is_not_printed_is_quoted(tmp_path, hidden, name):
+    found = check(tmp_path, f"{RIGHT}\n{hidden.replace('?', WRONG)}\n", name)
+    assert found.verdict.name == "PROVED"
+    assert found.unjudged == (WRONG,)
+
+
+@pytest.mark.parametrize("marks", ["%{\n?\n%}", "#=\n?\n=#"])
+def test_a_comment_over_lines_of_a_text_is_quoted(tmp_path, marks):
+    said = "theta'' = g/l*sin(theta)"
+    found = check(tmp_path, f"{LINE}\n{marks.replace('?', said)}\n", "a.txt")
+    assert found.unjudged == (said,)
+
+
 def test_no_place_moves():
     text = f"5 % of {RIGHT} % and \\% and $a % b$\n"
     assert len(page(text)) == len(text)

@@ -17,7 +17,7 @@ COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%(?P<words>[^\n]*)")
 PERCENT = re.compile(r"(?<!\\)((?:\\\\)*)%")
 SIGN = "\uff05"
 """What stands for a percent sign that begins no comment."""
-SOURCE = re.compile(r"^[^%\n]*\\(?:documentclass|begin\s*\{document\})", re.MULTILINE)
+SOURCE = re.compile(r"^[^%\n]*\\(?:documentclass|(?:begin|end)\s*\{document\})", re.MULTILINE)
 """What only a document in LaTeX has."""
 HIDDEN = re.compile(
     r"\\begin\s*\{(?P<env>comment|verbatim\*?|Verbatim|lstlisting|minted|filecontents\*?)\}"
@@ -27,6 +27,12 @@ HIDDEN = re.compile(
     re.DOTALL,
 )
 UNPRINTED = ("comment", "filecontents", "filecontents*")
+KEPT = re.compile(
+    r"\\begin\s*\{(?P<env>verbatim\*?|Verbatim|lstlisting|minted|filecontents\*?)\}"
+    r".*?(?:\\end\s*\{(?P=env)\}|\Z)|\\(?:verb|lstinline)\*?(?P<mark>[^\sA-Za-z*{])[^\n]*?(?P=mark)",
+    re.DOTALL,
+)
+"""What is hidden from the reader of formulas alone, or is a file of its own."""
 OPTIONS = re.compile(r"\s*(?:\[[^\]]*\])?(?:\{\w*\})?")
 CONDITION = re.compile(r"(?<!\\)\\(if(?!f(?![A-Za-z@]))[A-Za-z@]*|else|fi|unless)(?![A-Za-z@])")
 BODY = re.compile(r"\\begin\s*\{document\}")
@@ -58,9 +64,18 @@ def as_signs(text: str) -> str:
 
 
 def comments(text: str) -> Iterator[str]:
-    """What comments of a text say, with what stands behind a percent sign in verbatim text."""
+    """What comments of a text say, and each line that conditions or its end leave unprinted."""
     for match in COMMENT.finditer(text):
         yield match["words"].strip("% \t")
+    text = COMMENT.sub(lambda m: m[1] + " " * (len(m[0]) - len(m[1])), text)
+    text = KEPT.sub(lambda m: blanked(m[0]), text)
+    try:
+        shown = without_hidden(text)
+    except Refused:
+        return  # nothing of it is read
+    for line, printed in zip(text.split("\n"), shown.split("\n"), strict=True):
+        pairs = zip(line, printed, strict=True)
+        yield "".join(one if one != other else " " for one, other in pairs).strip()
 
 
 def without_hidden(text: str) -> str:
