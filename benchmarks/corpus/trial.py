@@ -27,7 +27,7 @@ Rows = Mapping[str, Sequence[Any]]
 """Sides by the tag of their statement."""
 
 SIGNS = re.compile(r"^[-+]")
-NAMES = re.compile(r"[^\W\d]\w*|[\d.]+|[^\s()\[\]{}]")
+NAMES = re.compile(r"[^\W\d]\w*|[\d.]+|\*\*|[^\s()\[\]{}]")
 LETTERS = re.compile(r"\\[a-zA-Z]+|[\d.]+|[^\s()\[\]{}]")
 """Tokens of code, and of formulas, in which each letter is a name. Brackets are none: a notation
 asks for them."""
@@ -114,9 +114,9 @@ def _place(case: Case, found: Check, mended: Rows) -> int:
         source, tag = entry.statement.source, entry.statement.tag
         for place, repair in enumerate(entry.blame.repairs if entry.blame else (), start=1):
             same = repair.row is not None and _same(repair.row.sides, mended.get(tag))
-            small = same and sum(_size(case, e.written, e.right) for e in repair.edits) <= 2 + _size(
-                case, case.written, case.mended
-            )
+            small = same and sum(
+                _size(case, e.written, e.right) for e in repair.edits
+            ) <= 2 + _size(case, case.written, case.mended)
             if small or any(_names(case, source, edit) for edit in repair.edits):
                 places.append(place)
                 break
