@@ -27,6 +27,11 @@ Rows = Mapping[str, Sequence[Any]]
 """Sides by the tag of their statement."""
 
 SIGNS = re.compile(r"^[-+]")
+NAMES = re.compile(r"[^\W\d]\w*|[\d.]+|\*\*|[^\s()\[\]{}]")
+LETTERS = re.compile(r"\\[a-zA-Z]+|[\d.]+|[^\s()\[\]{}]")
+"""Tokens of code, and of formulas, in which each letter is a name. Brackets are none: a notation
+asks for them."""
+SPACING = re.compile(r"\\[,;! ]|\\left|\\right|\\cdot")
 SPACES = re.compile(r"\\[,;! ]|\\left|\\right|[\s{}*]|\\cdot")
 
 
@@ -109,9 +114,9 @@ def _place(case: Case, found: Check, mended: Rows) -> int:
         source, tag = entry.statement.source, entry.statement.tag
         for place, repair in enumerate(entry.blame.repairs if entry.blame else (), start=1):
             same = repair.row is not None and _same(repair.row.sides, mended.get(tag))
-            small = same and sum(_size(e.written, e.right) for e in repair.edits) <= 2 + _size(
-                case.written, case.mended
-            )
+            small = same and sum(
+                _size(case, e.written, e.right) for e in repair.edits
+            ) <= 2 + _size(case, case.written, case.mended)
             if small or any(_names(case, source, edit) for edit in repair.edits):
                 places.append(place)
                 break
@@ -121,7 +126,7 @@ def _place(case: Case, found: Check, mended: Rows) -> int:
 def _names(case: Case, source: str, edit: Edit) -> bool:
     written, mended = plain(case.written), plain(case.mended)
     one, other = plain(edit.written), plain(edit.right)
-    if one and one in written and other in mended:
+    if one and one in written and (other in mended or _bare(other) in mended):
         return True
     if mended and not written:
         return SIGNS.sub("", other) in mended and bool(other)
@@ -179,16 +184,25 @@ def _entries(side: Any) -> list[Any]:
     return list(side) if isinstance(side, MatrixBase) else [side]
 
 
-def _size(one: str, other: str) -> int:
-    """How many characters a change exchanges, without what both begin and end with."""
-    one, other = plain(one), plain(other)
-    start = _alike(one, other)
-    one, other = one[start:], other[start:]
-    return max(len(one), len(other)) - _alike(one[::-1], other[::-1])
+def _size(case: Case, one: str, other: str) -> int:
+    """How many tokens a change exchanges, without what both begin and end with.
+
+    A name counts as one, however long: traced code has another for what a person calls y(4).
+    """
+    tokens = LETTERS if case.input in ("latex", "text") else NAMES
+    left, right = (tokens.findall(SPACING.sub(" ", text)) for text in (one, other))
+    start = _alike(left, right)
+    left, right = left[start:], right[start:]
+    return max(len(left), len(right)) - _alike(left[::-1], right[::-1])
 
 
-def _alike(one: str, other: str) -> int:
-    """With how many equal characters two texts begin."""
+def _bare(text: str) -> str:
+    """A text without the brackets around all of it."""
+    return text[1:-1] if text[:1] == "(" and text.find(")") == len(text) - 1 else text
+
+
+def _alike(one: Sequence[str], other: Sequence[str]) -> int:
+    """With how many equal tokens two texts begin."""
     pairs = takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False))
     return sum(1 for _ in pairs)
 

@@ -108,7 +108,8 @@ class Blame:
     explanations : tuple of str
         Known mistakes that were proved to be the reason: ``"parallel axis counted twice: pole"``.
     searched : str
-        Where no repair was found: what was tried.
+        Where no repair was found: what was tried. Where numbers stand for parameters: which values
+        the repairs are for.
     """
 
     differences: tuple[Difference, ...]

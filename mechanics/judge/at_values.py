@@ -130,9 +130,7 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
         return ()
-    noted = (note for s in statements for note in s.notes)
-    units = any(note.endswith(NOT_USED) for note in noted)
-    for values in _candidates(truth, rows, units):
+    for values in _candidates(truth, rows, units_in(statements)):
         if right_with(truth, rows, values):
             for symbol in list(values):
                 fewer = {s: v for s, v in values.items() if s != symbol}
@@ -165,13 +163,9 @@ def words(values: Values) -> str:
 def _candidates(
     truth: Equations, rows: Sequence[Published], units: bool
 ) -> Iterator[dict[Symbol, Expr]]:
-    scene = truth.scene
-    sides = [side for row in rows for side in row.sides]
-    held = set().union(*(side.free_symbols for side in sides)) | _elsewhere(scene)
+    scene, held, numbers = truth.scene, held_by(truth.scene, rows), numbers_in(rows)
     free = [p for p in scene.parameters if p not in held]
-    atoms = set().union(*(side.atoms(Rational) for side in sides))
-    # Decimals come from measurements; 1/3 and 4 come from mechanics.
-    numbers = sorted({abs(n) for n in atoms if n.q % 5 == 0 or abs(n) > 4}, key=lambda n: (-n.q, n))
+    atoms = set().union(*(side.atoms(Rational) for row in rows for side in row.sides))
     values = {number * times for times in TIMES for number in numbers}
     typical = {p: p.exact for p in free if getattr(p, "typical", None)}
     # What a person leaves out is the scene's own value, as a rule.
@@ -195,6 +189,24 @@ def _candidates(
     if units and not fitted:
         parameters = [p for p in scene.parameters if p in held]
         yield from filter(plain, multiples_for(truth, rows, free, parameters))
+
+
+def held_by(scene: Scene, rows: Sequence[Published]) -> set[Symbol]:
+    """Symbols that rows hold, and those that have no value here."""
+    return set().union(*(side.free_symbols for row in rows for side in row.sides)) | _elsewhere(
+        scene
+    )
+
+
+def numbers_in(rows: Sequence[Published]) -> list[Rational]:
+    """Numbers of rows that may be values: decimals come from measurements, 1/3 and 4 do not."""
+    atoms = set().union(*(side.atoms(Rational) for row in rows for side in row.sides))
+    return sorted({abs(n) for n in atoms if n.q % 5 == 0 or abs(n) > 4}, key=lambda n: (-n.q, n))
+
+
+def units_in(statements: Sequence[Statement]) -> bool:
+    """Whether code gives parameters values, so that others may be 1, which shows nowhere."""
+    return any(note.endswith(NOT_USED) for s in statements for note in s.notes)
 
 
 def _elsewhere(scene: Scene) -> set[Symbol]:

@@ -22,6 +22,7 @@ from mechanics.judge.at_rest import at_rest
 from mechanics.judge.at_values import Values, as_identity, read_values, right_at, small_angles_at
 from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
+from mechanics.judge.blame_at_values import with_values
 from mechanics.judge.bounded_blame import blamed, declared_only
 from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
@@ -259,7 +260,7 @@ def _blamed(
     """
     truth, statements = reference.truth, [entry.statement for entry in judged]
     if not (counted or values):
-        return blamed(reference, judged)
+        return with_values(reference, blamed(reference, judged))
     if any(e.statement.derived and e.finding.verdict is Verdict.REFUTED for e in judged):
         return declared_only(judged, "statements under a declared convention")
     if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):

@@ -119,6 +119,9 @@ class Candidates:
         far = 2 * HINT if side and isinstance(node, Name) else 0.0
         far += 4 * HINT if side and isinstance(node, Sum) else 0.0
         far += HINT if one_of_squares(node, self.make.around(index)) else 0.0
+        # Of two terms either may be turned: who writes x'' + k x = 0 leads with the one that is
+        # right.
+        far += HINT if self.make.words.accelerates(node) else 0.0
         yield self.make.wrapped(index, minus, Mistake.SIGN, TOKEN + far, values)
         if not side or self._other_side(index) or isinstance(self.make.forest.place[index][0], str):
             zero = (0,) * len(has)
