@@ -8,6 +8,7 @@ def test_my_simulator():
     assert_equivalent(my_right_hand_side, elastic_pendulum.scene(), names=names)
 """
 
+import warnings
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +19,7 @@ from mechanics.judge.check import check, derived
 from mechanics.judge.complete import determined
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.sentences import quoted
 from mechanics.scene import Scene
 from mechanics.scene.system import System
 
@@ -60,6 +62,11 @@ def assert_equivalent(
     InputError
         When nothing can be read, or there is nothing to check.
 
+    Warns
+    -----
+    UserWarning
+        With sentences and comments around the equations that nothing was compared with.
+
     Examples
     --------
     >>> from mechanics.testing import assert_equivalent
@@ -85,6 +92,8 @@ def assert_equivalent(
     if found.verdict in SHOWN:
         if not partial and (missing := _missing(found, scene)):
             raise AssertionError(f"{missing}\n\n{found}")
+        for words in quoted(found.unjudged, found.scene):
+            warnings.warn(words, stacklevel=2)
         return
     if allow_supported and found.verdict is Verdict.SUPPORTED:
         return

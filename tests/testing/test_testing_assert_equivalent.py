@@ -146,3 +146,9 @@ def test_the_name_of_a_file_is_no_text(name: str) -> None:
         assert_equivalent(name, SCENE)
     with pytest.raises(InputError, match="import it and pass its function"):
         assert_equivalent("sim.py", SCENE)
+
+
+def test_a_comment_that_nobody_judges_is_a_warning() -> None:
+    page = "theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)  # theta'' = g/l*sin(theta)"
+    with pytest.warns(UserWarning, match="not judged: .*theta'' = g/l"):
+        assert_equivalent(page, rod_pendulum.scene())

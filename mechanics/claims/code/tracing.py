@@ -143,7 +143,7 @@ def _follow(
     """Go all ways through a function."""
     made: dict[int, Any] = {}
     own, copied = held(function, standing), copy_of(function, made)
-    if any(names_single(one.__code__) for one in made.values() if hasattr(one, "__code__")):
+    if any(names_single(one.__code__) for one in made.values() if inspect.isfunction(one)):
         ways.notes.append(SINGLE_NOTE)
     # What only fills arrays is called by what returns them: the lines are those of the first.
     origin = getattr(function, "__wrapped__", function)
