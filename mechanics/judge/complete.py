@@ -16,6 +16,7 @@ from mechanics.checks.manifold import project
 from mechanics.claims.demands import Demand, Demands
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
+from mechanics.errors import ZeroDivisorError
 from mechanics.judge.common_factor import demands_of_factors
 from mechanics.judge.definedness import where_defined
 from mechanics.kernel import undecided
@@ -27,13 +28,14 @@ from mechanics.program.derivatives import gradient as gradient_of
 from mechanics.program.interpret import include, interpret
 from mechanics.program.numpy_domain import Arrays
 from mechanics.report.answer.judged import Judged
+from mechanics.scene import Scene
 from mechanics.scene.quantities import (
     EquationOfMotion,
     Hamiltonian,
     Lagrangian,
     ReactionValue,
 )
-from mechanics.symbolic import Arithmetic
+from mechanics.symbolic import Arithmetic, slope
 
 MOST_TOGETHER = 3
 """Equations whose determinant is written out; of more it is looked at at states."""
@@ -127,7 +129,7 @@ def _counted(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int,
     try:
         project(a, truth.kinematics)
         unknowns = [a.value(symbol) for symbol in (*scene.ud, *forces)]
-        both = [gradient_of([a.value(x) - a.value(y)], [1], unknowns) for x, y in sides]
+        both = [_slopes(a, scene, pair, unknowns, forces) for pair in sides]
         speeds = len(scene.ud)
         slopes, unknown = [row[:speeds] for row in both], [row[speeds:] for row in both]
         closed = [[a.value(e) for e in row] for row in constraints]
@@ -135,13 +137,32 @@ def _counted(truth: Equations, judged: Sequence[Judged]) -> tuple[int, int, int,
         both += [[*row, *(a.rational(0) for _ in forces)] for row in closed]
         new = a.rank(both) - held
         rank = new - a.rank(unknown)
-    except Inadmissible:
+    except (Inadmissible, ZeroDivisorError):
         return count, len(rows), len(scene.ud) - len(constraints), count  # no state to look at
     if rank == len(rows) == len(scene.ud):
         few = rank <= MOST_TOGETHER and truth.textbook is not None
         meet = _meet_somewhere(truth, entries, sides) if few else _meet_at_a_state(truth, a, slopes)
         rank -= int(meet)
     return count, rank, len(scene.ud) - held, new
+
+
+def _slopes(
+    a: Arithmetic, scene: Scene, pair: list[Expr], unknowns: list[Node], forces: list[Expr]
+) -> list[Node]:
+    """Derivatives of left - right by the accelerations and reactions, where inputs are 0.
+
+    Raises
+    ------
+    ZeroDivisorError
+        Where these have no value there.
+    """
+    left, right = pair
+    try:
+        return gradient_of([a.value(left) - a.value(right)], [1], unknowns)
+    except ZeroDivisorError:  # an input below a line: the derivatives alone may have a value
+        idle = dict.fromkeys(scene.input_symbols, S.Zero)
+        slopes = [*gradient(scene, pair), *(slope(left - right, force) for force in forces)]
+        return [a.value(entry.xreplace(idle)) for entry in slopes]
 
 
 def _meet_at_a_state(truth: Equations, a: Arithmetic, slopes: list[list[Node]]) -> bool:
