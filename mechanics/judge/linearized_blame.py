@@ -17,6 +17,7 @@ from mechanics.blame.search.repair import edited_row, proved
 from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.place import Refused
 from mechanics.errors import MechanicsError
+from mechanics.judge.bounded_blame import LARGEST, nodes
 from mechanics.judge.operating_point import operating_point
 from mechanics.judge.small_angles import to_first_order
 from mechanics.report.answer.judged import Judged
@@ -34,14 +35,14 @@ def linearized(reference: Reference, entry: Judged) -> Judged:
     """The entry; where no edit mends an equation for small angles, those to first order."""
     try:
         return _mended(reference, entry)
-    except (MechanicsError, Untreeable, Refused):
+    except (MechanicsError, Untreeable, Refused, RecursionError):
         return entry
 
 
 def _mended(reference: Reference, entry: Judged) -> Judged:
     statement, truth, blame = entry.statement, reference.truth, entry.blame
     row, written = statement.row, statement.written
-    if blame is None or row is None or written is None:
+    if blame is None or row is None or written is None or nodes(statement) > LARGEST:
         return entry
     if any(len(repair.edits) == 1 for repair in blame.repairs):
         return entry
