@@ -32,6 +32,7 @@ from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.letters import Settled, settle
+from mechanics.judge.linearized_blame import linearized
 from mechanics.judge.one_document import of_one_document
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
@@ -260,7 +261,8 @@ def _blamed(
     """
     truth, statements = reference.truth, [entry.statement for entry in judged]
     if not (counted or values):
-        return with_values(reference, blamed(reference, judged))
+        found = with_values(reference, blamed(reference, judged))
+        return tuple(linearized(reference, entry) for entry in found)
     if any(e.statement.derived and e.finding.verdict is Verdict.REFUTED for e in judged):
         return declared_only(judged, "statements under a declared convention")
     if any(s.row is not None and moves_more(truth.scene, s.row) for s in statements):

@@ -19,6 +19,7 @@ from mechanics.claims.spelling import Spelling
 from mechanics.claims.tree import Name, Node, names, parts
 from mechanics.compiled.dimensions import check_energy
 from mechanics.errors import ExpressionError, InputError, SceneError
+from mechanics.kernel import Finding
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
 
@@ -36,8 +37,16 @@ def _changes(chosen: Sequence[Solution]) -> list[tuple[Forest, Change]]:
     return [(solution.problem.forest, change) for solution in chosen for change in solution.changes]
 
 
-def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | None:
-    """The repair that edits are, if the statement is right with them."""
+def proved(
+    claim: Claim, chosen: Sequence[Solution], source: str, finding: Finding | None = None
+) -> Repair | None:
+    """The repair that edits are, if the statement is right with them.
+
+    Parameters
+    ----------
+    finding : Finding, optional
+        Of the statement with the edits, where it is compared with something else than the truth.
+    """
     found = edited_row(claim, chosen)
     if found is None:
         return None
@@ -45,7 +54,8 @@ def proved(claim: Claim, chosen: Sequence[Solution], source: str) -> Repair | No
     if _says_nothing(claim, row) or not _returns(claim, chosen) or _larger(claim, entries, chosen):
         return None
     try:
-        finding = check_row(claim.truth.scene, row, claim.truth)
+        if finding is None:
+            finding = check_row(claim.truth.scene, row, claim.truth)
     except (InputError, SceneError, ExpressionError):
         return None
     if not finding.shown or check_energy(claim.truth, row) is not None:
