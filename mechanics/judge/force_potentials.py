@@ -3,7 +3,7 @@
     F = -k (r - l) e_r        V = k (r - l)^2 / 2        dV/dq_i = -F . dr/dq_i
 
 A scene has no potential for such a force or torque, and its energy is right without; a person's
-energy is right with it, too. Parts with speeds do no part of it; what holds time has none. Inputs
+energy is right with it, too. Parts with speeds and parts with time do no part of it. Inputs
 do no part of it, or all: the potential of a spring k (q - u) to a place that is moved is
 k (q - u)^2 / 2, which vanishes with the force.
 """
@@ -11,8 +11,9 @@ k (q - u)^2 / 2, which vanishes with the force.
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from sympy import Expr, Integral, S, integrate, linsolve
+from sympy import Add, Expr, Integral, S, integrate, linsolve
 from sympy.matrices import MatrixBase
+from sympy.physics.mechanics import dynamicsymbols
 from sympy.solvers.solveset import NonlinearError
 
 from mechanics.kernel import Finding
@@ -79,11 +80,16 @@ def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
         if not isinstance(load, Force | Torque):
             continue
         vector = scene.vector(load.vector, load.name).subs(rest)
-        forces = [canonical(vector.dot(arm)) for arm in arms(scene, load)]
+        forces = [_at_rest(canonical(vector.dot(arm))) for arm in arms(scene, load)]
         if all(operations(Q) <= LARGEST and Q.free_symbols <= constants for Q in forces):
             potential = _potential(scene, forces)
             if potential is not None:
                 yield load.name, _from_rest(scene, potential, forces) if inputs else potential
+
+
+def _at_rest(force: Expr) -> Expr:
+    """The terms of a generalized force without time: a drive F_0 cos(omega t) is none of them."""
+    return Add(*(term for term in Add.make_args(force) if not term.has(dynamicsymbols._t)))
 
 
 def _from_rest(scene: Scene, potential: Expr, forces: list[Expr]) -> Expr:

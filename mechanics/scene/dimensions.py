@@ -8,7 +8,7 @@ Where a symbol has no unit nothing is known of its products, and nothing is said
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Abs, Expr, Function, Pow, Symbol, cos, exp, sign, sin, tan
+from sympy import Abs, Expr, Function, Pow, Rational, Symbol, cos, exp, sign, sin, tan
 
 from mechanics.scene.scene import Scene
 from mechanics.scene.unit_names import Dimension, dimension_of_unit, words
@@ -17,6 +17,7 @@ NONE = dimension_of_unit("1", "")
 PLAIN: tuple[Any, ...] = (sin, cos, tan, exp)
 """Functions of numbers that give numbers."""
 LONGEST = 80
+MOST_BITS = 10_000
 BY_DIMENSION = "by dimension: "
 """Begins the evidence where a dimension alone refutes what a person wrote."""
 
@@ -119,5 +120,7 @@ def _sum(parts: Sequence[tuple[Any, Any]]) -> Dimension | None:
 
 
 def _shown(e: Expr) -> str:
+    if any(max(abs(n.p), n.q).bit_length() > MOST_BITS for n in e.atoms(Rational)):
+        return "a number of very many digits"  # Python writes no integer that is so long
     text = str(e)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

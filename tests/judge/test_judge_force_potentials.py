@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import pytest
+from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from mechanics import check
@@ -90,3 +91,31 @@ def test_a_spring_to_what_moves_has_its_potential(
     scene: Callable[[], Scene], text: str, verdict: Verdict
 ) -> None:
     assert check(scene(), text, blame=False).verdict is verdict
+
+
+def driven() -> Scene:
+    """A mass on a spring and a damper, driven by F_0 cos(omega t), all in one force."""
+    (y,), (m, k, l, b, F0, w) = (
+        dynamicsymbols("y,"), parameters("m k l b F_0 omega", units="kg N/m m N*s/m N 1/s")
+    )  # fmt: skip
+    N, O = ReferenceFrame("N"), Point("O")
+    P, drive = O.locatenew("P", y * N.y), F0 * cos(w * dynamicsymbols._t)
+    return Scene(
+        "driven", N, O, coordinates=(y,), plane=N.z, bodies=(Particle("mass", P, m),),
+        loads=(force("all", P, (drive - k * (y - l) - b * y.diff()) * N.y, on="mass"),),
+        reactions=(reaction("n", at=P, on="mass", by=None, along=N.x),),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (r"V = \frac12 k (y - l)^2", Verdict.PROVED),
+        (r"V = \frac12 k (y + l)^2", Verdict.REFUTED),
+        (r"V = \frac12 k (y - l)^2 - F_0 y \cos\omega t", Verdict.REFUTED),
+        (r"L = \frac12 m \dot y^2 - \frac12 k (y - l)^2", Verdict.PROVED),
+        (r"L = \frac12 m \dot y^2 + \frac12 k (y - l)^2", Verdict.REFUTED),
+    ],
+)
+def test_a_drive_beside_a_spring_is_no_part_of_its_potential(text: str, verdict: Verdict) -> None:
+    assert check(driven(), text).verdict is verdict
