@@ -95,5 +95,7 @@ def test_a_block_of_comments_is_no_code() -> None:
     *head, right = PROGRAM.splitlines(keepends=True)
     assert not shown(f"{''.join(head)}{WRONG}%{{\n{right}%}}\nend\n", "text")
     assert not shown(f"{''.join(head)}{WRONG}%{{\n{right}end\n", "text")
-    assert shown(f"{PROGRAM}%{{\n{WRONG}%}}\nend\n", "text")
+    answer = found(f"{PROGRAM}%{{\n{WRONG}%}}\nend\n", "text")
+    assert answer is not None and answer.ok
+    assert answer.unjudged == (WRONG.strip(),)
     assert not shown(f"{TEXT}\n%{{\nT = 0\n", "text")
