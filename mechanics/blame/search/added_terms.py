@@ -5,18 +5,18 @@ slope of a sum * number * term = -wrong        a'' = N / Q:  Q lacks what is wro
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import islice
 
 from sympy import Expr, Rational, S, Symbol
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.cover import Piece
 from mechanics.blame.search.differing_terms import Wrong, Wrongs
 from mechanics.blame.search.edit_effects import steps
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.residues import rational
 from mechanics.blame.search.words import Words
@@ -56,16 +56,12 @@ class Added:
                 continue
             try:
                 number = Rational(factor.numerator, factor.denominator)
-                added = self.claim.written.tree(number * term)
+                tree = self.claim.written.tree(number * term)
             except Untreeable:
                 return
-            worths = worth(sheets, added)
-            if worths is not None:
-                wrap = partial(plus, added)
-                new = wrap(self.problem.forest.nodes[index])
-                sums = tuple((s.has[index] + v) % p for s, v in zip(sheets, worths, strict=True))
-                cost = ADDED + (MET if wrong.meets else 0.0)
-                yield Change(index, new, Mistake.MISSING, cost, index, sums, wrap)
+            cost = ADDED + (MET if wrong.meets else 0.0)
+            if (change := added(self.problem, index, tree, cost)) is not None:
+                yield change
 
     @cached_property
     def _sums_and_sides(self) -> list[tuple[int, list[int], Expr]]:
@@ -76,10 +72,9 @@ class Added:
         forest = self.problem.forest
         found: list[tuple[int, list[int], Expr]] = []
         for index, node in enumerate(forest.nodes):
-            side = forest.term(index) and not forest.place[index][1]
-            if not (side or isinstance(node, Sum)) or isinstance(node, Number):
+            if not (forest.side(index) or isinstance(node, Sum)) or isinstance(node, Number):
                 continue
-            if not forest.written(index) or not forest.single(index) or forest.rates[index]:
+            if not forest.plain(index):
                 continue
             slopes = self.problem.slopes(index)
             if slopes is not None:

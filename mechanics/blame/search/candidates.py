@@ -114,7 +114,7 @@ class Candidates:
         if not any(has):
             return
         values = tuple(-value % p for value in has)
-        side = self.make.forest.parent[index] < 0 or not self.make.forest.place[index][1]
+        side = self.make.forest.side(index)
         # A side that is one name is likely so; a whole sum is rarely turned.
         far = 2 * HINT if side and isinstance(node, Name) else 0.0
         far += 4 * HINT if side and isinstance(node, Sum) else 0.0

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.blame.search.syntax_tree import Forest
 from mechanics.blame.search.words import Words

@@ -8,6 +8,7 @@ What passes is looked at in full: the edit is put in, and the missing term looke
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 
 from sympy import Symbol
 
@@ -75,7 +76,7 @@ class Both:
             if not forest.single(change.at):
                 continue
             for index in forest.ways_up(change.at):
-                top = isinstance(forest.nodes[index], Sum) or not forest.place[index][1]
+                top = isinstance(forest.nodes[index], Sum) or forest.side(index)
                 plain = forest.written(index) and not forest.rates[index]
                 if top and plain and self._grows(sheets, change, index):
                     yield change
@@ -88,11 +89,10 @@ class Both:
             need = sheet.needs[index]
             if need is None:
                 return False
-            value, child = change.values[k], change.at
+            start = (change.at, change.values[k])
             try:
-                while child != index:
-                    above = sheet.forest.parent[child]
-                    value, child = sheet.above(above, child, value), above
+                way = chain([start], sheet.climb(*start))
+                value = next(value for above, value in way if above == index)
             except (DivisionHere, InsideHere):
                 return False
             lacks.append((need - value) % self._p)

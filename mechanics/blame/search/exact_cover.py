@@ -147,4 +147,4 @@ def _simple(changes: Sequence[Change]) -> bool:
 
 
 def _drops_a_side(problem: Problem, change: Change) -> bool:
-    return change.node is None and not problem.forest.place[change.index][1]
+    return change.node is None and problem.forest.side(change.index)

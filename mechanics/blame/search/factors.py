@@ -14,7 +14,7 @@ from itertools import combinations_with_replacement
 from sympy import Symbol, sign
 
 from mechanics.blame.search.change import raised
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
 from mechanics.claims.tree import Call, Node, Number, Power, Sum, constant

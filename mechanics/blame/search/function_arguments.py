@@ -3,11 +3,9 @@
 sin(theta_1 - theta_2)  ->  sin(theta_1 + theta_2), sin(theta_1), sin(theta_1 - theta_3), ...
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-
-from sympy.matrices import MatrixBase
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
@@ -23,12 +21,10 @@ from mechanics.blame.search.change import (
     size_of,
     times,
 )
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.syntax_tree import Forest, edited
 from mechanics.blame.search.words import Words
 from mechanics.claims.kinds import angular
-from mechanics.claims.place import Refused
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -41,20 +37,9 @@ from mechanics.claims.tree import (
     product,
     with_parts,
 )
-from mechanics.errors import MechanicsError
 
 Inner = tuple[int, Node | None, Mistake, float]
 """Where, what in its place, which mistake, and its cost."""
-
-
-def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
-    """What a node is worth at each point; None where it has no value, or is a matrix."""
-    try:
-        if isinstance(sheets[0].builder(node), MatrixBase):
-            return None
-        return tuple(sheet.opaque(node) for sheet in sheets)
-    except (MechanicsError, Refused):
-        return None
 
 
 def inside_of(make: Maker, index: int) -> Iterator[Inner]:

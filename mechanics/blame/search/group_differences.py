@@ -4,15 +4,14 @@ right = written + sum over groups of (right terms - written terms)
 """
 
 from collections.abc import Iterator
-from functools import partial
 
 from sympy import Add, Expr, S, factor_terms
 
 from mechanics.blame.difference import Group, groups
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change, plus
+from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change
 from mechanics.blame.search.claim import Claim
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
 from mechanics.blame.terms import difference, written
@@ -51,23 +50,19 @@ def whole(
 def _changes(
     claim: Claim, problem: Problem, found: tuple[Group, ...], index: int, sign: int
 ) -> Iterator[Change]:
-    node = problem.forest.nodes[index]
-    has = [sheet.has[index] for sheet in problem.sheets]
     for group in found:
         try:
             term = claim.written.tree(sign * _step(claim, group))
         except Untreeable:
             return
-        values = worth(problem.sheets, term)
-        if values is None:
-            return
-        wrap = partial(plus, term)
         mistake = Mistake.TERM if group.written else Mistake.MISSING
         # What replaces a term may be a long sum.
         count = len(difference(group.right, group.written))
         cost = max(REPLACED, ADDED * (count - 1)) if group.written else ADDED + HINT
-        sums = tuple((a + b) % problem.prime for a, b in zip(has, values, strict=True))
-        yield Change(index, wrap(node), mistake, cost, index, sums, wrap)
+        change = added(problem, index, term, cost, mistake)
+        if change is None:
+            return
+        yield change
 
 
 def _step(claim: Claim, group: Group) -> Expr:

@@ -11,8 +11,7 @@ from functools import cached_property, partial
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, size_of, times
 from mechanics.blame.search.circular import Circular
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, scaled
 from mechanics.claims.tree import Call, Node, Number, Power, Product
 

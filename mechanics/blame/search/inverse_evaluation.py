@@ -9,11 +9,12 @@ The terms below d/dt are worth their derivatives.
 A node is right as something else if that is worth what is needed there.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from mechanics.blame.search.point import Point
+from mechanics.blame.search.residues import others_of
 from mechanics.blame.search.syntax_tree import Forest, is_root
 from mechanics.claims.build import Builder
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
@@ -68,8 +69,8 @@ class Sheet:
             return []
         return [root, p - root]
 
-    def above(self, parent: int, child: int, value: int) -> int:
-        """What a node is worth when one part of it has another value.
+    def above(self, index: int, values: Mapping[int, int]) -> int:
+        """What a node is worth when some parts of it have other values.
 
         Raises
         ------
@@ -78,27 +79,41 @@ class Sheet:
         InsideHere
             For a part inside of a function.
         """
-        p, node, has = self.point.prime, self.forest.nodes[parent], self.has
+        p, node, has = self.point.prime, self.forest.nodes[index], self.has
+        kids = self.forest.kids[index]
         if isinstance(node, Sum):
-            return (has[parent] - has[child] + value) % p
-        if self.forest.opaque(parent):
+            # A term may have been added to it.
+            steps = (values[kid] - has[kid] for kid in kids if kid in values)
+            return (has[index] + sum(steps)) % p
+        if self.forest.opaque(index):
             raise InsideHere
-        if isinstance(node, Rate):
-            return value
+        first, *others = (values.get(kid, has[kid]) for kid in kids)
         if isinstance(node, Product):
-            total = value
-            for kid in self.forest.kids[parent]:
-                if kid != child:
-                    total = total * has[kid] % p
-            return total
-        if isinstance(node, Name):
-            return value
-        if is_root(node) and child == self.forest.kids[parent][0]:
-            return root_of(value, p)
-        exponent = integer_exponent(node)
-        if exponent is None or child != self.forest.kids[parent][0]:
+            for other in others:
+                first = first * other % p
+            return first
+        if isinstance(node, Name | Rate):
+            return first
+        if isinstance(node, Power) and kids[1] in values:
             raise InsideHere
-        return power(value, exponent, p)
+        if is_root(node):
+            return root_of(first, p)
+        exponent = integer_exponent(node)
+        if exponent is None:
+            raise InsideHere
+        return power(first, exponent, p)
+
+    def climb(self, child: int, value: int) -> Iterator[tuple[int, int]]:
+        """Each node above one that has another value, and what it is worth then.
+
+        Raises
+        ------
+        DivisionHere, InsideHere
+            As `above`.
+        """
+        while (index := self.forest.parent[child]) >= 0:
+            value, child = self.above(index, {child: value}), index
+            yield child, value
 
 
 def integer_exponent(node: Node) -> int | None:
@@ -212,7 +227,7 @@ def _needed_below(sheet: Sheet, index: int) -> None:
     elif isinstance(node, Rate):
         sheet.needs[kids[0]] = need
     elif isinstance(node, Product):
-        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+        for kid, others in zip(kids, others_of([has[kid] for kid in kids], p), strict=True):
             sheet.needs[kid] = need * pow(others, -1, p) % p if others else None
     elif isinstance(node, Name):
         sheet.needs[kids[0]] = need
@@ -239,19 +254,6 @@ def _squared_below(sheet: Sheet, index: int) -> None:
     elif isinstance(node, Name):
         sheet.squares[kids[0]] = square
     elif isinstance(node, Product):
-        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+        for kid, others in zip(kids, others_of([has[kid] for kid in kids], p), strict=True):
             if others:
                 sheet.squares[kid] = square * pow(others, -2, p) % p
-
-
-def _others(values: list[int], p: int) -> list[int]:
-    """For every factor the product of the others."""
-    before, found = 1, []
-    for value in values:
-        found.append(before)
-        before = before * value % p
-    after = 1
-    for i in reversed(range(len(values))):
-        found[i] = found[i] * after % p
-        after = after * values[i] % p
-    return found

@@ -4,13 +4,13 @@ needed - has = m l theta_dot**2 sin(theta)
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property, partial
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, HINT, Change, plus
+from mechanics.blame.search.change import ADDED, HINT, Change
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.function_arguments import worth
 from mechanics.blame.search.homogeneity_test import Growth
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.products import Products
@@ -91,7 +91,7 @@ class Missing:
                 if kind not in likeliest or cost < likeliest[kind][1]:
                     likeliest[kind] = term, cost
         forest = self.problem.forest
-        side = forest.term(index) and not forest.place[index][1]
+        side = forest.side(index)
         # Beside a side is plainer than in a bracket around a factor: + c x', not k (x + c x'/k).
         far = 0.0 if isinstance(forest.nodes[index], Sum) else (5 if side else 10) * HINT
         words = self.growth.words
@@ -109,23 +109,15 @@ class Missing:
         """Whether a term may be missing at a node: a sum, a side, a factor, a divisor, a base."""
         forest = self.problem.forest
         node, around = forest.nodes[index], self._around(index)
-        side = forest.term(index) and not forest.place[index][1]
         factor = isinstance(node, Product | Name) and isinstance(around, Product)
         below = isinstance(around, Power)
         # Nothing is missing in 1/2; a number alone is another one.
-        open_here = isinstance(node, Sum) or side or ((factor or below) and constant(node) is None)
-        plain = forest.written(index) and forest.single(index) and not forest.rates[index]
-        return open_here and plain
+        inside = (factor or below) and constant(node) is None
+        return (isinstance(node, Sum) or forest.side(index) or inside) and forest.plain(index)
 
     def _added(self, index: int, term: Node, cost: float) -> Iterator[Change]:
-        worths = worth(self.problem.sheets, term)
-        if worths is None:
-            return
         node = self.problem.forest.nodes[index]
-        has = [sheet.has[index] for sheet in self.problem.sheets]
-        values = tuple((a + b) % self._p for a, b in zip(has, worths, strict=True))
-        if isinstance(node, Number) and node.value == 0:
-            yield Change(index, term, Mistake.TERM, cost, index, values)
-            return
-        wrap = partial(plus, term)
-        yield Change(index, wrap(node), Mistake.MISSING, cost, index, values, wrap)
+        change = added(self.problem, index, term, cost)
+        if change is not None and isinstance(node, Number) and node.value == 0:
+            change = replace(change, mistake=Mistake.TERM, wrap=None)  # it stands in place of that
+        yield from () if change is None else (change,)

@@ -47,7 +47,7 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         change = replace(change, node=_in_own_names(claim, home, change.node))
     if isinstance(home, str):
         place = claim.written.places.get(home, "")
-        if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
+        if _adds(forest, change) and change.wrap and forest.side(change.index):
             term = change.wrap(Number(0, Fraction(0)))
             return Edit(change.mistake, "", _signed(spelling, term), None, home, place)
         # It stands elsewhere, so that a sign alone would say nothing.
@@ -78,7 +78,7 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
     if _adds(forest, change) and isinstance(new, Sum):
         at = None if span is None else (span[1], span[1])
         return _edit(claim, change, "", _signed(spelling, new.terms[-1]), at)
-    if new is None and not forest.place[change.index][1]:
+    if new is None and forest.side(change.index):
         return _edit(claim, change, spelling(node), "0", span)
     if span is None or (sign is None and hidden_minus(node)):
         return _edit(claim, change, *_without_place(forest, change, spelling), None)
@@ -182,7 +182,7 @@ def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
     if new is None:
         return ""
     above = forest.parent[change.index]
-    if above < 0 or not forest.place[change.index][1]:
+    if above < 0 or forest.side(change.index):
         return spelling(new)
     around = forest.nodes[above]
     level = 0

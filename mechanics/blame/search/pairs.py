@@ -8,6 +8,7 @@ Every edit is entered at every node above it with what it does there; its partne
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
@@ -45,15 +46,13 @@ def _where_they_meet(
     for change in changes:
         if not forest.single(change.at):
             continue
-        child, value = change.at, change.values[0]
+        way = chain([(change.at, change.values[0])], sheet.climb(change.at, change.values[0]))
         try:
-            while (above := forest.parent[child]) >= 0:
-                if isinstance(forest.nodes[above], Sum | Product):
+            for child, value in way:
+                above = forest.parent[child]
+                if above >= 0 and isinstance(forest.nodes[above], Sum | Product):
                     entries[above].append((child, value, change))
                 reached[child][value].append(change)
-                value = sheet.above(above, child, value)
-                child = above
-            reached[child][value].append(change)
         except (DivisionHere, InsideHere):
             continue
     for change in changes:
@@ -125,18 +124,10 @@ def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Chan
     known: dict[int, list[Change]] = defaultdict(list)
     for change in changes:
         try:
-            steps = [_step(sheet, change, k) for k, sheet in enumerate(problem.sheets)]
+            step = (problem.residual_with([change]) - problem.residual) % p
         except (DivisionHere, InsideHere):
             continue
-        step = (steps[0] - steps[1]) % p
         for partner in known.get((missing - step) % p, ()):
             if problem.together([partner, change]):
                 yield partner, change
         known[step].append(change)
-
-
-def _step(sheet: Sheet, change: Change, k: int) -> int:
-    value, child = change.values[k], change.at
-    while (above := sheet.forest.parent[child]) >= 0:
-        value, child = sheet.above(above, child, value), above
-    return value - sheet.has[0]

@@ -48,7 +48,7 @@ def _values(sheet: Sheet, made: Sequence[Change], k: int) -> Sheet:
         if adds(change):
             value = now.has[child] + value - sheet.has[child]
         while (above := sheet.forest.parent[child]) >= 0:
-            upper = now.above(above, child, value)
+            upper = now.above(above, {child: value})
             now.has[child] = value
             child, value = above, upper
         now.has[child] = value

@@ -11,7 +11,7 @@ from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, minus, plus, size_of, times
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.claims.tree import Call, Node, Number, Sum, parts, with_parts
@@ -51,7 +51,7 @@ def borrowed(problem: Problem) -> Iterator[Change]:
 def _squared(problem: Problem, index: int) -> bool:
     """Whether a node is the base of a square that somebody wrote."""
     forest, above = problem.forest, problem.forest.parent[index]
-    if above < 0 or not forest.written(index) or not forest.single(index) or forest.rates[index]:
+    if above < 0 or not forest.plain(index):
         return False
     return integer_exponent(forest.nodes[above]) == 2 and forest.kids[above][0] == index
 

@@ -38,7 +38,7 @@ def _on_the_way(problem: Problem, change: Change) -> Iterator[tuple[int, Entry]]
     while (above := forest.parent[child]) >= 0 and not isinstance(forest.nodes[above], Sum):
         try:
             pairs = zip(problem.sheets, values, strict=True)
-            values = tuple(sheet.above(above, child, value) for sheet, value in pairs)
+            values = tuple(sheet.above(above, {child: value}) for sheet, value in pairs)
         except (DivisionHere, InsideHere):
             return
         has = [sheet.has[above] for sheet in problem.sheets]

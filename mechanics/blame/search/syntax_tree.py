@@ -117,6 +117,14 @@ class Forest:
         """Whether a node stands at one place only."""
         return len(self.copies[self.place[index]]) == 1
 
+    def plain(self, index: int) -> bool:
+        """Whether somebody wrote the node, at one place, and not below d/dt."""
+        return self.written(index) and self.single(index) and not self.rates[index]
+
+    def side(self, index: int) -> bool:
+        """Whether a node is a whole side, or all of a definition."""
+        return not self.place[index][1]
+
     def term(self, index: int) -> bool:
         """Whether a node is a term of a sum, or a whole side."""
         above = self.parent[index]

@@ -20,8 +20,7 @@ from mechanics.blame.search.change import (
     raised,
     size_of,
 )
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
 from mechanics.claims.tree import (
     Call,
