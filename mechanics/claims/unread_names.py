@@ -36,6 +36,10 @@ GIVES = re.compile(
 """What a line that is not read gives a value to."""
 SET = re.compile(r":=|\u2254|[-+*/]=|<-|\u2190|\u2236=|\\(?:leftarrow|gets|coloneqq)(?![A-Za-z])")
 """What gives a name another value, of whatever it has been."""
+DECORATED = re.compile(r"\\(?:vec|hat|bar|tilde|mathbf|boldsymbol|bm)\s*\{([^{}]*)\}")
+RATED = re.compile(rf"\\d{{1,4}}ot\s*(?:\{{\s*{NAME.pattern}\s*\}}|{NAME.pattern})")
+ALONE = re.compile(rf"(?:{SIGNS})\s*(?P<name>{NAME.pattern})\s*(?:\([^=()]*\))?\s*(?=[.,;:&=]|\Z)")
+"""A name that stands alone to the right of a sign."""
 UNIT = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|deg|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
 NUMBER = re.compile(
     rf"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?(?:\s+{UNIT}(?:[ */.]{{1,3}}{UNIT})*)?[\s.]*"
@@ -101,6 +105,16 @@ def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
                 anew = SET.search(match[0]) is not None
                 found |= {n for n in given if anew or not naming.is_function(n)}
     return found
+
+
+def names_given(source: str) -> set[str]:
+    """Keys of names that a formula which is not read may give a value to, whatever they are.
+
+    A rate that is given is none.
+    """
+    source = FONT.sub(r" \1", DECORATED.sub(r" \1 ", RATED.sub(" ", source)))
+    found = {_key(one) for match in GIVES.finditer(source) for one in NAME.findall(match["names"])}
+    return found | {_key(match["name"]) for match in ALONE.finditer(source)}
 
 
 def _key(name: str) -> str:

@@ -24,6 +24,7 @@ from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blame_at_values import with_values
 from mechanics.judge.bounded_blame import blamed, declared_only
+from mechanics.judge.choice import chosen, judged_only, read_choice
 from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import Answer, judge_under, only_change
@@ -37,7 +38,7 @@ from mechanics.judge.one_document import of_one_document
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
-from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
+from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
@@ -45,6 +46,7 @@ from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import source_of
 from mechanics.judge.special_case import in_special_case
+from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.unsaid import unsaid
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
@@ -71,6 +73,7 @@ def check(
     function: str | None = None,
     values: Mapping[str, Any] | None = None,
     where: Sequence[str] | str = (),
+    only: Sequence[str] | str = (),
     blame: bool = True,
 ) -> Check:
     r"""Check a person's equations of motion, energies, reactions or mass matrix.
@@ -109,6 +112,12 @@ def check(
     where : str or sequence of str
         What holds of coordinates and parameters, ``"cos(phi) > 0"``: equations are judged there
         only, and the result says so. One branch of a loop, for example.
+    only : str or sequence of str
+        Which statements of a page the verdict is on: a number (``"(6)"``), lines (``"line 12"``,
+        ``"lines 5-8"``), or what stands on the left (``"theta_ddot"``). All of the page is read
+        for what letters mean; what is not chosen is named in the result. Sentences that deny or
+        limit count where they stand beside what is chosen; ``"formulas"`` sets them aside, but for
+        labels of the formulas.
     blame : bool
         Whether to look for what is wrong with what is refuted, and for the edit that mends it.
 
@@ -137,8 +146,9 @@ def check(
     written_out = truth.textbook is not None
     if not written_out:
         _plain(things, convention=convention, values=values, where=where)
-    if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
-        raise InputError("check: a black box is only called: leave out a convention and where")
+    choice = read_choice(only)
+    if (convention or where or choice) and any(isinstance(thing, BlackBox) for thing in things):
+        raise InputError("check: a black box is only called: leave out convention, where and only")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = of_one_document(
@@ -146,6 +156,7 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
+    picked = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
@@ -166,8 +177,13 @@ def check(
     judged = complete_residuals(truth, judged)
     counts = () if written_out else prose.conventions
     against = (*(f"the text counts otherwise: {one.told}" for one in counts), *prose.against)
-    untold = (*(() if convention else against), *prose.limits)
-    judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
+    untold = () if convention else against
+    limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
+    before = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
+    judged = tuple(
+        of_a_part(truth.scene, as_told(entry, (*untold, *some)))
+        for entry, some in zip(judged, limits, strict=True)
+    )
     others = chain(
         unsaid(truth, judged, readings, statements, held, written_out and not (counted or region)),
         other_readings(truth, statements, not held),
@@ -176,6 +192,10 @@ def check(
     judged = as_meant(judged)
     if written_out and not (counted or held or region):
         judged = in_special_case(truth, judged)
+    hints = () if choice else suggested(prose, before, judged)
+    judged, aside = judged_only(judged, picked)
+    told_against = {words for some in limits for words in some}
+    aside += tuple(one.sentence for one in prose.limits if one.words not in told_against)
     searched = written_out or _operations(truth) <= LARGEST_SEARCHED
     if blame and searched:
         judged = _blamed(reference, judged, counted, held)
@@ -189,10 +209,12 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
+    remarks += hints
     beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside)
+    found = tuple(matches.values())
+    return Check(truth.scene, judged, found, remarks, shown, unjudged, beside, aside)
 
 
 def _reference(
