@@ -272,7 +272,8 @@ def read_c(
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}
-        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart, whole)
+        found = _read(scene, call.name, wanted, call.inputs, run, names, about, apart, whole)
+        return found.rounded(written.rounded)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:
