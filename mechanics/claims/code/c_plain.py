@@ -99,8 +99,14 @@ class Plain:
     rounded: str = ""
 
 
-def plain(text: str, origin: str) -> Plain:
+def plain(text: str, origin: str, whole: str = "") -> Plain:
     """The file in doubles and arrays.
+
+    Parameters
+    ----------
+    text, origin : str
+    whole : str
+        As its author has it, where doubles of `text` may be none of his; else `text`.
 
     Raises
     ------
@@ -113,7 +119,8 @@ def plain(text: str, origin: str) -> Plain:
     for name in DEFINE.findall(_blank(text)) if records or notes else ():
         if name in SINGLE or name in WORDS:
             raise ExpressionError(f"{origin}: {name} is a word of C, and a macro here: remove it")
-    rounded = made_single(text) if notes else None
+    doubles = re.search(r"\bdouble\b", _blank(whole or text)) is not None
+    rounded = made_single(text) if notes and doubles else None
     if rounded and not smooth(text):
         raise ExpressionError(f"{_place(text, rounded.start(), origin)}: {rounded[0]} {ROUNDED}")
     words = " ".join(rounded[0].split()) if rounded else ""

@@ -28,6 +28,7 @@ from mechanics.claims.code.arguments import (
 )
 from mechanics.claims.code.c_constants import with_constants
 from mechanics.claims.code.c_flat import flat
+from mechanics.claims.code.c_globals import with_globals
 from mechanics.claims.code.c_library import with_library
 from mechanics.claims.code.c_macros import without_macros
 from mechanics.claims.code.c_parameters import with_parameters
@@ -256,11 +257,11 @@ def read_c(
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = of_the_header(without_macros(text, origin))
-        text = with_constants(text, origin, passed.integers)
+        text = with_globals(with_constants(text, origin, passed.integers))
         source = known_meaning(parse(text, origin), text)
         refuse_integer_quotients(source, function, passed.integers)
         taken = defaults(source, text)
-        written = plain(text, origin)
+        written = plain(text, origin, whole)
         text = written.text
         call = wrapped(flat(parse(text, origin)), text, function)
         coord, wanted = call.coord, list(call.inputs)
