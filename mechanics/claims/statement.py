@@ -4,7 +4,7 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from sympy import Expr
 
@@ -77,6 +77,8 @@ class Statement:
         (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
     defines : str
         The name that it defines for other statements, where its meaning is a claim, too.
+    rounded : str
+        What is rounded to single precision among doubles, as it is written; read as exact, too.
     """
 
     row: Published | None
@@ -94,6 +96,7 @@ class Statement:
     derived: bool = False
     unsure: tuple[str, ...] = ()
     defines: str = ""
+    rounded: str = ""
 
 
 @dataclass(frozen=True)
@@ -118,3 +121,7 @@ class Reading:
     remarks: tuple[str, ...]
     unjudged: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
+
+    def rounded(self, what: str) -> "Reading":
+        """It, where this is rounded to single precision among doubles, and read as exact."""
+        return replace(self, statements=tuple(replace(s, rounded=what) for s in self.statements))

@@ -41,6 +41,7 @@ from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
 from mechanics.judge.right_if import right_if
+from mechanics.judge.rounded_code import as_rounded, exact_said
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
@@ -156,11 +157,12 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
+    told_exact, convention = exact_said([convention] if isinstance(convention, str) else convention)
     picked = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
-    counted = read_declared([convention] if isinstance(convention, str) else convention, known)
+    counted = read_declared(convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
     apart = counted or values or where or not written_out
     said = () if apart else prose.conventions
@@ -189,6 +191,7 @@ def check(
         other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
+    judged = as_rounded(judged, bool(told_exact))
     judged = as_meant(judged)
     if written_out and not (counted or held or region):
         judged = in_special_case(truth, judged)
@@ -208,8 +211,8 @@ def check(
         remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
-    remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    remarks += hints
+    remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
+    remarks = (*remarks, *dict.fromkeys(bounds), *untried, *hints)
     beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None

@@ -25,7 +25,7 @@ from mechanics.scene.symbols import DOTS
 
 STATES = ("state", "states", "y", "z", "s", "x", "X", "Y", "xs")
 POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
-SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "speeds", "w")
+SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "velocity", "speeds", "w")
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
 PARAMETERS = ("p", "params", "parameters", "args", "constants")

@@ -14,7 +14,7 @@ from functools import reduce
 from typing import Any
 
 from mechanics.claims.code import array_language
-from mechanics.claims.code.c_plain import ROUNDED, made_single
+from mechanics.claims.code.c_plain import ROUNDED, made_single, smooth
 from mechanics.claims.code.cpp_integers import (
     Kind,
     joined_kind,
@@ -147,7 +147,22 @@ def with_plain_types(text: str) -> str:
     return text
 
 
-def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[..., Any], ...]:
+@dataclass(frozen=True)
+class Translated:
+    """What a file of C++ is in Python.
+
+    Attributes
+    ----------
+    functions : tuple of callable
+    rounded : str
+        What is rounded to single precision among doubles; empty for nothing.
+    """
+
+    functions: tuple[Callable[..., Any], ...]
+    rounded: str = ""
+
+
+def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     """The functions of a file of C++ that no other one calls, or the one that is asked for.
 
     Raises
@@ -174,7 +189,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
     _refuse_constructors(root, used)
-    _refuse_single(root, used)
+    rounded = _single(root, used)
     bits = 16 if origin.endswith(SMALL) else 32
     constants, kinds = _numbers(root, used, bits)
     members = integer_members(root, unread)
@@ -207,7 +222,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     page.constants({n: s.constants for n, s in scopes.items()} or {"": constants})
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
-    return tuple(space[name] for name in chosen)
+    return Translated(tuple(space[name] for name in chosen), rounded)
 
 
 def absent_headers(text: str) -> list[str]:
@@ -306,12 +321,13 @@ def _refuse_conditions(root: Any) -> None:
             raise refuse(node, "what is compiled depends on a condition: write one branch")
 
 
-def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
-    """Refuse numbers of single precision among doubles, in functions and what they use of the file.
+def _single(root: Any, nodes: Mapping[str, Any]) -> str:
+    """What is rounded to single precision among doubles, in functions and what they use.
 
     Raises
     ------
     Unread
+        Where something is decided as well, or rounded to an integer.
     """
     names = {words(one) for node in nodes.values() for one in within(node, "identifier")}
     outside = [
@@ -322,11 +338,14 @@ def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
     ]  # fmt: skip
     parts = [*outside, *nodes.values()]
     doubles = " double" * any(re.search(r"\bdouble\b", words(part)) for part in parts)
-    for part in parts:
-        if (found := made_single(words(part) + doubles)) is not None:
-            raise refuse(part, f"{found[0]} {ROUNDED}")
-    if parts and (found := made_single("\n".join(map(words, parts)))) is not None:  # of a call
-        raise refuse(parts[0], f"{found[0]} {ROUNDED}")
+    whole = "\n".join(map(words, parts))
+    tried = [*((part, words(part) + doubles) for part in parts), *((p, whole) for p in parts[:1])]
+    for part, text in tried:  # the whole: of a call
+        if (found := made_single(text)) is not None:
+            if not smooth(whole):
+                raise refuse(part, f"{found[0]} {ROUNDED}")
+            return " ".join(found[0].split())
+    return ""
 
 
 def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:
@@ -1053,6 +1072,8 @@ def _place(node: Any, scope: Scope) -> str:
     name, indices = _entry(node, scope)
     name = _read(name, scope)
     if name in scope.arguments or name in scope.free:
+        if node.type == "call_expression" and len(indices) == 2 and indices[1] == "0":
+            indices = indices[:1]  # a column
         return f"{name}[{joined(indices)}]"
     return f"get({joined([name, *(f'({i}) + 1' for i in indices)])})"
 

@@ -20,8 +20,8 @@ STEP = Symbol("dt", positive=True)
 """By how much time a call advances the state."""
 
 NAMES = (
-    "dt", "DT", "dT", "Ts", "TS", "T_s", "delta_t", "deltat", "timestep", "time_step", "step_size",
-    "h",
+    "dt", "DT", "dT", "Ts", "TS", "T_s", "delta_t", "del_t", "deltat", "timestep", "time_step",
+    "step_size", "h",
 )  # fmt: skip
 """What code calls it."""
 

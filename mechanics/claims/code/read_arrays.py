@@ -75,8 +75,9 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     keeps_keywords(text, origin)
     with located(origin):
-        functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
-    found = _together([read_function(scene, one, names, about, text) for one in functions])
+        translated = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
+    readings = [read_function(scene, one, names, about, text) for one in translated.functions]
+    found = _together(readings).rounded(translated.rounded)
     doubt = ""
     if absent := cpp_functions.absent_headers(text):
         doubt = (
