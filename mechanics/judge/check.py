@@ -11,7 +11,9 @@ from typing import Any
 
 from mechanics.blame.reference import Reference
 from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
+from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Reading, Statement
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
@@ -43,7 +45,7 @@ from mechanics.judge.right_if import right_if
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
-from mechanics.judge.sources import source_of
+from mechanics.judge.sources import Around, source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.unsaid import unsaid
 from mechanics.judge.where import Where, judge_where, read_where, right_where
@@ -189,7 +191,9 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
+    naming = Naming(Vocabulary(truth.scene), names or {}, tuple(known))
+    around = [_around(part, naming) for part in parts if isinstance(part, Around)]
+    beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
     return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside)
@@ -224,6 +228,11 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             raise InputError(
                 f"check: equations that stay a program are judged as they stand: leave out {name}"
             )
+
+
+def _around(thing: Around, naming: Naming) -> tuple[str, ...]:
+    """What of a file of Python says something and is not judged."""
+    return (*thing.others, *lines_around(thing.code, thing.judged, naming))
 
 
 def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
