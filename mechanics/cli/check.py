@@ -16,9 +16,10 @@ from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
 from mechanics.cli.values import JudgedAtOption, assignments, names_of
 from mechanics.errors import InputError
+from mechanics.grading.other_functions import unjudged_functions
 from mechanics.judge.check import check as run
 from mechanics.judge.check_json import to_json
-from mechanics.judge.sources import Beside, on_the_file
+from mechanics.judge.sources import Around, Beside, on_the_file
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.page import check_html
@@ -116,7 +117,7 @@ def check(
     values = assignments(value or [], "--value")
     if black_box:
         inside = {n: float(v) for n, v in values.items()}
-        parts = [p for p in parts if not isinstance(p, Beside)]
+        parts = [p for p in parts if not isinstance(p, Beside | Around)]
         parts = [BlackBox(p, inside, step, integrator) if callable(p) else p for p in parts]
         values = {}
     elif step:
@@ -149,7 +150,9 @@ def _parts(file: str) -> list[Any]:
             raise InputError(f"file {file}: name the function to check: {file}:function")
         return [Path(file)]
     function = _named(run_file(Path(path)), name, path)
-    return [function, *on_the_file(file_text(Path(path)))]
+    code, own = file_text(Path(path)), frozenset((name.rpartition(".")[2],))
+    around = Around(code, own, tuple(unjudged_functions(code, own)))
+    return [function, *on_the_file(code), around]
 
 
 def _named(module: Any, name: str, path: str) -> Any:

@@ -85,7 +85,9 @@ def _says(value: Any, depth: int) -> bool:
         return value.__module__ is None  # SymPy has made it
     if isinstance(value, casadi.SX | casadi.MX):
         return not value.is_valid_input()
-    if isinstance(value, casadi.Function | functools.partial | types.GeneratorType):
+    if isinstance(value, functools.partial):
+        return getattr(value.func, "__module__", "") != "submission"  # else its call is looked at
+    if isinstance(value, casadi.Function | types.GeneratorType):
         return True
     if isinstance(value, np.ndarray):
         return value.dtype == object and any(map(_is_formula, value.flat))

@@ -25,6 +25,7 @@ from sympy.matrices import MatrixBase
 from mechanics.claims.code.comments import comments
 from mechanics.claims.code.file_names import unsettled
 from mechanics.claims.code.python_call import Unsaid
+from mechanics.claims.code.python_lines import integrators, reached
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
@@ -35,7 +36,7 @@ from mechanics.grading.other_functions import passing, unjudged_functions
 from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
-from mechanics.judge.sources import Another, Beside, NotRead, Numbers, on_the_file
+from mechanics.judge.sources import Another, Around, Beside, NotRead, Numbers, on_the_file
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -170,6 +171,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         held, methods = _methods(path, names)
         if methods or not own:
             names, own = held, methods
+    own = [n for n in own if n == function or n not in integrators(ast.parse(code))] or own
     best = [n for n in own if n in solved] or [n for n in own if n in shown] or own
     chosen = function or (_last(names, best) if best else "")
     if not (own or function):
@@ -204,10 +206,20 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         deleted = {getattr(one, "name", "") for one in ast.parse(code).body} - {*whole}
         loose += [NotRead(p, NOT_JUDGED) for p in unjudged_functions(code, known | deleted)]
     loose += [NotRead(name, WHY) for name in values]
+    judged = frozenset((chosen, *(other.name for other in others)))
     formulas += equations_in(shown_things)
     numbers = tuple(numbers_of_formulas(code, whole, used))
     formulas += [Numbers(numbers)] if numbers else []
-    return [names[chosen], *on_the_file(code), *others, *formulas, *loose, *gone]
+    around = [] if _is_alone(code, judged) else [Around(code, judged)]
+    return [names[chosen], *on_the_file(code), *others, *formulas, *loose, *gone, *around]
+
+
+def _is_alone(code: str, judged: Collection[str]) -> bool:
+    """Whether a file has nothing but judged functions, what they call, imports and numbers."""
+    tree = ast.parse(code)
+    own = reached(tree, judged)
+    rest = (n for n in tree.body if not (isinstance(n, ast.FunctionDef) and n.name in own))
+    return all(is_inert(ast.unparse(line)) for line in rest)
 
 
 def _others(

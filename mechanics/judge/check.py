@@ -11,7 +11,9 @@ from typing import Any
 
 from mechanics.blame.reference import Reference
 from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
+from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Reading, Statement
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
@@ -45,7 +47,7 @@ from mechanics.judge.rounded_code import as_rounded, exact_said
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
-from mechanics.judge.sources import source_of
+from mechanics.judge.sources import Around, source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.unsaid import unsaid
@@ -213,7 +215,9 @@ def check(
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
     remarks = (*remarks, *dict.fromkeys(bounds), *untried, *hints)
-    beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
+    naming = Naming(Vocabulary(truth.scene), names or {}, tuple(known))
+    around = [_around(part, naming) for part in parts if isinstance(part, Around)]
+    beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
     found = tuple(matches.values())
@@ -249,6 +253,11 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             raise InputError(
                 f"check: equations that stay a program are judged as they stand: leave out {name}"
             )
+
+
+def _around(thing: Around, naming: Naming) -> tuple[str, ...]:
+    """What of a file of Python says something and is not judged."""
+    return (*thing.others, *lines_around(thing.code, thing.judged, naming))
 
 
 def _definitions(readings: Sequence[Reading]) -> dict[str, None]:

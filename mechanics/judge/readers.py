@@ -30,7 +30,7 @@ from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
-from mechanics.judge.sources import COMPUTED, Another, Beside, NotRead, Numbers
+from mechanics.judge.sources import COMPUTED, Another, Around, Beside, NotRead, Numbers
 from mechanics.scene import Scene
 
 FILE = re.compile(
@@ -87,7 +87,7 @@ def read(
     Parameters
     ----------
     thing : str, bytes, Path, SymPy object or a tuple of them, CasADi Function, callable, Beside, \
-            NotRead or Another
+            NotRead, Another or Around
     names, notation, about
         As for `mechanics.check`.
     function : str, optional
@@ -100,7 +100,7 @@ def read(
     WrongKindError
         For another kind of thing.
     """
-    if isinstance(thing, Beside):
+    if isinstance(thing, Beside | Around):
         return Reading((), (), ())
     if isinstance(thing, Numbers):
         told = (f"{name}: {COMPUTED}" for name in thing.names)

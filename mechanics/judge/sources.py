@@ -74,6 +74,24 @@ class Another:
 
 
 @dataclass(frozen=True)
+class Around:
+    """A file of Python around functions that are judged.
+
+    Attributes
+    ----------
+    code : str
+    judged : frozenset of str
+        Names of these.
+    others : tuple of str
+        What else of the file is not judged.
+    """
+
+    code: str
+    judged: frozenset[str]
+    others: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Source:
     """Code, or the words beside it.
 
@@ -102,7 +120,7 @@ def source_of(thing: Any) -> tuple[Source, ...]:
         return () if thing.suffix in PAGES else (Source(file_text(thing), thing.suffix),)
     if isinstance(thing, Beside):
         return (Source(thing.words, ""),)
-    if isinstance(thing, NotRead | Another | Numbers):
+    if isinstance(thing, NotRead | Another | Numbers | Around):
         return ()
     return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
 

@@ -59,11 +59,19 @@ def heun(state, u, dt, m, l, g, sign=1, share=2):
     return th + dt * (w + w + dt * a) / 2, w + dt / 2 * (a + b)
 
 
+def verlet(state, u, dt, m, l, g, sign=1, share=2):
+    th, w = state
+    a = acceleration(th, u, m, l, g, sign, share)
+    after = th + dt * w + dt**2 / 2 * a
+    return after, w + dt / 2 * (a + acceleration(after, u, m, l, g, sign, share))
+
+
 STEPS = (
     (explicit, "explicit Euler"),
     (semi_implicit, "semi-implicit Euler"),
     (coordinates_first, "semi-implicit Euler, coordinates first"),
     (constant, "constant acceleration"),
+    (verlet, "velocity Verlet"),
     (heun, "Heun's method"),
     (rk4, "RK4"),
 )

@@ -164,7 +164,7 @@ def test_a_function_that_a_later_cell_binds_again_is_the_later_one(
     ]
     path = tmp_path / "again.ipynb"
     path.write_text(json.dumps({"cells": cells}))
-    (function,) = things_in(path, run_python=True)
+    function, *_ = things_in(path, run_python=True)
     assert function(0) == 0
     cells.append({"cell_type": "code", "source": ["raise RuntimeError('wrong')"]})
     path.write_text(json.dumps({"cells": cells}))

@@ -56,11 +56,11 @@ def test_modules_that_are_not_installed_have_no_value(tmp_path: Path) -> None:
     )
     path = tmp_path / "file.py"
     path.write_text(code)
-    (found,) = things_in(path, run_python=True)
+    found, *_ = things_in(path, run_python=True)
     assert found(3) == 6
     for formula in ("2 * nn.pi", "x if M > 2 else 0", "x * M", "[x][M]", "x + nn.sin(x)"):
         path.write_text(code.replace("2 * x", formula))
-        (found,) = things_in(path, run_python=True)
+        found, *_ = things_in(path, run_python=True)
         with pytest.raises((InputError, TypeError)):
             found(3)
 
@@ -76,7 +76,7 @@ def test_a_module_with_the_functions_of_another_one_is_that(tmp_path: Path, befo
 def test_code_on_a_page_is_judged_beside_its_words(tmp_path: Path) -> None:
     path = tmp_path / "page.md"
     path.write_text(f"# A pendulum\n\n$x = 3$\n\n```python\n{SOLVED}```\n\n```bash\nls\n```\n")
-    prose, function, *others, words = things_in(path, run_python=True)
+    prose, function, *others, _, words = things_in(path, run_python=True)
     assert "x = 3" in prose and "solve_ivp" not in prose
     assert "A pendulum" in words.words and "solve_ivp" not in words.words
     assert function.__name__ == "__call__"

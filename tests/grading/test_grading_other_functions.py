@@ -4,8 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.names import Naming, Vocabulary
 from mechanics.grading.submission import things_in
-from mechanics.judge.sources import NotRead
+from mechanics.judge.sources import Around, NotRead
+from systems import rod_pendulum
 
 RATE = """import numpy as np
 def rate(t, y, m, l, g, u):
@@ -34,7 +37,11 @@ NOTHING = (
 def _named(folder: Path, text: str) -> list[str]:
     path = folder / "a.py"
     path.write_text(f"{RATE}\n{text}\n")
-    return [one.part for one in things_in(path, run_python=True) if isinstance(one, NotRead)]
+    things = things_in(path, run_python=True)
+    naming = Naming(Vocabulary(rod_pendulum.scene()))
+    around = [one for one in things if isinstance(one, Around)]
+    lines = [text for one in around for text in lines_around(one.code, one.judged, naming)]
+    return [*lines, *(one.part for one in things if isinstance(one, NotRead))]
 
 
 @pytest.mark.parametrize("text", NAMED)

@@ -5,12 +5,14 @@
 explicit Euler             y + h f(y)
 semi-implicit Euler        u1 = u + h a(q, u),  q1 = q + h v(q, u1); or the coordinates first
 constant acceleration      u1 = u + h a(q, u),  q1 = q + h v(q, u) + h^2 a(q, u) / 2
+velocity Verlet            q1 likewise,  u1 = u + h (a(q, u) + a(q1, u)) / 2
 midpoint, Heun, RK4        as everywhere
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from random import Random
+from typing import Protocol
 
 from sympy import Expr, Float, S, Symbol, nan, oo, zoo
 
@@ -33,6 +35,18 @@ DIGITS, CLOSE = 30, 1e-9
 
 State = dict[Expr, Expr]
 Rates = Mapping[Expr, Expr]
+
+
+class Halves(Protocol):
+    """What has coordinates and speeds, as a scene."""
+
+    @property
+    def q(self) -> Sequence[Expr]:
+        """Coordinates."""
+
+    @property
+    def u(self) -> Sequence[Expr]:
+        """Speeds."""
 
 
 @dataclass(frozen=True)
@@ -82,12 +96,21 @@ def step_of(
             return None
         rates[symbol] = at_once
     symbols = sorted({*passed, *scene.parameters, *scene.definitions}, key=str)
+    name, composed = integrator_of(scene, rates, state, values, symbols)
+    return Step(rates, name, composed)
+
+
+def integrator_of(
+    halves: Halves, rates: Rates, state: Sequence[Expr], values: Sequence[Expr],
+    symbols: Sequence[Expr],
+) -> tuple[str, tuple[Expr, ...]]:  # fmt: skip
+    """Which integrator advances a state by its rates to values, and what it makes of them."""
     for name, advance in INTEGRATORS.items():
-        after = advance(scene, rates, {symbol: symbol for symbol in state})
+        after = advance(halves, rates, {symbol: symbol for symbol in state})
         composed = tuple(after[symbol] for symbol in state)
-        if _alike(composed, values, symbols):
-            return Step(rates, name, composed)
-    return Step(rates, "", ())
+        if alike(composed, values, symbols):
+            return name, composed
+    return "", ()
 
 
 def _put(expression: Expr, table: Mapping[Expr, Expr]) -> Expr:
@@ -107,7 +130,7 @@ def _put(expression: Expr, table: Mapping[Expr, Expr]) -> Expr:
     return put(expression)
 
 
-def _alike(ones: Sequence[Expr], others: Sequence[Expr], symbols: Sequence[Expr]) -> bool:
+def alike(ones: Sequence[Expr], others: Sequence[Expr], symbols: Sequence[Expr]) -> bool:
     """Whether expressions have the same value at a random state."""
     source = Random(0)
     numbers = {s: Float(source.uniform(0.5, 1), DIGITS) for s in symbols}
@@ -123,39 +146,46 @@ def _moved(state: State, rates: Rates, at: State, share: Expr, only: Sequence[Ex
     return {s: v + share * _put(rates[s], at) if s in only else v for s, v in state.items()}
 
 
-def _explicit(scene: Scene, rates: Rates, state: State) -> State:
+def _explicit(halves: Halves, rates: Rates, state: State) -> State:
     return _moved(state, rates, state, STEP, list(state))
 
 
-def _semi_implicit(scene: Scene, rates: Rates, state: State) -> State:
-    after = _moved(state, rates, state, STEP, scene.u)
-    return _moved(after, rates, after, STEP, scene.q)
+def _semi_implicit(halves: Halves, rates: Rates, state: State) -> State:
+    after = _moved(state, rates, state, STEP, halves.u)
+    return _moved(after, rates, after, STEP, halves.q)
 
 
-def _coordinates_first(scene: Scene, rates: Rates, state: State) -> State:
-    after = _moved(state, rates, state, STEP, scene.q)
-    return _moved(after, rates, after, STEP, scene.u)
+def _coordinates_first(halves: Halves, rates: Rates, state: State) -> State:
+    after = _moved(state, rates, state, STEP, halves.q)
+    return _moved(after, rates, after, STEP, halves.u)
 
 
-def _constant(scene: Scene, rates: Rates, state: State) -> State:
-    after = _explicit(scene, rates, state)
-    for q in scene.q:
-        slope = sum((rates[q].diff(u) * rates[u] for u in scene.u), S.Zero)
+def _constant(halves: Halves, rates: Rates, state: State) -> State:
+    after = _explicit(halves, rates, state)
+    for q in halves.q:
+        slope = sum((rates[q].diff(u) * rates[u] for u in halves.u), S.Zero)
         after[q] += STEP**2 / 2 * slope
     return after
 
 
-def _midpoint(scene: Scene, rates: Rates, state: State) -> State:
+def _verlet(halves: Halves, rates: Rates, state: State) -> State:
+    end = _constant(halves, rates, state)
+    after = {**end, **{u: state[u] for u in halves.u}}
+    speeds = {u: state[u] + STEP / 2 * (rates[u] + _put(rates[u], after)) for u in halves.u}
+    return {**end, **speeds}
+
+
+def _midpoint(halves: Halves, rates: Rates, state: State) -> State:
     half = _moved(state, rates, state, STEP / 2, list(state))
     return _moved(state, rates, half, STEP, list(state))
 
 
-def _heun(scene: Scene, rates: Rates, state: State) -> State:
-    end = _explicit(scene, rates, state)
+def _heun(halves: Halves, rates: Rates, state: State) -> State:
+    end = _explicit(halves, rates, state)
     return {s: v + STEP / 2 * (rates[s] + _put(rates[s], end)) for s, v in state.items()}
 
 
-def _rk4(scene: Scene, rates: Rates, state: State) -> State:
+def _rk4(halves: Halves, rates: Rates, state: State) -> State:
     every = list(state)
     second = _moved(state, rates, state, STEP / 2, every)
     third = _moved(state, rates, second, STEP / 2, every)
@@ -167,11 +197,12 @@ def _rk4(scene: Scene, rates: Rates, state: State) -> State:
     }
 
 
-INTEGRATORS: dict[str, Callable[[Scene, Rates, State], State]] = {
+INTEGRATORS: dict[str, Callable[[Halves, Rates, State], State]] = {
     "explicit Euler": _explicit,
     "semi-implicit Euler": _semi_implicit,
     "semi-implicit Euler, coordinates first": _coordinates_first,
     "constant acceleration": _constant,
+    "velocity Verlet": _verlet,
     "the midpoint method": _midpoint,
     "Heun's method": _heun,
     "RK4": _rk4,
