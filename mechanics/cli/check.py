@@ -14,7 +14,7 @@ from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.read import file_text
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
-from mechanics.cli.values import JudgedAtOption, assignments, names_of
+from mechanics.cli.values import JudgedAtOption, names_of, points
 from mechanics.errors import InputError
 from mechanics.grading.other_functions import unjudged_functions
 from mechanics.judge.check import check as run
@@ -114,7 +114,7 @@ def check(
     refuse_unwritable(report, json_file)
     scene = load(system).scene()
     parts = [part for file in files for part in _parts(file)]
-    values = assignments(value or [], "--value")
+    values = points(value or [], "--value", " or 2*pi")
     if black_box:
         inside = {n: float(v) for n, v in values.items()}
         parts = [p for p in parts if not isinstance(p, Beside | Around)]

@@ -62,7 +62,7 @@ def read_values(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     InputError
         For a name or a value that the scene cannot have, or one that stands elsewhere, too.
     """
-    table = read_fixed(scene, given)
+    table = read_fixed(scene, given, turns=True)
     for symbol in table:
         if symbol in _elsewhere(scene):
             raise InputError(
