@@ -79,6 +79,9 @@ class Statement:
         The name that it defines for other statements, where its meaning is a claim, too.
     rounded : str
         What is rounded to single precision among doubles, as it is written; read as exact, too.
+    own : tuple of (Expr, Expr)
+        Parameters, and the values that code gives them, which are not used; other numbers of it
+        may be made of these.
     """
 
     row: Published | None
@@ -97,6 +100,7 @@ class Statement:
     unsure: tuple[str, ...] = ()
     defines: str = ""
     rounded: str = ""
+    own: tuple[tuple[Expr, Expr], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -125,7 +125,7 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
 
     They are the scene's typical ones, or fitted; then they stand in the statements as numbers, or
     are 1, in code that gives others of the scene's parameters values; or there are several of them,
-    and as many numbers.
+    and as many numbers. Or they are what code gives its parameters beside other numbers.
     """
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
@@ -136,6 +136,9 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
                 fewer = {s: v for s, v in values.items() if s != symbol}
                 values = fewer if fewer and right_with(truth, rows, fewer) else values
             return (words(values),)
+    own = {s: v for one in statements for s, v in one.own if s in held_by(truth.scene, rows)}
+    if own and right_with(truth, [put(row, own) for row in rows], own):
+        return (words(own),)
     return ()
 
 

@@ -75,7 +75,7 @@ from mechanics.claims.code.tracing import Outputs, trace
 from mechanics.claims.code.unpacking import Apart, in_c, in_python
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
-from mechanics.claims.guess import guess
+from mechanics.claims.guess import at_one_step, guess
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
@@ -160,7 +160,9 @@ def read_function(
         scene, title, called.wanted, sizes, run, names, about, called.apart, text or called.text,
         called.standing.values(),
     )  # fmt: skip
-    return replace(found, remarks=(*found.remarks, *called.remarks))
+    own = tuple(called.own.items())
+    statements = tuple(replace(s, own=own) for s in found.statements)
+    return replace(found, statements=statements, remarks=(*found.remarks, *called.remarks))
 
 
 def _expanded(function: casadi.Function) -> casadi.Function:
@@ -378,7 +380,9 @@ def _read(
     open_names = [Name(0, n) for n in scalars if n not in STEPS]
     # A number of the code that stands for a parameter leaves it to no other name.
     open_names += [Name(0, str(s)) for e in standing for s in sorted(e.free_symbols, key=str)]
-    naming = replace(naming, guessed=guess(naming, open_names, ()))
+    stepped = at_one_step(naming, scalars)
+    naming = replace(naming, guessed=stepped)
+    naming = replace(naming, guessed=(*stepped, *guess(naming, open_names, ())))
     first: Arguments | None = None
     try:
         arguments = first = arguments_of(naming, wanted, sizes, given, apart=apart)
