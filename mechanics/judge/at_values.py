@@ -6,7 +6,7 @@ The values are put into what is derived and into the statement. Lengths that con
 what definitions or speeds are made of, stand in more places: these have no value here.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -132,14 +132,19 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
         return ()
     for values in _candidates(truth, rows, units_in(statements)):
         if right_with(truth, rows, values):
-            for symbol in list(values):
-                fewer = {s: v for s, v in values.items() if s != symbol}
-                values = fewer if fewer and right_with(truth, rows, fewer) else values
-            return (words(values),)
+            return (words(fewest(values, lambda some: right_with(truth, rows, some))),)
     own = {s: v for one in statements for s, v in one.own if s in held_by(truth.scene, rows)}
     if own and right_with(truth, [put(row, own) for row in rows], own):
         return (words(own),)
     return ()
+
+
+def fewest(values: Values, enough: Callable[[Values], bool]) -> Values:
+    """Values that are enough, without those that are enough without."""
+    for symbol in list(values):
+        fewer = {s: v for s, v in values.items() if s != symbol}
+        values = fewer if fewer and enough(fewer) else values
+    return values
 
 
 def right_with(truth: Equations, rows: Sequence[Published], values: Values) -> bool:

@@ -54,9 +54,8 @@ from mechanics.judge.unsaid import unsaid
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.judged import Judged, differs
 from mechanics.scene import Scene
-from mechanics.scene.dimensions import BY_DIMENSION
 from mechanics.scene.system import System
 
 
@@ -325,12 +324,6 @@ def _by_letter(entry: Judged, settled: Settled) -> Judged:
     return replace(entry, finding=settled.finding, right_if=(), open=False)
 
 
-def _differs(finding: Finding) -> bool:
-    """Whether the sides differ at a state where both have values."""
-    dimension = finding.evidence.startswith(BY_DIMENSION)
-    return finding.verdict is Verdict.REFUTED and not finding.undefined and not dimension
-
-
 def _helping(
     truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
 ) -> tuple[tuple[str, ...], bool]:
@@ -378,16 +371,16 @@ def _judged(
         statements, findings = small_angles_at(truth, statements, findings, values)
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
     statements, findings = as_said(truth, statements, findings)
-    if not helps or not any(map(_differs, findings)):
+    if not helps or not any(map(differs, findings)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [
         k for k, s in enumerate(statements)
-        if s.row is not None and not s.doubt and (findings[k].shown or _differs(findings[k]))
+        if s.row is not None and not s.doubt and (findings[k].shown or differs(findings[k]))
     ]  # fmt: skip
     some = [statements[k] for k in claimed]
     helping, may_be = _helping(truth, some, [findings[k] for k in claimed])
     entries = []
     for statement, finding in zip(statements, findings, strict=True):
-        wrong = _differs(finding)
+        wrong = differs(finding)
         entries.append(Judged(statement, finding, helping if wrong else (), open=wrong and may_be))
     return tuple(entries), ()

@@ -18,7 +18,7 @@ from mechanics.claims.latex.case_beside import case_of
 from mechanics.claims.names import Naming
 from mechanics.claims.prose import SYMBOL, sentence_around
 from mechanics.equations import Equations
-from mechanics.judge.at_values import as_identity, put, right_with, words
+from mechanics.judge.at_values import as_identity, fewest, put, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
@@ -67,10 +67,8 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
     for some in (table, table | beside):
         if some and _right_with(truth, row, some):
-            for symbol in list(some):
-                fewer = {s: v for s, v in some.items() if s != symbol}
-                some = fewer if fewer and _right_with(truth, row, fewer) else some
-            return replace(entry, right_if=(f"{words(some)}, as the text says",), open=True)
+            told = words(fewest(some, lambda fewer: _right_with(truth, row, fewer)))
+            return replace(entry, right_if=(f"{told}, as the text says",), open=True)
     return entry
 
 
