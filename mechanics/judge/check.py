@@ -209,12 +209,12 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    remarks += hints
     beside = tuple(dict.fromkeys(words for reading in readings for words in reading.beside))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
     found = tuple(matches.values())
-    return Check(truth.scene, judged, found, remarks, shown, unjudged, beside, aside)
+    beside_it = (unjudged, beside, aside, hints)
+    return Check(truth.scene, judged, found, remarks, shown, *beside_it)
 
 
 def _reference(

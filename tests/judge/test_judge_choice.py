@@ -128,9 +128,9 @@ def test_words_that_are_read_as_a_formula_may_say_what_letters_are(
 
 def test_an_answer_in_doubt_names_what_can_be_chosen() -> None:
     found = answer(page(r"\[ F_1 = - m g \]", rf"\[ {RIGHT} \]"))
-    assert "to judge what is shown, without the rest: --only 'line 3' (only=)" in found.remarks
+    assert "to judge what is shown, without the rest: --only 'line 3' (only=)" in found.suggested
     assert answer(page(r"\[ F_1 = - m g \]", rf"\[ {RIGHT} \]"), "line 3").ok
-    told = answer(page("This is wrong.", rf"\[ {RIGHT} \]")).remarks
+    told = answer(page("This is wrong.", rf"\[ {RIGHT} \]")).suggested
     assert "to judge the formulas alone: --only formulas (only=)" in told
 
 
