@@ -41,6 +41,17 @@ RATED = re.compile(rf"\\d{{1,4}}ot\s*(?:\{{\s*{NAME.pattern}\s*\}}|{NAME.pattern
 ALONE = re.compile(rf"(?:{SIGNS})\s*(?P<name>{NAME.pattern})\s*(?:\([^=()]*\))?\s*(?=[.,;:&=]|\Z)")
 """A name that stands alone to the right of a sign."""
 UNIT = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|deg|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
+MEASURED = re.compile(
+    rf"\bin\s+(?:{UNIT}|sec)(?:\s*[*/]\s*\(?\s*(?:{UNIT}|sec)(?:\s*\^\s*-?\d)?\s*\)?)*(?![\w(])"
+)
+"""In which unit something is."""
+RELATES = re.compile(rf"{SIGNS}|[<>~\u2248\u2243]|\\(?:approx|simeq|sim|ll|gg|leq?|geq?|propto)\b")
+IS = re.compile(r"\b(?:is|are|be|being|as|equals?|means?|denotes?|stands?|called|for)\b", re.I)
+COUNTS = re.compile(
+    r"[\d*/^+\\-]|\b(?:half|twice|double|thirds?|square|minus|negative|times|sum|difference)\b",
+    re.I,
+)
+"""What makes of names something else than a word."""
 NUMBER = re.compile(
     rf"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?(?:\s+{UNIT}(?:[ */.]{{1,3}}{UNIT})*)?[\s.]*"
     rf"|\s*[-+]?[\d.]+\s*\[{UNIT}(?:[ */.]{{1,3}}{UNIT})*\][\s.]*"
@@ -115,6 +126,12 @@ def names_given(source: str) -> set[str]:
     source = FONT.sub(r" \1", DECORATED.sub(r" \1 ", RATED.sub(" ", source)))
     found = {_key(one) for match in GIVES.finditer(source) for one in NAME.findall(match["names"])}
     return found | {_key(match["name"]) for match in ALONE.finditer(source)}
+
+
+def says_what(source: str) -> bool:
+    """Whether a formula that is not read has a sign that may relate names, or words that may."""
+    words = MEASURED.sub(" ", source)
+    return bool(RELATES.search(words) or (IS.search(words) and COUNTS.search(words)))
 
 
 def _key(name: str) -> str:

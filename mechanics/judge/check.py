@@ -213,14 +213,15 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
-    remarks = (*remarks, *dict.fromkeys(bounds), *untried, *hints)
+    remarks = (*remarks, *dict.fromkeys(bounds), *untried)
     naming = Naming(Vocabulary(truth.scene), names or {}, tuple(known))
     around = [_around(part, naming) for part in parts if isinstance(part, Around)]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
     found = tuple(matches.values())
-    return Check(truth.scene, judged, found, remarks, shown, unjudged, beside, aside)
+    beside_it = (unjudged, beside, aside, hints)
+    return Check(truth.scene, judged, found, remarks, shown, *beside_it)
 
 
 def _reference(

@@ -59,7 +59,7 @@ def to_json(found: Check) -> dict[str, Any]:
         "ok": found.ok,
         "statements": [_statement(entry) for entry in found.judged],
         "names": {m.name: {"meaning": m.meaning, "why": m.why} for m in found.names},
-        "remarks": list(found.remarks),
+        "remarks": [*found.remarks, *found.suggested],
         "unjudged": list(found.unjudged),
         "aside": list(found.aside),
     }

@@ -111,11 +111,26 @@ def test_a_paragraph_of_text_counts_and_another_does_not() -> None:
     assert answer(f"The other one is wrong\n\n{line}", "theta_ddot").verdict is Verdict.PROVED
 
 
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        ("where theta is angle. And u is torque in N * m", Verdict.PROVED),
+        ("where l is 2*R of it", Verdict.UNDECIDED),
+        ("which must be (theta + m g) for all", Verdict.UNDECIDED),
+    ],
+)
+def test_words_that_are_read_as_a_formula_may_say_what_letters_are(
+    words: str, verdict: Verdict
+) -> None:
+    text = f"{words}\n\ntheta'' = 3/2*g/l*sin(theta) + 3*u/(m*l^2)"
+    assert answer(text, "theta_ddot").verdict is verdict
+
+
 def test_an_answer_in_doubt_names_what_can_be_chosen() -> None:
     found = answer(page(r"\[ F_1 = - m g \]", rf"\[ {RIGHT} \]"))
-    assert "to judge what is shown, without the rest: --only 'line 3' (only=)" in found.remarks
+    assert "to judge what is shown, without the rest: --only 'line 3' (only=)" in found.suggested
     assert answer(page(r"\[ F_1 = - m g \]", rf"\[ {RIGHT} \]"), "line 3").ok
-    told = answer(page("This is wrong.", rf"\[ {RIGHT} \]")).remarks
+    told = answer(page("This is wrong.", rf"\[ {RIGHT} \]")).suggested
     assert "to judge the formulas alone: --only formulas (only=)" in told
 
 

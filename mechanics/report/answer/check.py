@@ -37,6 +37,8 @@ class Check:
         Functions and lines of a file of code that are no part of what was judged.
     aside : tuple of str
         Lines and sentences that were set aside, as the person asked.
+    suggested : tuple of str
+        Which option would give a verdict of what is shown.
 
     Examples
     --------
@@ -58,6 +60,7 @@ class Check:
     unjudged: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     aside: tuple[str, ...] = ()
+    suggested: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -80,8 +83,8 @@ class Check:
         return numbered([once(spelled(entry, self.scene)) for entry in self.judged])
 
     def __rich__(self) -> Group:
-        told = (self.told, self.names, self.remarks, self.scene, self.unjudged, self.aside)
-        return answer(*told)
+        remarks = (*self.remarks, *self.suggested)
+        return answer(self.told, self.names, remarks, self.scene, self.unjudged, self.aside)
 
     def __str__(self) -> str:
         return plain(self.__rich__())
