@@ -80,6 +80,16 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
 WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
 CHANGES = ("assignment_expression", "update_expression")
+EIGEN = re.compile(r"\bEigen::|^(?:Row)?(?:Vector|Matrix)(?:[1-9]|X)[df]$")
+"""Types of Eigen."""
+DECOMPOSED = frozenset(
+    ("householderQr", "colPivHouseholderQr", "fullPivHouseholderQr", "partialPivLu", "fullPivLu",
+     "lu", "completeOrthogonalDecomposition")
+)  # fmt: skip
+"""By what it solves with a whole matrix: others read one half of it."""
+WHOLES = {"inverse": "inverse", "transpose": "transposed"}
+PARTS = {"segment": 2, "head": 1, "tail": 1}
+"""Parts of a vector, and how many numbers say which."""
 
 
 @dataclass
@@ -104,6 +114,8 @@ class Scope:
         The kind of integers that it returns.
     zeros : set of str
         Its arrays whose entries are 0 where nothing else is said.
+    eigen : set of str
+        Its matrices and vectors of Eigen.
     """
 
     arguments: list[str]
@@ -129,6 +141,7 @@ class Scope:
     whole: Kind | None = None
     numbers: bool = False
     zeros: set[str] = field(default_factory=set)
+    eigen: set[str] = field(default_factory=set)
 
 
 def language() -> object:
@@ -560,6 +573,7 @@ def _scope(
     fields: dict[str, list[str]] = {}
     outputs, references, kinds = [], set(), {}
     open_ones, pointers, defaults = set(), set(), {}
+    eigen: set[str] = set()
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
@@ -570,6 +584,8 @@ def _scope(
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
+        if EIGEN.search(kind):
+            eigen.add(arguments[-1])
         if is_integral(kind):
             kinds[arguments[-1]] = kind_of(kind, bits)
         if kind == "auto" or _is_type(one.child_by_field_name("type")):
@@ -581,7 +597,7 @@ def _scope(
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
     scope = Scope(arguments, fields, functions, printed, kinds=kinds, bits=bits)
-    scope.references = references
+    scope.references, scope.eigen = references, eigen
     scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
     kind = words(node.child_by_field_name("type") or node)
     changed = {
@@ -747,6 +763,11 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         lasting = "static" in words(node).split()
         if lasting and (name in scope.changed or inner_names & {*scope.arguments, *scope.locals}):
             raise refuse(one, "a static variable keeps what a call leaves: pass it")
+        made = value is not None and _eigen(value, scope) is not None
+        if kind == "auto" and made and scope.changed & {name, *inner_names}:
+            raise refuse(one, "a second name of a variable is not read")
+        if EIGEN.search(kind) or (kind == "auto" and made):
+            scope.eigen.add(name)
         target = value and _pointed(value, scope)
         if target:
             scope.aliases[name] = target
@@ -845,12 +866,16 @@ def _changed(node: Any, scope: Scope) -> str:
             raise refuse(node, f"{name} is another array from here on: write its entries")
         scope.locals.add(name)
         return f"{name} = {value}"
-    name, indices = _entry(left, scope)
+    part = _part(left, scope)
+    name, indices = part if part is not None else _entry(left, scope)
     if name in scope.arguments or name in scope.fields:
         raise refuse(left)
     if name not in scope.locals or name not in scope.filled:
         scope.locals.add(name)
         scope.filled.setdefault(name)
+    if part is not None:
+        unset = ["0"] if name in scope.zeros else []
+        return f"{name} = laid({joined([name, value, *indices, *unset])})"
     put = "put" if name in scope.zeros else "lay"
     return f"{name} = {put}({joined([name, value, *(f'({i}) + 1' for i in indices)])})"
 
@@ -1078,9 +1103,72 @@ def _place(node: Any, scope: Scope) -> str:
     return f"get({joined([name, *(f'({i}) + 1' for i in indices)])})"
 
 
+def _method(node: Any) -> tuple[Any, str, list[Any]] | None:
+    """x.head<2>() as x, head and what says which; None for no call of a method."""
+    head = node.child_by_field_name("function") if node.type == "call_expression" else None
+    if head is None or head.type != "field_expression":
+        return None
+    field_of = head.child_by_field_name("field")
+    given = named(node.child_by_field_name("arguments"))
+    if field_of.type == "template_method":
+        name, *kinds = named(field_of)
+        given = [*given, *(part for kind in kinds for part in named(kind))]
+        field_of = name
+    return head.child_by_field_name("argument"), words(field_of), given
+
+
+def _part(node: Any, scope: Scope) -> tuple[str, list[str]] | None:
+    """x.segment(1, 2), which is set, as x, its first place and how many it has."""
+    found = _method(node)
+    if found is None or found[1] not in ("segment", "head"):
+        return None
+    owner, what, given = found
+    if safe(words(owner)) not in scope.eigen or len(given) != PARTS[what]:
+        raise refuse(node)
+    values = [_value(part, scope) for part in given]
+    return safe(words(owner)), values if what == "segment" else ["0", *values]
+
+
+def _eigen(node: Any, scope: Scope) -> str | None:
+    """What Eigen has of vectors and matrices; None for other things."""
+    found = _method(node)
+    if found is None:
+        return None
+    owner, what, given = found
+    if what == "solve" and len(given) == 1:
+        inner = _method(owner)
+        if inner is None or inner[1] not in DECOMPOSED or inner[2]:
+            return None
+        matrix = _of_eigen(inner[0], scope)
+        return None if matrix is None else f"under({matrix}, {_value(given[0], scope)})"
+    if (what not in PARTS and what not in WHOLES) or len(given) != PARTS.get(what, 0):
+        return None
+    array = _of_eigen(owner, scope)
+    if array is None or what in WHOLES:
+        return array and f"{WHOLES[what]}({array})"
+    texts = [words(part) for part in given]
+    values = [_value(part, scope) for part in given]
+    if array in scope.arguments and all(WHOLE.fullmatch(text) for text in texts):
+        first, count = (0, int(texts[0])) if what != "segment" else map(int, texts)
+        part = f"-{count}:" if what == "tail" else f"{first}:{first + count}"
+        return f"exactly({array}[{part}], {count})"
+    if what == "tail":
+        return f"segment({array}, size({array}, 0, 1) - {values[0]}, {values[0]})"
+    return f"segment({joined([array, *(['0'] if what == 'head' else []), *values])})"
+
+
+def _of_eigen(node: Any, scope: Scope) -> str | None:
+    """An array of Eigen, by its name or made of others."""
+    if node.type == "identifier" and safe(words(node)) in scope.eigen:
+        return _read(safe(words(node)), scope)
+    return _eigen(node, scope)
+
+
 def _call(node: Any, scope: Scope) -> str:
     head, given = (node.child_by_field_name(f) for f in ("function", "arguments"))
     name = _called(head)
+    if (found := _eigen(node, scope)) is not None:
+        return found
     if name in scope.printed and name not in scope.locals:
         return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":
