@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -116,6 +116,8 @@ class Scope:
         Its arrays whose entries are 0 where nothing else is said.
     eigen : set of str
         Its matrices and vectors of Eigen.
+    granted : dict of str to None
+        Functions that are not here, and are called last: they may change what it has set.
     """
 
     arguments: list[str]
@@ -142,6 +144,7 @@ class Scope:
     numbers: bool = False
     zeros: set[str] = field(default_factory=set)
     eigen: set[str] = field(default_factory=set)
+    granted: dict[str, None] = field(default_factory=dict)
 
 
 def language() -> object:
@@ -169,10 +172,13 @@ class Translated:
     functions : tuple of callable
     rounded : str
         What is rounded to single precision among doubles; empty for nothing.
+    granted : tuple of str
+        Functions that are not here, and may change what a method has set.
     """
 
     functions: tuple[Callable[..., Any], ...]
     rounded: str = ""
+    granted: tuple[str, ...] = ()
 
 
 def in_python(text: str, origin: str, wanted: str | None) -> Translated:
@@ -218,12 +224,14 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
         _refuse_shadows(nodes[name], _meant_otherwise(root, nodes[name]))
         scope = _scope(nodes[name], structs, nodes, scopes, bits)
         scope.constants, scope.kinds = {**constants}, {**kinds, **scope.kinds}
+        if shared := {*scope.outputs} & scope.constants.keys():
+            raise refuse(nodes[name], f"{joined(sorted(shared))} of the file is changed: pass it")
         scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
         _learn_kind(nodes[name], scope)
-        if whole := sorted(members & scope.free.keys()):
+        if whole := sorted(members & {*scope.free, *scope.outputs}):
             raise refuse(
                 nodes[name],
                 f"{whole[0]} is an integer, or of a type that is not here: it is not read",
@@ -235,7 +243,8 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     page.constants({n: s.constants for n, s in scopes.items()} or {"": constants})
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
-    return Translated(tuple(space[name] for name in chosen), rounded)
+    granted = dict.fromkeys(n for name in order for n in scopes[name].granted)
+    return Translated(tuple(space[name] for name in chosen), rounded, tuple(granted))
 
 
 def absent_headers(text: str) -> list[str]:
@@ -605,13 +614,33 @@ def _scope(
     } | {_root(one) for one in within(node, "update_expression")}
     scope.changed, scope.locals = changed, changed - {*arguments}
     scope.whole = kind_of(kind, bits) if is_integral(kind) else None
-    if kind in ("void", "int"):
+    members = [] if any(o in changed for o in outputs) else _members(node, arguments)
+    if members and kind in ("void", "bool"):
+        scope.returns, scope.whole, scope.outputs = False, None, members
+        scope.references, scope.arguments = references | {*members}, [*arguments, *members]
+    elif kind in ("void", "int"):
         scope.returns = False
         scope.outputs = [o for o in outputs if o in changed]
         scope.filled = dict.fromkeys(scope.outputs)
         scope.arguments = [a for a in arguments if a not in scope.filled]
         scope.locals |= scope.filled.keys()
     return scope
+
+
+def _members(node: Any, arguments: Iterable[str]) -> list[str]:
+    """Numbers of its object that a method changes, in the order in which it does first."""
+    name = _declarator(node).child_by_field_name("declarator")
+    if name.type not in ("qualified_identifier", "field_identifier"):
+        return []
+    own = {*arguments}
+    for one in within(node, "declaration"):
+        for declarator in one.children_by_field_name("declarator"):
+            own |= {safe(words(part)) for part in within(declarator, "identifier")[:1]}
+    found = [
+        one.child_by_field_name("left") for one in within(node, "assignment_expression")
+        if one.child_by_field_name("left").type == "identifier"
+    ]  # fmt: skip
+    return [n for n in dict.fromkeys(safe(words(one)) for one in found) if n not in own]
 
 
 def _root(target: Any) -> str:
@@ -694,6 +723,11 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                     line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
                 )
             else:
+                called = [_called(c.child_by_field_name("function"))
+                          for c in within(node, "call_expression")]  # fmt: skip
+                scope.granted |= dict.fromkeys(c for c in called if c not in scope.functions)
+                if known := [c for c in called if c in scope.functions]:
+                    raise refuse(node, f"{known[0]} is called where nothing is returned")
                 page.put(line, depth, _end(scope))
         case "if_statement":
             condition = node.child_by_field_name("condition").child_by_field_name("value")
