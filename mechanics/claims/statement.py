@@ -79,6 +79,8 @@ class Statement:
         The name that it defines for other statements, where its meaning is a claim, too.
     rounded : str
         What is rounded to single precision among doubles, as it is written; read as exact, too.
+    granted : str
+        What has to be so for it to be right, in words, where nothing here says it.
     own : tuple of (Expr, Expr)
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
@@ -100,6 +102,7 @@ class Statement:
     unsure: tuple[str, ...] = ()
     defines: str = ""
     rounded: str = ""
+    granted: str = ""
     own: tuple[tuple[Expr, Expr], ...] = ()
 
 

@@ -44,7 +44,15 @@ def as_rounded(judged: Sequence[Judged], declared: bool) -> tuple[Judged, ...]:
     declared : bool
         Whether somebody says that they do.
     """
-    return tuple(judged) if declared else tuple(map(_open, judged))
+    return tuple(_granted(entry if declared else _open(entry)) for entry in judged)
+
+
+def _granted(entry: Judged) -> Judged:
+    """An entry; open where it is right only if something is so that nothing here says."""
+    words, finding = entry.statement.granted, entry.finding
+    if not words or not finding.shown:
+        return entry
+    return replace(entry, finding=undecided(finding.subject, f"right if {words}: put it in"))
 
 
 def _open(entry: Judged) -> Judged:

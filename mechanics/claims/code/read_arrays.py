@@ -87,8 +87,11 @@ def read_cpp(
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
+    names_of = ", ".join(f"{name}()" for name in translated.granted)
+    granted = f"{names_of}, not here, changes nothing of the object" if names_of else ""
     statements = (
-        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt) for s in found.statements
+        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt, granted=granted)
+        for s in found.statements
     )
     return replace(found, statements=tuple(statements))
 
