@@ -74,7 +74,7 @@ class Statement:
         the mass matrix, what accelerates at an equilibrium. It counts as the scene does.
     unsure : tuple of str
         Under what else it may be right: what nobody said, and has no list of other ways to try
-        (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
+        (`mechanics.judge.guesses`). It is not REFUTED then, only open.
     defines : str
         The name that it defines for other statements, where its meaning is a claim, too.
     rounded : str

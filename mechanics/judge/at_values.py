@@ -19,7 +19,7 @@ from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
-from mechanics.judge.convention_filter import glance
+from mechanics.judge.convention_filter import may_hold
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.multiples_of_parameters import multiples_for
 from mechanics.judge.numbers_of_parameters import values_for
@@ -151,7 +151,7 @@ def right_with(truth: Equations, rows: Sequence[Published], values: Values) -> b
     """Whether all rows are shown where parameters have values."""
     try:
         target = fix(truth, values)
-        return glance(target, rows, [{}]) == [True] and all(
+        return may_hold(target, rows, [{}]) == [True] and all(
             check_row(truth.scene, row, target).shown for row in rows
         )
     except MechanicsError:

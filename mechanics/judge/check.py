@@ -34,15 +34,16 @@ from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
+from mechanics.judge.guesses import other_guesses
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
 from mechanics.judge.one_document import of_one_document
+from mechanics.judge.other_conventions import helpful_changes
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
-from mechanics.judge.right_if import right_if
 from mechanics.judge.rounded_code import as_rounded, exact_said
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
@@ -50,7 +51,6 @@ from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import Around, source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.suggested_choice import suggested
-from mechanics.judge.unsaid import unsaid
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -188,7 +188,9 @@ def check(
         for entry, some in zip(judged, limits, strict=True)
     )
     others = chain(
-        unsaid(truth, judged, readings, statements, held, written_out and not (counted or region)),
+        other_guesses(
+            truth, judged, readings, statements, held, written_out and not (counted or region)
+        ),
         other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
@@ -333,7 +335,7 @@ def _helping(
     A convention may be where the statements determine the motion: any one equation can be mended.
     Lengths that are half of the scene's, and bodies without inertia, need a word of the person's.
     """
-    changes = right_if(truth, statements)
+    changes = helpful_changes(truth, statements)
     if changes:
         plain = all(c.kind not in ("size", "masses") for change in changes[:1] for c in change)
         words = tuple(" and ".join(c.words for c in change) for change in changes)

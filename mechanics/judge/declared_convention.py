@@ -24,7 +24,7 @@ from mechanics.equations import Equations
 from mechanics.judge.at_rest import at_rest
 from mechanics.judge.converted_rows import in_plain_symbols, moved, moves_more
 from mechanics.judge.letters import meanings_of, settle
-from mechanics.judge.right_if import targets_of
+from mechanics.judge.other_conventions import targets_of
 from mechanics.judge.single import FAILURES, judge, subject_of
 from mechanics.judge.small_angles import as_said
 from mechanics.kernel import Finding, Verdict, undecided

@@ -43,7 +43,7 @@ class Added:
 
     def _added(self, wrong: Wrong) -> Iterator[Change]:
         p, sheets = self.problem.prime, self.problem.sheets
-        nodes, places = self.problem.forest.nodes, self._sums_and_sides
+        nodes, places = self.problem.tree.nodes, self._sums_and_sides
         if not self.words.quadratic(wrong.term):  # what m x'' = F lacks is a force
             places = sorted(places, key=lambda place: self.words.accelerates(nodes[place[0]]))
         for index, slopes, divisor in places:
@@ -69,12 +69,12 @@ class Added:
 
         Where a'' = N / Q is wrong by a term with a'', Q lacks that without a''.
         """
-        forest = self.problem.forest
+        tree = self.problem.tree
         found: list[tuple[int, list[int], Expr]] = []
-        for index, node in enumerate(forest.nodes):
-            if not (forest.side(index) or isinstance(node, Sum)) or isinstance(node, Number):
+        for index, node in enumerate(tree.nodes):
+            if not (tree.side(index) or isinstance(node, Sum)) or isinstance(node, Number):
                 continue
-            if not forest.plain(index):
+            if not tree.plain(index):
                 continue
             slopes = self.problem.slopes(index)
             if slopes is not None:

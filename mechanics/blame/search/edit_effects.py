@@ -18,7 +18,7 @@ from mechanics.kernel.field import DivisionHere
 
 def steps(problem: Problem, change: Change, cleared: bool) -> Iterator[int]:
     """What an edit adds to the residual; nothing where that is not known."""
-    if not problem.forest.single(change.at):
+    if not problem.tree.single(change.at):
         return
     try:
         step = (problem.residual_with([change]) - problem.residual) % problem.prime
@@ -33,11 +33,11 @@ def steps(problem: Problem, change: Change, cleared: bool) -> Iterator[int]:
 
 def _growth(problem: Problem, change: Change) -> int:
     """By what the sums grow that are divided by, at the last point."""
-    sheet, forest, p = problem.sheets[-1], problem.forest, problem.prime
+    sheet, tree, p = problem.sheets[-1], problem.tree, problem.prime
     factor, child, value = 1, change.at, change.values[-1]
     for above, new in sheet.climb(child, value):
-        exponent = integer_exponent(forest.nodes[above])
-        if exponent is not None and exponent < 0 and isinstance(forest.nodes[child], Sum):
+        exponent = integer_exponent(tree.nodes[above])
+        if exponent is not None and exponent < 0 and isinstance(tree.nodes[child], Sum):
             factor = factor * pow(value * pow(sheet.has[child], -1, p), -exponent, p) % p
         child, value = above, new
     return factor

@@ -10,7 +10,7 @@ from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change, Wrap, plus
 from mechanics.blame.search.inverse_evaluation import Sheet
 from mechanics.blame.search.probabilistic_check import Problem
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.blame.search.words import Words
 from mechanics.claims.place import Refused
 from mechanics.claims.tree import Node
@@ -21,7 +21,7 @@ from mechanics.errors import MechanicsError
 class Maker:
     """Makes edits."""
 
-    forest: Forest
+    tree: SyntaxTree
     sheets: tuple[Sheet, ...]
     words: Words
 
@@ -36,8 +36,8 @@ class Maker:
 
     def around(self, index: int) -> Node | None:
         """The node that a node is a part of; None for the root."""
-        above = self.forest.parent[index]
-        return self.forest.nodes[above] if above >= 0 else None
+        above = self.tree.parent[index]
+        return self.tree.nodes[above] if above >= 0 else None
 
     def change(
         self, index: int, node: Node | None, mistake: Mistake, cost: float, values: tuple[int, ...]
@@ -49,7 +49,7 @@ class Maker:
         self, index: int, wrap: Wrap, mistake: Mistake, cost: float, values: tuple[int, ...]
     ) -> Change:
         """Something around a node, which goes together with edits in it."""
-        node = wrap(self.forest.nodes[index])
+        node = wrap(self.tree.nodes[index])
         return Change(index, node, mistake, cost, index, values, wrap)
 
 
@@ -75,4 +75,4 @@ def added(
         (sheet.has[index] + value) % problem.prime
         for sheet, value in zip(problem.sheets, worths, strict=True)
     )
-    return Change(index, wrap(problem.forest.nodes[index]), mistake, cost, index, values, wrap)
+    return Change(index, wrap(problem.tree.nodes[index]), mistake, cost, index, values, wrap)

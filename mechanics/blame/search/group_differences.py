@@ -35,12 +35,12 @@ def whole(
     found = groups(claim.reference, statement)
     if not 0 < len(found) <= MOST or any(group.multiplied for group in found):
         return []
-    first, *others = (problem.forest.copies[k, ()][0] for k in problem.numbers)
-    left = problem.forest.nodes[first]
+    first, *others = (problem.tree.copies[k, ()][0] for k in problem.numbers)
+    left = problem.tree.nodes[first]
     if isinstance(left, Name) and any(group.about is not None for group in found):
         return []  # of x'' = a the whole side would be another one
     # What m x'' = F lacks is a force.
-    forces = [k for k in others if constant(problem.forest.nodes[k]) != 0]
+    forces = [k for k in others if constant(problem.tree.nodes[k]) != 0]
     force = not any(words.quadratic(t) for g in found for t in Add.make_args(_step(claim, g)))
     place = forces[0] if forces and force and words.accelerates(left) else first
     changes = list(_changes(claim, problem, found, place, -1 if place != first else 1))

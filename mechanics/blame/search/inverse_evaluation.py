@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from mechanics.blame.search.point import Point
 from mechanics.blame.search.residues import others_of
-from mechanics.blame.search.syntax_tree import Forest, is_root
+from mechanics.blame.search.syntax_tree import SyntaxTree, is_root
 from mechanics.claims.build import Builder
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 from mechanics.kernel.field import DivisionHere
@@ -43,7 +43,7 @@ class Sheet:
         What the square of a node has to be.
     """
 
-    forest: Forest
+    tree: SyntaxTree
     point: Point
     builder: Builder
     target: int
@@ -79,13 +79,13 @@ class Sheet:
         InsideHere
             For a part inside of a function.
         """
-        p, node, has = self.point.prime, self.forest.nodes[index], self.has
-        kids = self.forest.kids[index]
+        p, node, has = self.point.prime, self.tree.nodes[index], self.has
+        kids = self.tree.kids[index]
         if isinstance(node, Sum):
             # A term may have been added to it.
             steps = (values[kid] - has[kid] for kid in kids if kid in values)
             return (has[index] + sum(steps)) % p
-        if self.forest.opaque(index):
+        if self.tree.opaque(index):
             raise InsideHere
         first, *others = (values.get(kid, has[kid]) for kid in kids)
         if isinstance(node, Product):
@@ -111,7 +111,7 @@ class Sheet:
         DivisionHere, InsideHere
             As `above`.
         """
-        while (index := self.forest.parent[child]) >= 0:
+        while (index := self.tree.parent[child]) >= 0:
             value, child = self.above(index, {child: value}), index
             yield child, value
 
@@ -158,10 +158,10 @@ def scaled(sheets: Sequence[Sheet], index: int, ratio: Fraction) -> tuple[int, .
     return tuple(sheet.has[index] * factor % p for sheet in sheets)
 
 
-def sheet_of(forest: Forest, point: Point, builder: Builder, target: int) -> Sheet:
+def sheet_of(tree: SyntaxTree, point: Point, builder: Builder, target: int) -> Sheet:
     """Values from the leaves up, and what is needed from the root down."""
-    count = len(forest.nodes)
-    sheet = Sheet(forest, point, builder, target, [0] * count, [None] * count)
+    count = len(tree.nodes)
+    sheet = Sheet(tree, point, builder, target, [0] * count, [None] * count)
     for index in reversed(range(count)):
         sheet.has[index] = _value(sheet, index)
     return _from_root(sheet)
@@ -175,12 +175,12 @@ def again(sheet: Sheet) -> Sheet:
 
 def _from_root(sheet: Sheet) -> Sheet:
     """What is needed from the root down; not where a node stands at several places."""
-    forest = sheet.forest
+    tree = sheet.tree
     sheet.needs[0] = sheet.target % sheet.point.prime
-    for index in range(len(forest.nodes)):
-        if forest.kids[index]:
+    for index in range(len(tree.nodes)):
+        if tree.kids[index]:
             _needed_below(sheet, index)
-    for indices in forest.copies.values():
+    for indices in tree.copies.values():
         if len(indices) > 1:
             for index in indices:
                 sheet.needs[index] = None
@@ -188,13 +188,13 @@ def _from_root(sheet: Sheet) -> Sheet:
 
 
 def _value(sheet: Sheet, index: int) -> int:
-    forest, p = sheet.forest, sheet.point.prime
-    node, kids = forest.nodes[index], forest.kids[index]
+    tree, p = sheet.tree, sheet.point.prime
+    node, kids = tree.nodes[index], tree.kids[index]
     values = [sheet.has[kid] for kid in kids]
     if isinstance(node, Sum):
         return sum(values) % p
-    if forest.opaque(index):
-        return sheet.opaque(forest.as_told(index, node))
+    if tree.opaque(index):
+        return sheet.opaque(tree.as_told(index, node))
     if isinstance(node, Rate):
         return values[0]
     if isinstance(node, Product):
@@ -214,15 +214,15 @@ def _value(sheet: Sheet, index: int) -> int:
 
 
 def _needed_below(sheet: Sheet, index: int) -> None:
-    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
-    node, kids, need = forest.nodes[index], forest.kids[index], sheet.needs[index]
+    tree, p, has = sheet.tree, sheet.point.prime, sheet.has
+    node, kids, need = tree.nodes[index], tree.kids[index], sheet.needs[index]
     if need is None:
         _squared_below(sheet, index)
         return
     if isinstance(node, Sum):
         for kid in kids:
             sheet.needs[kid] = (need - has[index] + has[kid]) % p
-    elif forest.opaque(index):
+    elif tree.opaque(index):
         return
     elif isinstance(node, Rate):
         sheet.needs[kids[0]] = need
@@ -245,8 +245,8 @@ def _needed_below(sheet: Sheet, index: int) -> None:
 
 def _squared_below(sheet: Sheet, index: int) -> None:
     """What the squares of parts have to be, or the part below a root."""
-    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
-    node, kids, square = forest.nodes[index], forest.kids[index], sheet.squares.get(index)
+    tree, p, has = sheet.tree, sheet.point.prime, sheet.has
+    node, kids, square = tree.nodes[index], tree.kids[index], sheet.squares.get(index)
     if square is None:
         return
     if is_root(node):

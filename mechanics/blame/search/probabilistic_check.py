@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.kernel.field import DivisionHere
 
 
@@ -21,7 +21,7 @@ class Problem:
 
     Attributes
     ----------
-    forest : Forest
+    tree : SyntaxTree
     numbers : tuple of int
         Of the entries that are compared.
     sheets : tuple of Sheet
@@ -30,7 +30,7 @@ class Problem:
         What the root has to be at a point.
     """
 
-    forest: Forest
+    tree: SyntaxTree
     numbers: tuple[int, ...]
     sheets: tuple[Sheet, ...]
     target: Callable[[Point], int]
@@ -56,7 +56,7 @@ class Problem:
 
     def mends(self, change: Change) -> bool:
         """Whether one edit makes the statement right."""
-        if self.plain and self.forest.single(change.at):
+        if self.plain and self.tree.single(change.at):
             need = self.sheets[0].needs[change.at]
             if need is not None:
                 return change.values[0] == need
@@ -77,7 +77,7 @@ class Problem:
         DivisionHere, InsideHere
             Where that is not known.
         """
-        places = [(self.forest.copies[self.forest.place[c.at]], c) for c in changes]
+        places = [(self.tree.copies[self.tree.place[c.at]], c) for c in changes]
         news = (
             {copy: change.values[k] for copies, change in places for copy in copies}
             for k in range(len(self.sheets))
@@ -112,12 +112,12 @@ def root_with(sheet: Sheet, new: Mapping[int, int]) -> int:
         Where one of the nodes stands inside of a function.
     """
     values = dict(new)
-    open_nodes = {sheet.forest.parent[index] for index in values} - {-1}
+    open_nodes = {sheet.tree.parent[index] for index in values} - {-1}
     while open_nodes:
         index = max(open_nodes)  # what stands below has a larger number
         open_nodes.remove(index)
         values[index] = sheet.above(index, values)
-        above = sheet.forest.parent[index]
+        above = sheet.tree.parent[index]
         if above >= 0:
             open_nodes.add(above)
     return values.get(0, sheet.has[0])

@@ -36,7 +36,7 @@ SYNTHETIC = -1
 
 
 @dataclass(eq=False)
-class Forest:
+class SyntaxTree:
     """Nodes by number.
 
     Attributes
@@ -92,7 +92,7 @@ class Forest:
         self.copies.setdefault(place, []).append(len(self.nodes) - 1)
         return len(self.nodes) - 1
 
-    def plant(self, entries: Sequence[tuple[int, Node]]) -> "Forest":
+    def plant(self, entries: Sequence[tuple[int, Node]]) -> "SyntaxTree":
         """Number one entry, or the difference of two."""
         (number, left), *rest = entries
         if not rest:

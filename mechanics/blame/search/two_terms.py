@@ -12,7 +12,7 @@ from functools import cached_property
 from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.edits import added
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.products import Products
 from mechanics.claims.tree import Sum
 
@@ -27,38 +27,40 @@ class Two:
 
     Attributes
     ----------
-    growth : Growth
+    homogeneity : Homogeneity
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
 
     @property
     def _p(self) -> int:
-        return self.growth.problem.prime
+        return self.homogeneity.problem.prime
 
     @cached_property
     def _products(self) -> Products:
-        return Products(self.growth)
+        return Products(self.homogeneity)
 
     def pairs(self) -> list[tuple[Change, Change]]:
         """Pairs of terms that are added to one sum, the cheapest first."""
-        if not self.growth.problem.plain or not self.growth.problems:
+        if not self.homogeneity.problem.plain or not self.homogeneity.problems:
             return []
-        forest = self.growth.problem.forest
+        tree = self.homogeneity.problem.tree
         found: list[tuple[Change, Change]] = []
-        for index, node in enumerate(forest.nodes):
-            if forest.plain(index) and (isinstance(node, Sum) or forest.side(index)):
+        for index, node in enumerate(tree.nodes):
+            if tree.plain(index) and (isinstance(node, Sum) or tree.side(index)):
                 found += self._at(index)
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 
     def _at(self, index: int) -> Iterator[tuple[Change, Change]]:
-        whole = self._series(self.growth, index)
+        whole = self._series(self.homogeneity, index)
         if not whole or not whole[None]:
             return
         inverse = pow(whole[None], -1, self._p)
-        mixed = [s for s, v in whole.items() if v * inverse % self._p not in self.growth.doubling]
+        mixed = [
+            s for s, v in whole.items() if v * inverse % self._p not in self.homogeneity.doubling
+        ]
         for symbol in [s for s in mixed if s is not None][:MOST_SYMBOLS]:
-            grown = self._series(self.growth.after(symbol), index)
+            grown = self._series(self.homogeneity.after(symbol), index)
             for a, b in EXPONENTS if grown else ():
                 first = self._split(whole, grown, a, b)
                 second = {s: (v - first[s]) % self._p for s, v in whole.items()}
@@ -67,10 +69,10 @@ class Two:
                     yield one, two
                     return
 
-    def _series(self, growth: Growth, index: int) -> Series:
+    def _series(self, homogeneity: Homogeneity, index: int) -> Series:
         """What a node lacks everywhere; empty where that is not known."""
         found: Series = {}
-        for symbol, problem in growth.problems.items():
+        for symbol, problem in homogeneity.problems.items():
             need = problem.sheets[0].needs[index]
             if need is None:
                 return {}
@@ -86,4 +88,4 @@ class Two:
         if not series[None]:
             return None
         found = min(self._products.of(series), key=lambda entry: entry[1], default=None)
-        return found and added(self.growth.problem, index, found[0], ADDED + found[1])
+        return found and added(self.homogeneity.problem, index, found[0], ADDED + found[1])

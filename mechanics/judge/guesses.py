@@ -33,7 +33,7 @@ from mechanics.claims.text.elements import BY_KIND, WHY
 from mechanics.compiled.fixed import fix
 from mechanics.equations import Equations
 from mechanics.judge.at_values import Values, put
-from mechanics.judge.convention_filter import Table, glance
+from mechanics.judge.convention_filter import Table, may_hold
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.other_names import other_choices
 from mechanics.judge.other_reading import OtherReading, is_wrong
@@ -69,7 +69,7 @@ class Guess:
     of: str = ""
 
 
-def unsaid(
+def other_guesses(
     truth: Equations, judged: Sequence[Judged], readings: Sequence[Reading],
     statements: Sequence[Statement], values: Values, tries: bool,
 ) -> Iterator[OtherReading]:  # fmt: skip
@@ -133,8 +133,8 @@ class _Trial:
         names = {s.name for p in momenta for s in (p, rate_symbol(p))}
         if any(s.name in names for table in tables for s in table):
             # A momentum is written out before a look.
-            return [glance(self.target, [self._there(row, t)], [{}]) == [True] for t in tables]
-        return glance(self.target, [self._there(row, {})], tables) if tables else []
+            return [may_hold(self.target, [self._there(row, t)], [{}]) == [True] for t in tables]
+        return may_hold(self.target, [self._there(row, {})], tables) if tables else []
 
     def _there(self, row: Published, table: Table) -> Published:
         meant = _put(self.target.scene, row, table)
