@@ -46,11 +46,14 @@ MEASURED = re.compile(
 )
 """In which unit something is."""
 RELATES = re.compile(rf"{SIGNS}|[<>~\u2248\u2243]|\\(?:approx|simeq|sim|ll|gg|leq?|geq?|propto)\b")
-IS = re.compile(r"\b(?:is|are|be|being|as|equals?|means?|denotes?|stands?|called|for)\b", re.I)
-COUNTS = re.compile(
-    r"[\d*/^+\\-]|\b(?:half|twice|double|thirds?|square|minus|negative|times|sum|difference)\b",
-    re.I,
+IS = re.compile(
+    rf"(?P<name>{NAME.pattern})\s*[$)\]}}]*\s*"
+    r"(?::|(?<=\s)(?:is|are|be|being|as|equals?|means?|denotes?|stands?)\b)",
+    re.IGNORECASE,
 )
+"""A name of which words say what it is."""
+PARTS = re.compile(r"\b(?:half|halves|twice|double|thirds?|square|negative|times|sum)\b", re.I)
+COUNTS = re.compile(r"[\d*/^+\\-]")
 """What makes of names something else than a word."""
 NUMBER = re.compile(
     rf"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?(?:\s+{UNIT}(?:[ */.]{{1,3}}{UNIT})*)?[\s.]*"
@@ -128,10 +131,19 @@ def names_given(source: str) -> set[str]:
     return found | {_key(match["name"]) for match in ALONE.finditer(source)}
 
 
-def says_what(source: str) -> bool:
-    """Whether a formula that is not read has a sign that may relate names, or words that may."""
+def told_in_words(source: str) -> set[str] | None:
+    """Keys of names of which words say what they are; None where a sign relates names.
+
+    where l is 2*R    ->    l          where tau is torque in N * m    ->    none
+    """
     words = MEASURED.sub(" ", source)
-    return bool(RELATES.search(words) or (IS.search(words) and COUNTS.search(words)))
+    if RELATES.search(words):
+        return None
+    if PARTS.search(words):
+        return {*mentioned(words)}
+    if not COUNTS.search(words):
+        return set()
+    return {_key(match["name"]) for match in IS.finditer(words)}
 
 
 def _key(name: str) -> str:

@@ -116,7 +116,8 @@ def test_a_paragraph_of_text_counts_and_another_does_not() -> None:
     [
         ("where theta is angle. And u is torque in N * m", Verdict.PROVED),
         ("where l is 2*R of it", Verdict.UNDECIDED),
-        ("which must be (theta + m g) for all", Verdict.UNDECIDED),
+        ("which must be (theta + m g) for all", Verdict.PROVED),
+        ("l : 2*R of it", Verdict.UNDECIDED),
     ],
 )
 def test_words_that_are_read_as_a_formula_may_say_what_letters_are(
