@@ -81,6 +81,8 @@ class Statement:
         What is rounded to single precision among doubles, as it is written; read as exact, too.
     granted : str
         What has to be so for it to be right, in words, where nothing here says it.
+    anyhow : Published or None
+        What it claims under all that is in `unsure`, too: where that is REFUTED, so is it.
     own : tuple of (Expr, Expr)
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
@@ -103,6 +105,7 @@ class Statement:
     defines: str = ""
     rounded: str = ""
     granted: str = ""
+    anyhow: Published | None = None
     own: tuple[tuple[Expr, Expr], ...] = ()
 
 

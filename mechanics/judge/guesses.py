@@ -103,7 +103,13 @@ def other_guesses(
             held = used_names(judged[k].statement.written)
             rests = [g for g in shared if not g.of or key(g.of) in held]
             words += [g.words for g in rests if g.ways is None or not tries]
-            yield from (OtherReading(one, {k: None}) for one in words)
+            statement = judged[k].statement
+            left = None
+            if statement.anyhow is not None:
+                left = replace(statement, row=statement.anyhow, taken=(), ways={}, written=None)
+            yield from (
+                OtherReading(one, {k: left if one in statement.unsure else None}) for one in words
+            )
             for guess in shared if tries and not words else ():
                 for one, table in trial.living(_row(judged[k]), guess.ways or (), right):
                     yield OtherReading(one, {k: _meant(truth.scene, statements[k], table)})

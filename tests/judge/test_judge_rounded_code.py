@@ -86,3 +86,14 @@ def test_what_a_rounding_may_make_another_one_is_not_read(
 def test_it_stands_beside_another_option(tmp_path: Path) -> None:
     how = {"convention": EXACT, "values": {"g": 9.81}}
     assert _checked(BODIES[0], "c", tmp_path, **how).verdict.name == "PROVED"
+
+
+def test_an_argument_that_is_not_used_is_no_double_among_others(tmp_path: Path) -> None:
+    text = """struct State { float theta; float theta_dot; };
+float acc(const State &s, float u, float m, float l, float g, double t)
+{ const float k = 0.3f; return 5*k*g/l*sinf(s.theta) + 3*u/(m*l*l) + 0*%s; }
+"""
+    path = tmp_path / "own.cpp"
+    for last, verdict in (("u", "PROVED"), ("t", "UNDECIDED")):
+        path.write_text(f"#include <math.h>\n{text % last}")
+        assert check(SCENE, path, blame=False).verdict.name == verdict

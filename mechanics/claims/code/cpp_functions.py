@@ -358,16 +358,26 @@ def _single(root: Any, nodes: Mapping[str, Any]) -> str:
             words(n) for n in within(one, "identifier", "field_identifier")
         }
     ]  # fmt: skip
-    parts = [*outside, *nodes.values()]
-    doubles = " double" * any(re.search(r"\bdouble\b", words(part)) for part in parts)
-    whole = "\n".join(map(words, parts))
-    tried = [*((part, words(part) + doubles) for part in parts), *((p, whole) for p in parts[:1])]
+    parts = [*((one, words(one)) for one in outside), *((f, _used_part(f)) for f in nodes.values())]
+    doubles = " double" * any(re.search(r"\bdouble\b", text) for _, text in parts)
+    whole = "\n".join(text for _, text in parts)
+    tried = [*((part, text + doubles) for part, text in parts), *((p, whole) for p, _ in parts[:1])]
     for part, text in tried:  # the whole: of a call
         if (found := made_single(text)) is not None:
             if not smooth(whole):
                 raise refuse(part, f"{found[0]} {ROUNDED}")
             return " ".join(found[0].split())
     return ""
+
+
+def _used_part(node: Any) -> str:
+    """A function without arguments that it does not use."""
+    text, body = words(node), node.child_by_field_name("body")
+    used = {words(one) for one in within(body, "identifier")}
+    for one in within(_declarator(node), "parameter_declaration"):
+        names = {words(name) for name in within(one, "identifier")}
+        text = text if names & used else text.replace(words(one), "", 1)
+    return text
 
 
 def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:

@@ -90,6 +90,7 @@ from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols
+from mechanics.scene.quantities import MassMatrix
 
 LARGEST_C = 30_000
 """Characters of a C file."""
@@ -415,9 +416,17 @@ def _read(
                 continue
             others += [(words, other)] if len(other) == len(found) else []
     unsure = _unsure(scene, outputs, passed, about, title)
+    parts = about is None and manipulator(scene, outputs)
+    mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
         statement(
-            claim, title, outputs, naming, [(words, other[k]) for words, other in others], unsure
+            claim,
+            title,
+            outputs,
+            naming,
+            [(words, other[k]) for words, other in others],
+            unsure,
+            mass,
         )
         for k, claim in enumerate(found)
     )
