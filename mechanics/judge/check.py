@@ -216,7 +216,10 @@ def check(
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
     remarks = (*remarks, *dict.fromkeys(bounds), *untried)
-    naming = Naming(Vocabulary(truth.scene), names or {}, tuple(known))
+    words = Vocabulary(truth.scene)
+    # What code calls a vector, or means by a word, is no name of the lines around it.
+    single = {n: m for n, m in (names or {}).items() if m == "t" or words.target(m) is not None}
+    naming = Naming(words, single, tuple(known))
     around = [_around(part, naming) for part in parts if isinstance(part, Around)]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
