@@ -89,9 +89,9 @@ def step_of(
     """
     rates = {}
     for symbol, value in zip(state, values, strict=True):
-        at_once = _put((value - symbol) / STEP, {STEP: S.Zero})
+        at_once = put((value - symbol) / STEP, {STEP: S.Zero})
         if at_once.has(zoo, nan, oo):
-            at_once = _put(((value - symbol) / STEP).expand(), {STEP: S.Zero})
+            at_once = put(((value - symbol) / STEP).expand(), {STEP: S.Zero})
         if at_once.has(zoo, nan, oo):
             return None
         rates[symbol] = at_once
@@ -113,21 +113,21 @@ def integrator_of(
     return "", ()
 
 
-def _put(expression: Expr, table: Mapping[Expr, Expr]) -> Expr:
+def put(expression: Expr, table: Mapping[Expr, Expr]) -> Expr:
     """An expression with others in it, what is used twice looked at once: a step of RK4 holds the
     rates four times over, one in the other.
     """
     done: dict[int, Expr] = {}
 
-    def put(e: Expr) -> Expr:
+    def changed_in(e: Expr) -> Expr:
         if id(e) not in done:
             new = table.get(e) if e.is_Symbol or not e.args else None
-            changed = [put(arg) for arg in e.args]
+            changed = [changed_in(arg) for arg in e.args]
             same = all(a is b for a, b in zip(changed, e.args, strict=True))
             done[id(e)] = new if new is not None else e if same else e.func(*changed)
         return done[id(e)]
 
-    return put(expression)
+    return changed_in(expression)
 
 
 def alike(ones: Sequence[Expr], others: Sequence[Expr], symbols: Sequence[Expr]) -> bool:
@@ -135,7 +135,7 @@ def alike(ones: Sequence[Expr], others: Sequence[Expr], symbols: Sequence[Expr])
     source = Random(0)
     numbers = {s: Float(source.uniform(0.5, 1), DIGITS) for s in symbols}
     for one, other in zip(ones, others, strict=True):
-        a, b = _put(one, numbers), _put(other, numbers)
+        a, b = put(one, numbers), put(other, numbers)
         if not (a.is_number and b.is_number and abs(a - b) <= CLOSE * (1 + abs(b))):
             return False
     return True
@@ -143,7 +143,7 @@ def alike(ones: Sequence[Expr], others: Sequence[Expr], symbols: Sequence[Expr])
 
 def _moved(state: State, rates: Rates, at: State, share: Expr, only: Sequence[Expr]) -> State:
     """The state after a share of the step with the rates that it has somewhere."""
-    return {s: v + share * _put(rates[s], at) if s in only else v for s, v in state.items()}
+    return {s: v + share * put(rates[s], at) if s in only else v for s, v in state.items()}
 
 
 def _explicit(halves: Halves, rates: Rates, state: State) -> State:
@@ -171,7 +171,7 @@ def _constant(halves: Halves, rates: Rates, state: State) -> State:
 def _verlet(halves: Halves, rates: Rates, state: State) -> State:
     end = _constant(halves, rates, state)
     after = {**end, **{u: state[u] for u in halves.u}}
-    speeds = {u: state[u] + STEP / 2 * (rates[u] + _put(rates[u], after)) for u in halves.u}
+    speeds = {u: state[u] + STEP / 2 * (rates[u] + put(rates[u], after)) for u in halves.u}
     return {**end, **speeds}
 
 
@@ -182,7 +182,7 @@ def _midpoint(halves: Halves, rates: Rates, state: State) -> State:
 
 def _heun(halves: Halves, rates: Rates, state: State) -> State:
     end = _explicit(halves, rates, state)
-    return {s: v + STEP / 2 * (rates[s] + _put(rates[s], end)) for s, v in state.items()}
+    return {s: v + STEP / 2 * (rates[s] + put(rates[s], end)) for s, v in state.items()}
 
 
 def _rk4(halves: Halves, rates: Rates, state: State) -> State:
@@ -192,7 +192,7 @@ def _rk4(halves: Halves, rates: Rates, state: State) -> State:
     last = _moved(state, rates, third, STEP, every)
     weights = ((state, 1), (second, 2), (third, 2), (last, 1))
     return {
-        s: v + STEP / 6 * sum(weight * _put(rates[s], at) for at, weight in weights)
+        s: v + STEP / 6 * sum(weight * put(rates[s], at) for at, weight in weights)
         for s, v in state.items()
     }
 

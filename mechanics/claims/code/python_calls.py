@@ -47,6 +47,9 @@ class Calls:
         self.nodes = own
         self.functions = {name: self._called(node) for name, node in own.items()}
         self.fixed = fixed_in(tree)
+        started = (n.args[0] for n in ast.walk(tree) if isinstance(n, ast.Call)
+                   and word(n.func) == "ode" and n.args)  # fmt: skip
+        self.advanced = [self.functions[n] for n in map(word, started) if n in self.functions]
         self.moving = {
             name for called in self.functions.values() for name, role, _ in called.slots
             if role in ("q", "u", "state", "parameter")
@@ -93,6 +96,11 @@ class Calls:
             Whether it is a part of an integrator's step, which moves what moves.
         """
         name = word(node.func)
+        if name == "set_f_params":
+            return any(
+                self._differ(called, called.slots[2:], node.args, node.keywords, False)
+                for called in self.advanced
+            )
         if name in self.functions:
             slots = self.functions[name].slots
             return self._differ(self.functions[name], slots, node.args, node.keywords, step)
@@ -104,6 +112,8 @@ class Calls:
         if name not in (*TIME_FIRST, *STATE_FIRST):
             return False
         options = {k.arg: k.value for k in node.keywords}
+        if name == "odeint" and len(node.args) > 3:
+            options["args"] = node.args[3]
         early = name in TIME_FIRST or word_of_truth(options.get("tfirst"))
         roles = [role for _, role, _ in called.slots[:2]]
         if "time" in roles and roles.index("time") != (0 if early else 1):
@@ -142,10 +152,33 @@ class Calls:
             elif rest:
                 pairs.append((rest.pop(0), arg))
         names = {slot[0]: slot for slot in called.slots}
-        pairs += [(names[k.arg], k.value) for k in keywords if k.arg in names]
+        given = [pair for k in keywords for pair in self._given(k)]
+        pairs += [(names[k], value) for k, value in given if k in names]
         if not step and self._misplaced(pairs):
             return True
         return any(not self._is_same(called, slot, arg, step) for slot, arg in pairs)
+
+    def _given(self, keyword: ast.keyword) -> list[tuple[str, ast.expr]]:
+        """What an option of a call gives, or a table of such."""
+        if keyword.arg is not None:
+            return [(keyword.arg, keyword.value)]
+        match self._resolved(keyword.value):
+            case ast.Call(func=ast.Name(id="dict"), keywords=inner):
+                return [(k.arg, k.value) for k in inner if k.arg]
+            case ast.Dict(keys=keys, values=values):
+                return [(k.value, v) for k, v in zip(keys, values, strict=True)
+                        if isinstance(k, ast.Constant) and isinstance(k.value, str)]  # fmt: skip
+        return []
+
+    def exchanges(self, node: ast.Tuple | ast.List) -> bool:
+        """Whether it has what a judged function is called with, in another order."""
+        labels = [_label(part) for part in node.elts]
+        for called in self.functions.values():
+            names = [n for n, role, _ in called.slots if role in ("parameter", "other")]
+            both = [n for n in names if n in labels]
+            if isinstance(node.ctx, ast.Load) and len(both) > 1 and sorted(labels) == sorted(both):
+                return labels != both
+        return False
 
     def _is_same(
         self, called: Called, slot: tuple[str, str, int], arg: ast.expr, step: bool

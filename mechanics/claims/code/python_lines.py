@@ -275,6 +275,8 @@ class _Scope:
         for one in self.inside:
             if isinstance(one, ast.Call):
                 yield from self._call(one)
+            elif isinstance(one, ast.Tuple | ast.List) and self.file.calls.exchanges(one):
+                yield one
             elif isinstance(one, ast.Lambda):
                 if not self._is_plain(one):
                     yield one
@@ -548,7 +550,7 @@ def _assigned(inside: Iterable[ast.AST]) -> Iterator[_Line]:
                 yield _Line(one, frozenset(_stored(target)), both)
             case ast.NamedExpr(target=target, value=value):
                 yield _Line(one, frozenset(_stored(target)), value)
-            case ast.For(target=target, iter=value):
+            case ast.For(target=target, iter=value) | ast.comprehension(target=target, iter=value):
                 yield _Line(one, frozenset(_stored(target)), value)
             case ast.Expr(value=ast.Call(func=ast.Attribute(value=base)) as call):
                 # Objects are changed by their methods.

@@ -11,11 +11,12 @@ import ast
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from random import Random
 
-from sympy import Expr, Rational, S, Symbol, nan, oo, sin, zoo
+from sympy import Add, Expr, Rational, S, Symbol, nan, oo, zoo
 
-from mechanics.claims.code.integrators import NAMES, STEP, alike, integrator_of
+from mechanics.claims.code.integrators import NAMES, STEP, alike, integrator_of, put
 
 Value = Callable[[int | None], Expr]
 """Entries of a vector by their index, or all of it where it is moved as a whole."""
@@ -74,7 +75,7 @@ def stepped(
         turn = _Turn(functions, size, step, fixed)
         try:
             turn.run(body)
-            if found := turn.found():
+            if (found := turn.found()) is not None:
                 return found
         except Unknown:
             continue
@@ -115,6 +116,7 @@ class _Turn:
     values: dict[str, Value] = field(default_factory=dict)
     used: dict[str, set[int | None]] = field(default_factory=dict)
     written: dict[str, None] = field(default_factory=dict)
+    followed: set[str] = field(default_factory=set)
     calls: list[tuple[Called, dict[tuple[str, int], Value]]] = field(default_factory=list)
 
     def run(self, body: Sequence[ast.stmt]) -> None:
@@ -139,9 +141,9 @@ class _Turn:
                 self.values[f"{name}[-1]"] = made
                 self.written[f"{name}[-1]"] = None
             case ast.If() | ast.For() | ast.While() | ast.With() | ast.Try():
-                inside = {ast.unparse(n) for n in ast.walk(line) if isinstance(
+                inside = {_root(ast.unparse(n)) for n in ast.walk(line) if isinstance(
                     getattr(n, "ctx", None), ast.Store)}  # fmt: skip
-                if any(name in self.values or name in self.used for name in inside):
+                if inside & {_root(name) for name in (*self.values, *self.used)}:
                     raise Unknown
 
     def _put(self, target: ast.expr, made: Value) -> None:
@@ -219,8 +221,11 @@ class _Turn:
         if name in self.values:
             return self.values[name]
         known = self.fixed.get(name)
-        if isinstance(known, ast.BinOp) and self.step in map(ast.unparse, ast.walk(known)):
-            return self._value(known)
+        inner = [*map(ast.unparse, ast.walk(known))] if isinstance(known, ast.BinOp) else []
+        if known is not None and self.step in inner and name not in self.followed:
+            self.followed.add(name)
+            self.values[name] = self._value(known)
+            return self.values[name]
         used = self.used.setdefault(name, set())
 
         def symbol(i: int | None) -> Expr:
@@ -260,9 +265,9 @@ class _Turn:
             source = Random(zlib.crc32(f"{function.name} {i}".encode()))
             factors = [Rational(source.randint(3, 19), 7) for _ in parts]
             inner = sum((f * p for f, p in zip(factors, parts, strict=True)), S.One / 3)
-            return sin(inner) + Rational(source.randint(3, 19), 11) * parts[0] ** 2
+            return 1 / (inner**2 + 1) + Rational(source.randint(3, 19), 11) * parts[0] ** 2
 
-        return entry
+        return cache(entry)
 
     def _entries(self, place: tuple[str, int], value: Value) -> list[Expr]:
         if place[0] == "state":
@@ -277,8 +282,11 @@ class _Turn:
             elif (after := _next(name)) in self.written:
                 yield name, after
 
-    def found(self) -> set[str]:
-        """Roots of the places that are advanced as by an integrator."""
+    def found(self) -> set[str] | None:
+        """Roots of the places that are advanced as by an integrator.
+
+        None where no rates are those of a judged function: the step may be another one.
+        """
         for _, given in self.calls:
             for place, value in given.items():
                 self._entries(place, value)  # learns which entries are used
@@ -308,9 +316,8 @@ class _Turn:
                 halves, {s: rates[s] for s in whole}, whole, [moving[s] for s in whole],
                 sorted({*free, *whole, STEP}, key=str),
             )  # fmt: skip
-            if name:
-                return {_root(roots[s]) for s in own}
-        return set()
+            return {_root(roots[s]) for s in own} if name else set()
+        return None
 
     def _is_timed(self, symbol: Expr) -> bool:
         return any(
@@ -348,13 +355,12 @@ class _Turn:
 
 def _at_once(value: Value) -> Value:
     """A value at the beginning of a step."""
-    return lambda i: value(i).subs(STEP, 0)
+    return lambda i: put(value(i), {STEP: S.Zero})
 
 
 def _rate(symbol: Expr, value: Expr) -> Expr:
-    found = ((value - symbol) / STEP).subs(STEP, 0)
-    if found.has(zoo, nan, oo):
-        found = ((value - symbol) / STEP).expand().subs(STEP, 0)
+    parts = Add.make_args(value - symbol)
+    found = sum((put(part / STEP, {STEP: S.Zero}) for part in parts), S.Zero)
     return S.NaN if found.has(zoo, nan, oo) else found
 
 
@@ -366,7 +372,7 @@ def _same(one: Expr, other: Expr) -> bool:
 
 
 def _symbol(name: str, i: int | None) -> Expr:
-    return Symbol(name if i is None else f"{name} {i}", real=True)
+    return Symbol(name if i is None else f"{name} {i}")
 
 
 def _root(name: str) -> str:
@@ -374,7 +380,7 @@ def _root(name: str) -> str:
 
 
 def _opaque(node: ast.expr) -> Value:
-    found = Symbol(f"?{ast.unparse(node)}", real=True)
+    found = Symbol(f"?{ast.unparse(node)}")
     return lambda i: found
 
 

@@ -1,0 +1,185 @@
+"""Lines of a Python file around a judged function say nothing of the motion, or are quoted."""
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from mechanics.blame.reference import Reference
+from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.names import Match, Naming, Vocabulary
+from mechanics.cli.app import app
+from mechanics.grading.grade import grade
+from mechanics.grading.submission import things_in
+from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
+from systems import rod_pendulum
+
+ROD = rod_pendulum.scene()
+NAMING = Naming(
+    Vocabulary(ROD),
+    {},
+    (
+        Match("y", "theta theta_dot", "the usual name of such a vector"),
+        Match("th", "theta", "nothing else is left"),
+        Match("w", "theta_dot", "nothing else is left"),
+    ),
+)
+FUNCTIONS = """import numpy as np
+g, l, m, u = 9.81, 1.0, 1.0, 0.0
+def accel(th, w, m, l, g, u):
+    return 3*g/(2*l)*np.sin(th) + 3*u/(m*l**2)
+def rate(t, y, m, l, g, u):
+    th, w = y
+    return np.array([w, accel(th, w, m, l, g, u)])
+th, w, t, dt = 0.1, 0.0, 0.0, 0.01
+y, p = np.array([0.1, 0.0]), (m, l, g, u)
+"""
+LAW = "w += -g/l*np.sin(th)*dt\n    th += w*dt"
+LAWS = (
+    f"for i in range(9):\n    {LAW}",
+    f"while t < 1:\n    {LAW}\n    t += dt",
+    "def main():\n    th, w = 0.1, 0\n    for i in range(9):\n        w -= g/l*np.sin(th)*dt\n"
+    "        th += w*dt\n    print(th)",
+    f"if __name__ == '__main__':\n  for i in range(9):\n    {LAW}",
+    f"def step():\n    global th, w\n    {LAW}",
+    "class Sim:\n    def step(self):\n        self.w -= g/l*np.sin(self.th)*dt\n"
+    "        self.th += self.w*dt",
+    "class Sim:\n    def kick(self): self.w = self.w - g*np.sin(self.th)*dt\n"
+    "    def drift(self): self.th = self.th + self.w*dt",
+    "for i in range(9):\n    ws[i+1] = ws[i] - g/l*np.sin(ths[i])*dt\n"
+    "    ths[i+1] = ths[i] + ws[i+1]*dt",
+    "for i in range(9):\n    ws.append(ws[-1] - g*np.sin(ths[-1])*dt)\n"
+    "    ths.append(ths[-1] + ws[-1]*dt)",
+    "for i in range(9):\n    a = -g*np.sin(th)\n    wn = w + a*dt\n    tn = th + wn*dt\n"
+    "    th, w = tn, wn",
+    "for i in range(9):\n    s['w'] -= g*np.sin(s['th'])*dt\n    s['th'] += s['w']*dt",
+    "path = [(w := w - g*np.sin(th)*dt, th := th + w*dt) for _ in range(9)]",
+    "def fall(th, w, n):\n    if n: fall(th + w*dt, w - g*np.sin(th)*dt, n - 1)",
+    "for i in range(9):\n    x = x + dt*A @ x",
+    "for i in range(9):\n    v -= g*dt",
+    "x = expm(A*t) @ x",
+    "exec('th -= 0.1')",
+    "for i in range(9):\n    setattr(s, 'w', s.w - g*dt)",
+    "theta_ddot = -g/l*np.sin(sol.y[0])",
+    "theta = 0.1*np.cos(np.sqrt(g/l)*t)",
+)
+STEPS = (
+    "for i in range(9):\n    y -= rate(t, y, *p)*dt",
+    "for i in range(9):\n    th -= accel(th, w, *p)*dt",
+    "for i in range(9):\n    w -= accel(th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    w += accel(2*th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += 2*w*dt",
+    "for i in range(9):\n    d = rate(t, y, *p)\n    y[0] += d[1]*dt\n    y[1] += d[0]*dt",
+    "for i in range(9):\n    d = rate(t, y, *p)\n    d[1] -= 0.3*y[1]\n    y = y + d*dt",
+    "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n    y[1] *= 0.9",
+    "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n    if y[0] > 0:\n        y[1] = -y[1]",
+    "for i in range(9):\n    k1 = rate(t, y, *p)\n    k2 = rate(t, y - dt*k1, *p)\n"
+    "    y = y + dt/2*(k1 + k2)",
+    "def euler(f, y, h):\n    return y - h*f(0, y)",
+    "class Sim:\n    def step(self):\n        self.y = self.y - dt*rate(0, self.y, *p)",
+    "for i in range(9):\n    np.add(y, -dt*rate(t, y, *p), out=y)",
+    "for i in range(9):\n    y = np.subtract(y, np.multiply(dt, rate(t, y, *p)))",
+    "def push(y):\n    y -= dt*rate(0, y, *p)",
+)
+CHANGED = (
+    "a = -accel(th, w, *p)",
+    "a = accel(th, w, *p) + 0.1*w",
+    "a = accel(th, w, *p)\nb = a\nb *= -1",
+    "print(np.negative(accel(th, w, *p)))",
+    "d = [-v for v in rate(t, y, *p)]",
+    "print(np.diag([1, -1]) @ rate(t, y, *p))",
+    "v = np.cumsum(accel(th, w, *p))",
+    "def neg(t, y):\n    return -rate(t, y, *p)",
+    "f = lambda t, y: -rate(t, y, *p)",
+    "solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, 1), y)",
+    "solve_ivp(lambda t, y: [y[0], accel(y[0], y[1], *p)], (0, 1), y)",
+)
+ARGUMENTS = (
+    "print(accel(w, th, m, l, g, u))",
+    "print(accel(th, w, m, g, l, u))",
+    "print(accel(-th, w, m, l, g, u))",
+    "print(accel(th, w, m, 2*l, g, u))",
+    "print(accel(th, w, m, l, -9.81, u))",
+    "rate(0, [w, th], m, l, g, u)",
+    "rate(0, y[::-1], m, l, g, u)",
+    "odeint(rate, y, t, args=p)",
+    "solve_ivp(rate, (0, 1), y, args=(m, g, l, u))",
+    "q = (m, g, l, u)\nsolve_ivp(rate, (0, 1), y, args=q)",
+    "partial(rate, m=m, l=g, g=l, u=u)",
+    "solve_ivp(lambda t, y: rate(t, y, **dict(m=m, l=g, g=l, u=u)), (0, 1), y)",
+    "solve_ivp(lambda t, y: rate(t, -y, *p), (0, 1), y)",
+    "solve_ivp(lambda t, y: [y[1], accel(y[1], y[0], *p)], (0, 1), y)",
+)
+RK4 = """k1 = {f}(t, y{p})
+    k2 = {f}(t + {h}/2, y + {h}/2*k1{p})
+    k3 = {f}(t + {h}/2, y + {h}/2*k2{p})
+    k4 = {f}(t + {h}, y + {h}*k3{p})
+"""
+NOTHING = (
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\ntheta = np.degrees(sol.y[0])\n"
+    "x, z = l*np.sin(sol.y[0]), l*np.cos(sol.y[0])\nplt.plot(x, z)",
+    "sol = odeint(lambda y, t: rate(t, y, m, l, g, u), y, np.linspace(0, 1, 9))\n"
+    "th, w = sol.T\nE = m*l**2*w**2/6 + m*g*l/2*np.cos(th)\nplt.plot(E)",
+    "sol = odeint(rate, y, t, args=p, tfirst=True)",
+    "solve_ivp(lambda t, y: [y[1], accel(y[0], y[1], *p)], (0, 1), y)",
+    "solve_ivp(partial(rate, m=m, l=l, g=g, u=u), (0, 1), y)",
+    "mass, length = 1.0, 2.0\nsolve_ivp(rate, (0, 1), y, args=(mass, length, 9.81, 0))",
+    "acc = np.array([rate(s, z, *p)[1] for s, z in zip(sol.t, sol.y.T)])\nplt.plot(acc)",
+    "assert np.allclose(rate(0, [0, 0], 1.0, 1.0, 9.81, 0.0), 0)",
+    "for i in range(9):\n    y = y + dt*rate(i*dt, y, *p)\n    ys.append(y)",
+    "for i in range(9):\n    y += rate(t, y, *p)*dt\n    t += dt\n    if i % 3 == 0: print(y)",
+    "for i in range(9):\n    Y[i+1] = Y[i] + (t[i+1] - t[i])*rate(t[i], Y[i], *p)",
+    "for i in range(1, 9):\n    Y[i, :] = Y[i-1, :] + dt*np.array(rate(t[i-1], Y[i-1, :], *p))",
+    "for i in range(9):\n    a = accel(th, w, *p)\n    w += a*dt\n    th += w*dt\n    s.append(th)",
+    "while t < 1:\n    th, w = th + w*dt, w + accel(th, w, *p)*dt\n    t += dt",
+    "for i in range(9):\n    w[i+1] = w[i] + accel(th[i], w[i], *p)*dt\n"
+    "    th[i+1] = th[i] + w[i+1]*dt",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n"
+    "    th = (th + w*dt + np.pi) % (2*np.pi) - np.pi",
+    f"for i in range(9):\n    {RK4.format(f='rate', p=', *p', h='dt')}"
+    "    y = y + dt/6*(k1 + 2*k2 + 2*k3 + k4)",
+    f"def rk4(f, t, y, h):\n    {RK4.format(f='f', p='', h='h')}"
+    "    return y + h/6*(k1 + 2*k2 + 2*k3 + k4)",
+    "def euler(f, y, t):\n    for n in range(len(t) - 1):\n        h = t[n+1] - t[n]\n"
+    "        Y[n+1] = Y[n] + h*f(t[n], Y[n])\n    return Y",
+    "class Sim:\n    def step(self, dt):\n        self.y = self.y + dt*rate(self.t, self.y, *p)\n"
+    "        self.t += dt",
+    "n = 0\nwhile n < 5:\n    n += 1",
+    "top = 0\nfor v in sol.y[0]:\n    top = max(top, abs(v))",
+    "for k in range(3):\n    sol = solve_ivp(rate, (0, 1), y, args=p)\n    y = sol.y[:, -1]",
+)
+
+
+def _quoted(text: str) -> tuple[str, ...]:
+    return lines_around(f"{FUNCTIONS}{text}\n", {"rate"}, NAMING)
+
+
+@pytest.mark.parametrize("text", [*LAWS, *STEPS, *CHANGED, *ARGUMENTS])
+def test_a_law_a_wrong_step_a_changed_result_and_exchanged_arguments_are_quoted(text: str) -> None:
+    quoted = _quoted(text)
+    assert quoted
+    assert {*quoted} <= {" ".join(line.split())[:60] for line in text.splitlines()}
+
+
+@pytest.mark.parametrize("text", NOTHING)
+def test_calls_plots_and_right_integrators_say_nothing(text: str) -> None:
+    assert _quoted(text) == ()
+
+
+def test_a_function_that_a_later_one_replaces_is_quoted() -> None:
+    assert _quoted("def rate(t, y, m, l, g, u):\n    return 0") == ("def rate(t, y, m, l, g, u):",)
+
+
+def test_a_quoted_line_puts_a_grade_in_doubt_and_stands_in_the_answer(tmp_path: Path) -> None:
+    path = tmp_path / "a.py"
+    path.write_text(f"{FUNCTIONS}for i in range(9):\n    y = y - dt*rate(t, y, *p)\n")
+    things = things_in(path, run_python=True)
+    graded = grade(Reference(derived(ROD)), "a", things)
+    assert graded.verdict == "in doubt"
+    assert graded.unjudged == ("y = y - dt*rate(t, y, *p)",)
+    assert {line.verdict for line in graded.lines} == {Verdict.PROVED.name}
+    shown = CliRunner().invoke(app, ["check", "rod_pendulum", f"{path}:rate"])
+    assert "not judged: 'y = y - dt*rate(t, y, *p)'" in shown.output
+    path.write_text(path.read_text().replace("y - dt", "y + dt"))
+    assert grade(Reference(derived(ROD)), "a", things_in(path, run_python=True)).verdict == "right"
