@@ -6,7 +6,7 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from mechanics.claims.claim import Trees, Written
 from mechanics.claims.demands import Demands
@@ -77,6 +77,8 @@ class Statement:
         (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
     defines : str
         The name that it defines for other statements, where its meaning is a claim, too.
+    given : tuple of (Symbol, Expr)
+        Inputs of which its file of code says the value, where the code takes none.
     """
 
     row: Published | None
@@ -94,6 +96,7 @@ class Statement:
     derived: bool = False
     unsure: tuple[str, ...] = ()
     defines: str = ""
+    given: tuple[tuple[Symbol, Expr], ...] = ()
 
 
 @dataclass(frozen=True)

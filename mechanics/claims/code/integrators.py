@@ -141,7 +141,7 @@ def _constant(scene: Scene, rates: Rates, state: State) -> State:
     after = _explicit(scene, rates, state)
     for q in scene.q:
         slope = sum((rates[q].diff(u) * rates[u] for u in scene.u), S.Zero)
-        after[q] += STEP**2 / 2 * slope
+        after[q] += STEP**2 / 2 * _put(slope, state)
     return after
 
 
