@@ -6,7 +6,7 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from mechanics.claims.claim import Trees, Written
 from mechanics.claims.demands import Demands
@@ -86,6 +86,8 @@ class Statement:
     own : tuple of (Expr, Expr)
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
+    given : tuple of (Symbol, Expr)
+        Inputs of which its file of code says the value, where the code takes none.
     """
 
     row: Published | None
@@ -107,6 +109,7 @@ class Statement:
     granted: str = ""
     anyhow: Published | None = None
     own: tuple[tuple[Expr, Expr], ...] = ()
+    given: tuple[tuple[Symbol, Expr], ...] = ()
 
 
 @dataclass(frozen=True)

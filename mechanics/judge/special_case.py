@@ -54,7 +54,12 @@ def in_special_case(truth: Equations, entries: Sequence[Judged]) -> tuple[Judged
 
 def _open(truth: Equations, entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
-    if entry.verdict is not Verdict.REFUTED or row is None or written is None:
+    if entry.verdict is not Verdict.REFUTED or row is None:
+        return entry
+    told = dict(entry.statement.given)
+    if told and _right_with(truth, row, told):
+        return replace(entry, right_if=(f"{words(told)}, as the code says",), open=True)
+    if written is None:
         return entry
     if written.notation == "latex" and (
         case := case_of(written.text, written.start, written.naming)
@@ -87,7 +92,19 @@ def _stated(truth: Equations, written: Written) -> dict[Symbol, Expr]:
     In LaTeX what stands behind the sentence is of something else.
     """
     text = written.text if written.notation == "text" else written.text[: _end(written)]
-    free = _free(truth.scene, written.naming)
+    return values_in(text, truth.scene, written.naming)
+
+
+def values_in(text: str, scene: Scene, naming: Naming) -> dict[Symbol, Expr]:
+    """Values of parameters and inputs in a text, the same in all places.
+
+    Parameters
+    ----------
+    text : str
+    scene : Scene
+    naming : Naming
+    """
+    free = _free(scene, naming)
     found: dict[Symbol, set[Rational]] = {}
     for one in STATED.finditer(text):
         if (own := free(one["name"])) is not None:

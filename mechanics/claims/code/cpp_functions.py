@@ -551,6 +551,25 @@ def _declarator(node: Any) -> Any:
     return found
 
 
+def arguments_of(node: Any) -> list[str]:
+    """Names of what a function takes."""
+    parameters = named(_declarator(node).child_by_field_name("parameters"))
+    declarators = [one.child_by_field_name("declarator") for one in parameters]
+    return [_variable(one) if one is not None else "" for one in declarators]
+
+
+def shared_of(node: Any) -> set[str]:
+    """Arguments that its caller sees changed."""
+    parameters = named(_declarator(node).child_by_field_name("parameters"))
+    declarators = [one.child_by_field_name("declarator") for one in parameters]
+    return {
+        _variable(declarator)
+        for one, declarator in zip(parameters, declarators, strict=True)
+        if declarator is not None and declarator.type != "identifier"
+        and "const" not in words(one).split()
+    }  # fmt: skip
+
+
 def _title(node: Any) -> str:
     name = _declarator(node).child_by_field_name("declarator")
     return re.sub(r"\W", "", words(name).split("::")[-1])

@@ -320,7 +320,8 @@ def outputs_of(node: Any) -> list[str]:
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
 
-def _arguments(node: Any) -> list[str]:
+def arguments_of(node: Any) -> list[str]:
+    """Names of what a function takes."""
     found = next((c for c in node.children if c.type == "function_arguments"), None)
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
@@ -349,7 +350,7 @@ def _base(target: Any) -> str:
 
 
 def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scope:
-    arguments, outputs = _arguments(node), outputs_of(node)
+    arguments, outputs = arguments_of(node), outputs_of(node)
     targets = list(_targets(node))
     names = [_base(target) for target, _ in targets]
     counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}
