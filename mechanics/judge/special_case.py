@@ -56,9 +56,9 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
     if entry.verdict is not Verdict.REFUTED or row is None:
         return entry
-    told = dict(entry.statement.given)
-    if told and _right_with(truth, row, told):
-        return replace(entry, right_if=(f"{words(told)}, as the code says",), open=True)
+    given = dict(entry.statement.given)
+    if given and _right_with(truth, row, given):
+        return replace(entry, right_if=(f"{words(given)}, as the code says",), open=True)
     if written is None:
         return entry
     if written.notation == "latex" and (
@@ -72,8 +72,8 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
     for some in (table, table | beside):
         if some and _right_with(truth, row, some):
-            told = words(fewest(some, lambda fewer: _right_with(truth, row, fewer)))
-            return replace(entry, right_if=(f"{told}, as the text says",), open=True)
+            fewer = fewest(some, lambda values: _right_with(truth, row, values))
+            return replace(entry, right_if=(f"{words(fewer)}, as the text says",), open=True)
     return entry
 
 

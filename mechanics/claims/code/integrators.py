@@ -164,7 +164,7 @@ def _constant(halves: Halves, rates: Rates, state: State) -> State:
     after = _explicit(halves, rates, state)
     for q in halves.q:
         slope = sum((rates[q].diff(u) * rates[u] for u in halves.u), S.Zero)
-        after[q] += STEP**2 / 2 * _put(slope, state)
+        after[q] += STEP**2 / 2 * put(slope, state)
     return after
 
 
