@@ -9,8 +9,9 @@ beside it.
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from dataclasses import dataclass
+from functools import lru_cache
 
 from mechanics.claims.claim import Written
 from mechanics.claims.latex.blocks import blocks, continued
@@ -58,14 +59,16 @@ def nearby(written: Written | None, known: Collection[str]) -> Nearby:
     """
     if written is None or written.notation not in ("latex", "text") or is_model(written.text):
         return Nearby()
-    text, notation = written.text, written.notation
-    pairs = [_beside(text, notation, at, known) for at in _places(written)]
+    text, notation, names = written.text, written.notation, frozenset(known)
+    pairs = [_beside(text, notation, at, names) for at in sorted(_places(written))]
     near, own = (frozenset().union(*some) for some in zip(*pairs, strict=True))
-    return Nearby(frozenset(_words(text, notation, known)), near, own)
+    return Nearby(frozenset(_words(text, notation, names)), near, own)
 
 
-def _words(text: str, notation: str, known: Collection[str]) -> Iterator[str]:
-    return (sentence.words for sentence in sentences(text, notation, known))
+@lru_cache(maxsize=8)
+def _words(text: str, notation: str, known: frozenset[str]) -> tuple[str, ...]:
+    """Sentences of a text, by their words: that of a page is asked for by each of its formulas."""
+    return tuple(sentence.words for sentence in sentences(text, notation, known))
 
 
 def _places(written: Written) -> set[int]:
@@ -84,12 +87,15 @@ def _place(tree: Node) -> int:
     return max((tree.at, *(name.at for name in names(tree))))
 
 
-def _beside(text: str, notation: str, at: int, known: Collection[str]) -> tuple[set[str], set[str]]:
+@lru_cache(maxsize=512)
+def _beside(
+    text: str, notation: str, at: int, known: frozenset[str]
+) -> tuple[frozenset[str], frozenset[str]]:
     """Sentences beside a place, and those in its formula, by their words."""
     whole = Counter(_words(text, notation, known))
     span = _display(text, at) if notation == "latex" else _paragraph(text, at)
     if at < 0 or span is None:
-        return set(whole), set(whole)
+        return frozenset(whole), frozenset(whole)
     start, end = span
     formula, before, after = text[start:end], text[:start], text[end:]
     if notation == "latex":
@@ -97,16 +103,16 @@ def _beside(text: str, notation: str, at: int, known: Collection[str]) -> tuple[
             before = before[: opens.start()]
         while closes := CLOSES.match(after):
             after = after[closes.end() :]
-        own = set(_words(f"\\[{formula}\\]", notation, known))
+        own = frozenset(_words(f"\\[{formula}\\]", notation, known))
         # A text that marks no formula would be one.
         before, after = f"{before}\n\n{ANY}", f"{ANY}\n\n{after}"
     else:
         line = text[text.rfind("\n", 0, at) + 1 :].partition("\n")[0]
-        own = set(_words(line, notation, known))
+        own = frozenset(_words(line, notation, known))
     skipped = BESIDE + 1 if notation == "latex" else 0
-    far = Counter([*_words(before, notation, known)][: -skipped or None])
-    far += Counter([*_words(after, notation, known)][skipped:])
-    return {words for words, count in whole.items() if count > far[words]}, own
+    far = Counter(_words(before, notation, known)[: -skipped or None])
+    far += Counter(_words(after, notation, known)[skipped:])
+    return frozenset(words for words, count in whole.items() if count > far[words]), own
 
 
 def _display(text: str, at: int) -> tuple[int, int] | None:
