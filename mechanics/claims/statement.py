@@ -78,7 +78,7 @@ class Statement:
     defines : str
         The name that it defines for other statements, where its meaning is a claim, too.
     given : tuple of (Symbol, Expr)
-        Inputs of which its file of code says the value, where the code takes none.
+        Parameters and inputs of which its file says the value, and that its code does not take.
     """
 
     row: Published | None
