@@ -87,7 +87,7 @@ class Statement:
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
     given : tuple of (Symbol, Expr)
-        Inputs of which its file of code says the value, where the code takes none.
+        Parameters and inputs of which its file says the value, and that its code does not take.
     """
 
     row: Published | None

@@ -14,7 +14,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
-from mechanics.claims.code.cpp_functions import SUFFIXES
+from mechanics.claims.code.cpp_functions import SUFFIXES, without_main
 from mechanics.claims.code.not_judged import not_judged
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
@@ -115,20 +115,9 @@ def read(
             raise InputError(f"file {thing}: a notebook has cells: mechanics grade reads them")
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
-            if thing.suffix in SUFFIXES:
-                found = read_cpp(scene, text, function, names, about, origin)
-                return _with_rest(found, scene, thing, text, names, function)
-            try:
-                found = read_c(scene, text, function, names, about, origin)
-                return _with_rest(found, scene, thing, text, names, function)
-            except InputError as error:
-                if "is not declared" not in str(error) or '#include "' in text:
-                    raise  # a header that is not there may define anything
-                try:  # with names that nothing declares as arguments
-                    found = read_cpp(scene, text, function, names, about, origin)
-                    return _with_rest(found, scene, thing, text, names, function)
-                except InputError:
-                    raise error from None
+            used = text if function == "main" else without_main(text)
+            found = _read_c_file(scene, used, thing.suffix, function, names, about, origin)
+            return _with_rest(found, scene, thing, text, names, function)
         options = {"names": names, "notation": notation, "about": about}
         known = thing.suffix in LANGUAGES and notation is None
         text = file_text(thing) if known else ""
@@ -164,6 +153,23 @@ def read(
     return read_sympy(scene, objects, names, about)
 
 
+def _read_c_file(
+    scene: Scene, text: str, suffix: str, function: str | None, names: Mapping[str, str] | None,
+    about: str | None, origin: str,
+) -> Reading:  # fmt: skip
+    if suffix in SUFFIXES:
+        return read_cpp(scene, text, function, names, about, origin)
+    try:
+        return read_c(scene, text, function, names, about, origin)
+    except InputError as error:
+        if "is not declared" not in str(error) or '#include "' in text:
+            raise  # a header that is not there may define anything
+        try:  # with names that nothing declares as arguments
+            return read_cpp(scene, text, function, names, about, origin)
+        except InputError:
+            raise error from None
+
+
 def _with_rest(
     found: Reading, scene: Scene, path: Path, text: str, names: Mapping[str, str] | None,
     function: str | None,
@@ -173,7 +179,7 @@ def _with_rest(
     beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
     taken = {word for match in found.names for word in match.meaning.split()}
     values = values_in(text, scene, naming).items()
-    given = tuple((s, v) for s, v in values if s in scene.input_symbols and str(s) not in taken)
+    given = tuple((s, v) for s, v in values if str(s) not in taken)
     statements = tuple(replace(s, given=given) for s in found.statements)
     return replace(found, beside=beside, statements=statements)
 

@@ -56,9 +56,12 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
     if entry.verdict is not Verdict.REFUTED or row is None:
         return entry
+    held = set().union(*(side.free_symbols for side in row.sides))
     given = dict(entry.statement.given)
-    if given and _right_with(truth, row, given):
-        return replace(entry, right_if=(f"{words(given)}, as the code says",), open=True)
+    if held & {*truth.scene.parameters}:  # no code in which all parameters are numbers
+        given = {s: v for s, v in given.items() if s in truth.scene.input_symbols}
+    if (needed := _needed(truth, row, given)) is not None:
+        return replace(entry, right_if=(f"{words(needed)}, as the code says",), open=True)
     if written is None:
         return entry
     if written.notation == "latex" and (
@@ -67,14 +70,24 @@ def _open(truth: Equations, entry: Judged) -> Judged:
         doubt = f"the text gives it for {case} only, which is not judged apart: leave that out"
         return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
-    held = set().union(*(side.free_symbols for side in row.sides))
     # Of what stands in the statement itself, a value is an example.
     beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
     for some in (table, table | beside):
-        if some and _right_with(truth, row, some):
-            fewer = fewest(some, lambda values: _right_with(truth, row, values))
-            return replace(entry, right_if=(f"{words(fewer)}, as the text says",), open=True)
+        if (needed := _needed(truth, row, some)) is not None:
+            return replace(entry, right_if=(f"{words(needed)}, as the text says",), open=True)
     return entry
+
+
+def _needed(
+    truth: Equations, row: Published, some: Mapping[Symbol, Expr]
+) -> Mapping[Symbol, Expr] | None:
+    """The values with which a row is right; None where it is not, or there are none."""
+    if not some or not _right_with(truth, row, some):
+        return None
+    for symbol in list(some):
+        fewer = {s: v for s, v in some.items() if s != symbol}
+        some = fewer if fewer and _right_with(truth, row, fewer) else some
+    return some
 
 
 def _right_with(truth: Equations, row: Published, table: Mapping[Symbol, Expr]) -> bool:

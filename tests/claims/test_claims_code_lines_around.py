@@ -195,7 +195,8 @@ def test_c_plus_plus_is_quoted_though_a_function_is_named(
 @pytest.mark.parametrize(
     "lines",
     [
-        SOLVED.format("rate(t, y, m, l, g, u)"), SOLVED.format("rate(t, y, 1, 0.5, 9.81, 0)"),
+        SOLVED.format("rate(t, y, m, l, g, u)"), SOLVED.format("rate(t, y, m, l, g, -K*y)"),
+        SOLVED.format("rate(t, y, 1, 0.5, 9.81, 0)"),
         "[t, y] = ode45(@rate, [0 1], [0.1; 0], [], m, l, g, u);",
         "x = lsode(@(x, t) rate(t, x, m, l, g, u), [0.1; 0], linspace(0, 1));",
         "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(@(t, y) f(t, y), [0 1], [0.1; 0]);",
@@ -243,6 +244,20 @@ def test_julia_is_innocent(tmp_path: Path, text: str) -> None:
 )  # fmt: skip
 def test_c_plus_plus_is_innocent(tmp_path: Path, function: str, text: str) -> None:
     assert not beside(tmp_path, ".cpp", C + text, function)
+
+
+@pytest.mark.parametrize("suffix", [".c", ".cpp"])
+def test_a_main_below_is_no_part_of_what_is_judged(tmp_path: Path, suffix: str) -> None:
+    below = SMALL.format(
+        "double th = 0.1, om = 0, h = 0.01;\n"
+        "  for (int i = 0; i < 9; i++) { om += h*accel(th, om, 0, 1, 1, 9.81); th += h*om; }"
+    )
+    only = f"#include <math.h>\ndouble accel{C.partition('double accel')[2]}"
+    assert not beside(tmp_path, suffix, only + below)
+    assert beside(tmp_path, suffix, only + below.replace("om += h", "om -= h"))
+    alone = tmp_path / f"alone{suffix}"
+    alone.write_text((only + below).replace("sin(theta)", "sin(2*theta)"))
+    assert mechanics.check(ROD, alone, blame=False).verdict is Verdict.REFUTED
 
 
 UNDRIVEN = MATLAB.replace(", u)", ")").replace(" + 3*u/(m*l^2)", "")

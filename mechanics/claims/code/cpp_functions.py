@@ -272,6 +272,24 @@ def _tree(text: str) -> Any:
     return _tree(data.decode()) if data != text.encode() else root
 
 
+def without_main(text: str) -> str:
+    """The text with blanks for ``main``, which only uses other functions; as it is without these.
+
+    Parameters
+    ----------
+    text : str
+    """
+    root = tree(language, text, "tree-sitter-cpp")
+    nodes = [n for n in within(root, "function_definition") if n.child_by_field_name("type")]
+    main = [n for n in nodes if _title(n) == "main"]
+    if len(main) != 1 or len(nodes) == 1 or main[0].has_error:
+        return text
+    data, (node,) = bytearray(text.encode()), main
+    for k in range(node.start_byte, node.end_byte):
+        data[k] = data[k] if data[k] in b"\n\r" else ord(" ")
+    return data.decode()
+
+
 def functions_of(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
     """Functions by their names, without those that only make objects.
 

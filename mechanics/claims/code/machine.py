@@ -225,12 +225,15 @@ class Machine:
             pairs = ((self._meaning(str(k[0])), v) for k, v in value.entries.items())
             return all(self._fits(m, v, m) for m, v in pairs if m and m not in self.words.state)
         if not words:
-            return own == name or (
-                not (own and self._meaning(own)) and not isinstance(value, Handle)
-            )
+            meaning = self._meaning(own) if own else ""
+            same = own == name or meaning in ("", self._meaning(name))
+            return same and not isinstance(value, Handle)
+        driven = len(words) == 1 and words[0] in self.words.inputs and bool(part.parts)
+        if driven and words[0] not in {self._meaning(one) for one in part.names()}:
+            return True  # -K*y, what a controller makes
         made = part.kind in ("call", "binary", "minus", "other", "list")
         if isinstance(value, Unknown) and made and any(p.names() for p in part.parts):
-            return words[0] in self.words.inputs and part.kind == "call"
+            return False
         if len(words) > 1:
             if isinstance(value, Unknown):
                 return True
@@ -254,7 +257,7 @@ class Machine:
                 and (self.stepping or isinstance(value, Given)
                      or part.kind in ("entry", "field", "call", "name"))
             )  # fmt: skip
-        if word in self.words.inputs and (part.kind == "call" or meaning == word):
+        if word in self.words.inputs and meaning == word:
             return True
         return self._fits(word, value, meaning) or (
             part.kind in ("entry", "name", "field") and value in self.initial and not meaning

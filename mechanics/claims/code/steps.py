@@ -8,7 +8,7 @@ each integrator makes of it, for each number in the block that may be its step.
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product
 from typing import Any
 
 from mechanics.claims.code.integrators import INTEGRATORS, STEP
@@ -25,6 +25,8 @@ from mechanics.claims.code.machine_values import (
 )
 from mechanics.claims.code.plain_statements import Term
 
+MOST_TRIED = 60
+"""Places that may hold what the function does not ask for."""
 Place = tuple[str, tuple[Any, ...]]
 """A name, and which entry of it."""
 
@@ -118,7 +120,7 @@ class Steps(Machine):
         left = [
             p for p in begun if p not in found.values() and self._now(_later(p), env) != begun[p]
         ]
-        for chosen in product(left, repeat=len(missing)):
+        for chosen in islice(product(left, repeat=len(missing)), MOST_TRIED):
             if len({*chosen}) == len(missing):
                 yield {**found, **dict(zip(missing, chosen, strict=True))}
 
