@@ -13,7 +13,7 @@ from mechanics.blame.reference import Reference
 from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
-from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.statement import Reading, Statement
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
@@ -191,8 +191,8 @@ def check(
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
-    naming = Naming(Vocabulary(truth.scene), names or {}, tuple(known))
-    around = [_around(part, naming) for part in parts if isinstance(part, Around)]
+    files = [part for part in parts if isinstance(part, Around)]
+    around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
@@ -230,8 +230,13 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             )
 
 
-def _around(thing: Around, naming: Naming) -> tuple[str, ...]:
+def _around(
+    thing: Around, scene: Scene, names: Mapping[str, str], known: Sequence[Match]
+) -> tuple[str, ...]:
     """What of a file of Python says something and is not judged."""
+    given = {name: meaning for name, meaning in names.items() if " " not in meaning}
+    columns = (Match(name, m, "as given") for name, m in names.items() if " " in m)
+    naming = Naming(Vocabulary(scene), given, (*columns, *known))
     return (*thing.others, *lines_around(thing.code, thing.judged, naming))
 
 
