@@ -51,7 +51,7 @@ def assert_equivalent(
         Whether it is enough that all that is said is right: one equation of several, an energy.
     **options
         As for `mechanics.check`: ``names``, ``notation``, ``about``, ``convention``,
-        ``where``, ``blame``.
+        ``where``, ``only``, ``blame``.
 
     Raises
     ------

@@ -60,7 +60,8 @@ def figures(trials: Sequence[Trial], again: Sequence[Trial]) -> Iterator[str]:
     """The table of figures and aims."""
     right = [t for t in trials if t.case.right]
     wrong = [t for t in trials if not t.case.right]
-    helped = [t for t in again if t.case.right and t.verdict in SHOWN]
+    single = [t for t in again if len(t.case.options) == 1]  # it may be given several times
+    helped = [t for t in single if t.case.right and t.verdict in SHOWN]
     shown = [t for t in right if t.verdict in SHOWN]
     sources = len({t.case.source for t in trials})
     yield f"{len(trials)} statements of {sources} sources: {len(right)} right, {len(wrong)} wrong"

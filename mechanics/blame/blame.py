@@ -178,7 +178,7 @@ def _repairs(
                 continue
             seen.add(made[0].sides)
             tried += 1
-            budget.spend(len(first.forest.nodes))
+            budget.spend(len(first.tree.nodes))
             repair = proved(claim, group, statement.source)
             if repair is not None:
                 smallest = cost if smallest is None else smallest
@@ -197,7 +197,7 @@ def _in_one_place(
         for solution in islice(next(_stages(asked, problem, statement, budget)), TRIED):
             if budget.spent:
                 return
-            budget.spend(len(problem.forest.nodes))
+            budget.spend(len(problem.tree.nodes))
             made = edited_row(asked, (solution,))
             repair = proved(asked, (solution,), statement.source) if made else None
             if repair is not None and made is not None:
@@ -215,7 +215,7 @@ def _up_to_a_rate(
         return
     for asked, problem in at_once(claim):
         words = words_of(asked, problem)
-        changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
+        changes = Candidates(Maker(problem.tree, problem.sheets, words)).all()
         tried = 0
         # Numbers, of which there are many, come last.
         for change in sorted(changes, key=lambda c: (c.mistake is Mistake.FACTOR, c.cost)):
@@ -224,7 +224,7 @@ def _up_to_a_rate(
             if made is None or check_energy(claim.truth, made[0]) is not None:
                 continue
             tried += 1
-            budget.spend(len(problem.forest.nodes))
+            budget.spend(len(problem.tree.nodes))
             if (repair := proved(asked, (solution,), statement.source)) is not None:
                 yield repair, made[0]
                 return
@@ -237,7 +237,7 @@ def _stages(
 ) -> Iterator[list[Solution]]:
     """Solutions stage by stage; each looks at all nodes."""
     for stage in solutions(claim, problem, statement):
-        budget.spend(len(problem.forest.nodes))
+        budget.spend(len(problem.tree.nodes))
         yield stage
 
 

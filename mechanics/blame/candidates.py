@@ -51,22 +51,22 @@ class Candidates:
 
     @cached_property
     def _of_speeds(self) -> tuple[Candidate, ...]:
-        return _candidates(self._rows)
+        return candidates_of(self._rows)
 
     @cached_property
     def _of_parts(self) -> tuple[Candidate, ...]:
         moments = self.view.derivation.moving_rows
-        return _candidates(self._free(self._seen(moment.row)) for moment in moments)
+        return candidates_of(self._free(self._seen(moment.row)) for moment in moments)
 
     @cached_property
     def _of_sums(self) -> tuple[Candidate, ...]:
         few = len(self.view.speeds) <= LARGEST_SUMMED
-        return _candidates(map(self._free, _sums(self.view.rows))) if few else ()
+        return candidates_of(map(self._free, _sums(self.view.rows))) if few else ()
 
     @cached_property
     def with_reactions(self) -> tuple[Candidate, ...]:
         """Free-body equations, where reactions stand as symbols."""
-        return _candidates(map(self._seen, self.view.derivation.free_rows))
+        return candidates_of(map(self._seen, self.view.derivation.free_rows))
 
     def constrained(self, wanted: frozenset[Symbol]) -> tuple[Candidate, ...]:
         """Equations with the constraints put in; none in a scene without constraints."""
@@ -74,7 +74,7 @@ class Candidates:
         if tied is None:
             return ()
         if tied not in self._tied:
-            self._tied[tied] = _candidates(map(self._free, reduced_rows(self.view, tied)))
+            self._tied[tied] = candidates_of(map(self._free, reduced_rows(self.view, tied)))
         return self._tied[tied]
 
     def solved(self, unknown: Symbol) -> tuple[Candidate, ...]:
@@ -110,7 +110,7 @@ class Candidates:
             for cofactor in [self._mass.cofactor(i, index)]
             for piece in row.pieces
         )
-        return _candidates([Row(f"solved for {acceleration.name}", pieces)])
+        return candidates_of([Row(f"solved for {acceleration.name}", pieces)])
 
     def _for_reaction(self, reaction: Symbol) -> tuple[Candidate, ...]:
         """A reaction without accelerations: det(M) (R - value), the accelerations put in.
@@ -127,7 +127,7 @@ class Candidates:
             value += factor * sum(adjugate)
         origin = Origin(Kind.REACTION, "", reaction.name)
         rows = [Row(f"solved for {reaction.name}", (Piece(origin, value),))]
-        return tuple(replace(each, known=False) for each in _candidates(rows))
+        return tuple(replace(each, known=False) for each in candidates_of(rows))
 
     def _free(self, row: Row) -> Row:
         """A row with the reactions that its friction depends on written out."""
@@ -159,7 +159,8 @@ def _sums(rows: Sequence[Row]) -> Iterator[Row]:
                 yield Row(f"{one.words} {word} {two.words}", merged(weighted))
 
 
-def _candidates(rows: Iterable[Row]) -> tuple[Candidate, ...]:
+def candidates_of(rows: Iterable[Row]) -> tuple[Candidate, ...]:
+    """Rows as terms, but for those of too many."""
     return tuple(each for row in rows if (each := _candidate(row)) is not None)
 
 

@@ -11,7 +11,7 @@ from sympy import Add, Expr, S
 
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.entries import SIGNS
-from mechanics.blame.mistakes.fault_model import Right, Slip
+from mechanics.blame.mistakes.fault_model import Fault, Right
 from mechanics.blame.motion import keeps
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.blame.reference import Reference
@@ -84,7 +84,7 @@ def wrong_rows(scene: Scene, energies: Sequence[WrongEnergy]) -> tuple[Expr, ...
     return tuple(scene.plain(row) for row in rows)
 
 
-def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
+def energy_fault(right: Right, energies: Sequence[WrongEnergy]) -> Fault | None:
     """The derivation from the energies as they are written; None where reactions are asked for."""
     if right.free or not energies:
         return None
@@ -99,7 +99,7 @@ def energy_slip(right: Right, energies: Sequence[WrongEnergy]) -> Slip | None:
         added = Add(*(w * value for w, value in zip(weights, extra, strict=True)))
         rows.append((*row, (S.One, Piece(origin, added))))
     words = "it follows from the energy as it is written, which is wrong"
-    return Slip(words, tuple(rows), right.unknowns)
+    return Fault(words, tuple(rows), right.unknowns)
 
 
 def blamed(

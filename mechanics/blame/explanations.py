@@ -2,17 +2,17 @@
 
     statement vanishes along the motion of the derivation with the mistake in it, for all states
 
-A glance at one point of a field sorts out nearly all of them; the proof is that of the ledger.
+One point of a field sorts out nearly all of them; the proof is that of the ledger.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from mechanics.blame.difference import residual
-from mechanics.blame.energies import WrongEnergy, blamed, energy_slip, wrong_energies
-from mechanics.blame.mistake_filter import Stated, glances, stated
+from mechanics.blame.energies import WrongEnergy, blamed, energy_fault, wrong_energies
+from mechanics.blame.mistake_filter import Stated, explaining, stated
 from mechanics.blame.mistakes import loads
-from mechanics.blame.mistakes.fault_model import Right, Slip, equations
+from mechanics.blame.mistakes.fault_model import Fault, Right, equations
 from mechanics.blame.nearest import nearest
 from mechanics.blame.power import unbalanced
 from mechanics.blame.reference import Reference
@@ -64,12 +64,12 @@ def explanations(
     for one in refuted:
         found[one.index] += _of_one_equation(reference, one)
     if refuted:
-        for slip, indices in _of_derivation(reference, along, energies):
+        for fault, indices in _of_derivation(reference, along, energies):
             waiting = [s for s in refuted if s.index in indices and len(found[s.index]) < MOST]
-            wrong = equations(truth, slip) if waiting else truth
+            wrong = equations(truth, fault) if waiting else truth
             for one in waiting:
                 if _proved(wrong, one):
-                    found[one.index].append(slip.words)
+                    found[one.index].append(fault.words)
         if unbalanced(reference.derivation, statements, findings, along):
             for one in refuted:
                 found[one.index].append(UNBALANCED)
@@ -112,31 +112,31 @@ def _of_one_equation(reference: Reference, one: Stated) -> list[str]:
 
 def _of_derivation(
     reference: Reference, along: Sequence[Stated], energies: Sequence[WrongEnergy]
-) -> list[tuple[Slip, frozenset[int]]]:
+) -> list[tuple[Fault, frozenset[int]]]:
     """Mistakes of the whole derivation with what they explain: all statements, or else some."""
     truth, scene = reference.truth, reference.truth.scene
     reactions = {reaction.symbol for reaction in scene.reactions}
     asked = any(symbol in reactions for one in along for symbol, _ in one.factors)
     mistakes = reference.mistakes_of_free_bodies if asked else reference.mistakes
-    slips = mistakes.slips
-    if (from_energy := energy_slip(mistakes.right, energies)) is not None:
-        slips = (from_energy, *slips)
-    single = glances(truth, along, slips)
+    faults = mistakes.faults
+    if (from_energy := energy_fault(mistakes.right, energies)) is not None:
+        faults = (from_energy, *faults)
+    single = explaining(truth, along, faults)
     whole = [pair for pair in single if len(pair[1]) == len(along)]
     if not whole and len(scene.u) <= LARGEST_PAIRED:
-        double = glances(truth, along, _pairs(mistakes.right, slips))
+        double = explaining(truth, along, _pairs(mistakes.right, faults))
         whole = [pair for pair in double if len(pair[1]) == len(along)]
     return whole or single
 
 
-def _pairs(right: Right, slips: Sequence[Slip]) -> Iterator[Slip]:
+def _pairs(right: Right, faults: Sequence[Fault]) -> Iterator[Fault]:
     """A mistake of another kind, and one of a load besides."""
-    own = {slip.words for slip in loads.slips(right)}
-    for slip in slips:
-        if slip.words not in own:
-            wrong = replace(right, rows=slip.rows)
-            for more in loads.slips(wrong):
-                yield replace(slip, words=f"{slip.words}; {more.words}", rows=more.rows)
+    own = {fault.words for fault in loads.faults(right)}
+    for fault in faults:
+        if fault.words not in own:
+            wrong = replace(right, rows=fault.rows)
+            for more in loads.faults(wrong):
+                yield replace(fault, words=f"{fault.words}; {more.words}", rows=more.rows)
 
 
 def _proved(wrong: Equations, one: Stated) -> bool:

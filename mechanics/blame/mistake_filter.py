@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Symbol
 
-from mechanics.blame.mistakes.fault_model import Part, Slip, split
+from mechanics.blame.mistakes.fault_model import Fault, Part, split
 from mechanics.checks.ledger_compare import project_defined
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
@@ -44,34 +44,34 @@ class Stated:
     refuted: bool
 
 
-def glances(
-    truth: Equations, stated: Sequence[Stated], slips: Iterable[Slip]
-) -> list[tuple[Slip, frozenset[int]]]:
+def explaining(
+    truth: Equations, stated: Sequence[Stated], faults: Iterable[Fault]
+) -> list[tuple[Fault, frozenset[int]]]:
     """Mistakes along whose motion statements vanish, and the indices of these."""
-    found: list[tuple[Slip, frozenset[int]]] = []
+    found: list[tuple[Fault, frozenset[int]]] = []
     a = Arithmetic()
     project_defined(a, truth.kinematics)
     try:
         _, point = a.residues(list(a.assigned.values()))
     except Inadmissible:
         return []
-    for slip in slips:
-        motion = _motion(a, point, truth, slip)
+    for fault in faults:
+        motion = _motion(a, point, truth, fault)
         zero = frozenset(s.index for s in stated if motion and _vanishes(a, point, s, motion))
         if zero:
-            found.append((slip, zero))
+            found.append((fault, zero))
     return found
 
 
-def _motion(a: Arithmetic, point: Point, truth: Equations, slip: Slip) -> Motion | None:
+def _motion(a: Arithmetic, point: Point, truth: Equations, fault: Fault) -> Motion | None:
     """Accelerations and reactions with the mistake; None where it leaves them undetermined."""
-    size = len(slip.unknowns)
+    size = len(fault.unknowns)
     matrix, right = [], []
-    for row in slip.rows:
-        *factors, rest = _row(a, row, slip.unknowns)
+    for row in fault.rows:
+        *factors, rest = _row(a, row, fault.unknowns)
         matrix.append(factors)
         right.append(-rest)
-    if slip.held:
+    if fault.held:
         idle = [a.rational(0)] * (size - len(truth.scene.ud))
         for i in range(truth.constraint_matrix.rows):
             matrix.append([*(a.value(entry) for entry in truth.constraint_matrix[i, :]), *idle])
@@ -84,7 +84,7 @@ def _motion(a: Arithmetic, point: Point, truth: Equations, slip: Slip) -> Motion
         return None
     if len(pivot_columns(residues, point.prime)) < size:
         return None
-    return dict(zip(slip.unknowns, a.solve(matrix, right), strict=True))
+    return dict(zip(fault.unknowns, a.solve(matrix, right), strict=True))
 
 
 def _row(a: Arithmetic, row: Sequence[Part], unknowns: tuple[Symbol, ...]) -> list[Number]:

@@ -9,7 +9,7 @@ from functools import cached_property
 from sympy import Expr, Symbol
 
 from mechanics.blame.abbreviations import folded, kept_symbols
-from mechanics.blame.candidates import Candidates
+from mechanics.blame.candidates import Candidates, candidates_of
 from mechanics.blame.derivation import Derivation
 from mechanics.blame.groups import second_rates
 from mechanics.blame.mistakes.catalogue import Mistakes
@@ -70,7 +70,7 @@ class Reference:
     @cached_property
     def wrong_moments(self) -> tuple[Candidate, ...]:
         """Moment equations about points that move, with each term forgotten in turn."""
-        return wrong_rows(self.derivation.moving_rows)
+        return candidates_of(wrong_rows(self.derivation.moving_rows))
 
     def candidates(self, expression: Expr) -> Candidates:
         """Right equations in the speeds in which an expression is written."""

@@ -28,6 +28,7 @@ from mechanics.claims.build import Builder, Value
 from mechanics.claims.claim import Written
 from mechanics.claims.coefficients import is_coefficient
 from mechanics.claims.conserved import with_first_integrals
+from mechanics.claims.definition_readings import of_one_dimension
 from mechanics.claims.definitions import (
     defines,
     definitions,
@@ -126,6 +127,7 @@ def assemble(
     )
     lines = with_state_space(lines, naming, text)
     lines, told = told_once(without_unknown_rates(lines, naming))
+    lines = of_one_dimension(lines, naming)
     places = places_of(lines, naming, text)
     lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)

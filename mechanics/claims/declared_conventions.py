@@ -28,7 +28,8 @@ JOINTS = ("relative angles", "absolute angles")
 SIZES = ("half-length", "twice the length")
 OPEN = ("from the horizontal", "above the horizontal", "below the horizontal")
 DEFINITE = tuple(f"{way} {sense}" for way in DIRECTIONS for sense in SENSES.values())
-NAMES = ("other vertical", *SIGNS, *JOINTS, *SIZES, "point mass", *OPEN, *DEFINITE)
+EXACT = "single precision as exact"
+NAMES = ("other vertical", *SIGNS, *JOINTS, *SIZES, "point mass", *OPEN, *DEFINITE, EXACT)
 """What may be declared; several are parted by a comma."""
 
 Places = frozenset[tuple[int | None, int]]

@@ -118,6 +118,23 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
 
 
+def at_one_step(naming: Naming, names: Sequence[str]) -> tuple[Match, ...]:
+    """theta_t and theta_dot_t, where both are there for all coordinates, and neither without _t."""
+    scene = naming.vocabulary.scene
+    state = {(str(q), order) for q in scene.q for order in (0, 1)}
+    for end in ("_t", "_k", "_n"):
+        ended = [name for name in names if name.endswith(end) and not naming.knows(name)]
+        found = {name: naming.lookup(name.removesuffix(end)) for name in ended}
+        plain = {naming.lookup(name) for name in names if name not in ended}
+        if {*found.values()} == state and len(found) == len(state) and not state & plain:
+            why = f"the state at a step: {end} of all its entries"
+            return tuple(
+                Match(name, f"{known[0]}{DOTS[known[1]]}", why)
+                for name, known in found.items() if known is not None
+            )  # fmt: skip
+    return ()
+
+
 def _at_different_steps(naming: Naming, used: Sequence[Name], matches: Iterable[Match]) -> set[str]:
     """Names of functions of time at a step of their own, as ``u_{k-1}`` beside ``theta_k``."""
     given = {key(name) for name in naming.given}

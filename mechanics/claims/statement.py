@@ -4,9 +4,9 @@ source -> row.sides, in the scene's plain symbols; row.quantity is what it is ab
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from mechanics.claims.claim import Trees, Written
 from mechanics.claims.demands import Demands
@@ -74,9 +74,20 @@ class Statement:
         the mass matrix, what accelerates at an equilibrium. It counts as the scene does.
     unsure : tuple of str
         Under what else it may be right: what nobody said, and has no list of other ways to try
-        (`mechanics.judge.unsaid`). It is not REFUTED then, only open.
+        (`mechanics.judge.guesses`). It is not REFUTED then, only open.
     defines : str
         The name that it defines for other statements, where its meaning is a claim, too.
+    rounded : str
+        What is rounded to single precision among doubles, as it is written; read as exact, too.
+    granted : str
+        What has to be so for it to be right, in words, where nothing here says it.
+    anyhow : Published or None
+        What it claims under all that is in `unsure`, too: where that is REFUTED, so is it.
+    own : tuple of (Expr, Expr)
+        Parameters, and the values that code gives them, which are not used; other numbers of it
+        may be made of these.
+    given : tuple of (Symbol, Expr)
+        Inputs of which its file of code says the value, where the code takes none.
     """
 
     row: Published | None
@@ -94,6 +105,11 @@ class Statement:
     derived: bool = False
     unsure: tuple[str, ...] = ()
     defines: str = ""
+    rounded: str = ""
+    granted: str = ""
+    anyhow: Published | None = None
+    own: tuple[tuple[Expr, Expr], ...] = ()
+    given: tuple[tuple[Symbol, Expr], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -118,3 +134,7 @@ class Reading:
     remarks: tuple[str, ...]
     unjudged: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
+
+    def rounded(self, what: str) -> "Reading":
+        """It, where this is rounded to single precision among doubles, and read as exact."""
+        return replace(self, statements=tuple(replace(s, rounded=what) for s in self.statements))

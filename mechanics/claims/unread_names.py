@@ -36,7 +36,25 @@ GIVES = re.compile(
 """What a line that is not read gives a value to."""
 SET = re.compile(r":=|\u2254|[-+*/]=|<-|\u2190|\u2236=|\\(?:leftarrow|gets|coloneqq)(?![A-Za-z])")
 """What gives a name another value, of whatever it has been."""
+DECORATED = re.compile(r"\\(?:vec|hat|bar|tilde|mathbf|boldsymbol|bm)\s*\{([^{}]*)\}")
+RATED = re.compile(rf"\\d{{1,4}}ot\s*(?:\{{\s*{NAME.pattern}\s*\}}|{NAME.pattern})")
+ALONE = re.compile(rf"(?:{SIGNS})\s*(?P<name>{NAME.pattern})\s*(?:\([^=()]*\))?\s*(?=[.,;:&=]|\Z)")
+"""A name that stands alone to the right of a sign."""
 UNIT = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|deg|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
+MEASURED = re.compile(
+    rf"\bin\s+(?:{UNIT}|sec)(?:\s*[*/]\s*\(?\s*(?:{UNIT}|sec)(?:\s*\^\s*-?\d)?\s*\)?)*(?![\w(])"
+)
+"""In which unit something is."""
+RELATES = re.compile(rf"{SIGNS}|[<>~\u2248\u2243]|\\(?:approx|simeq|sim|ll|gg|leq?|geq?|propto)\b")
+IS = re.compile(
+    rf"(?P<name>{NAME.pattern})\s*[$)\]}}]*\s*"
+    r"(?::|(?<=\s)(?:is|are|be|being|as|equals?|means?|denotes?|stands?)\b)",
+    re.IGNORECASE,
+)
+"""A name of which words say what it is."""
+PARTS = re.compile(r"\b(?:half|halves|twice|double|thirds?|square|negative|times|sum)\b", re.I)
+COUNTS = re.compile(r"[\d*/^+\\-]")
+"""What makes of names something else than a word."""
 NUMBER = re.compile(
     rf"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?(?:\s+{UNIT}(?:[ */.]{{1,3}}{UNIT})*)?[\s.]*"
     rf"|\s*[-+]?[\d.]+\s*\[{UNIT}(?:[ */.]{{1,3}}{UNIT})*\][\s.]*"
@@ -101,6 +119,31 @@ def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
                 anew = SET.search(match[0]) is not None
                 found |= {n for n in given if anew or not naming.is_function(n)}
     return found
+
+
+def names_given(source: str) -> set[str]:
+    """Keys of names that a formula which is not read may give a value to, whatever they are.
+
+    A rate that is given is none.
+    """
+    source = FONT.sub(r" \1", DECORATED.sub(r" \1 ", RATED.sub(" ", source)))
+    found = {_key(one) for match in GIVES.finditer(source) for one in NAME.findall(match["names"])}
+    return found | {_key(match["name"]) for match in ALONE.finditer(source)}
+
+
+def told_in_words(source: str) -> set[str] | None:
+    """Keys of names of which words say what they are; None where a sign relates names.
+
+    where l is 2*R    ->    l          where tau is torque in N * m    ->    none
+    """
+    words = MEASURED.sub(" ", source)
+    if RELATES.search(words):
+        return None
+    if PARTS.search(words):
+        return {*mentioned(words)}
+    if not COUNTS.search(words):
+        return set()
+    return {_key(match["name"]) for match in IS.finditer(words)}
 
 
 def _key(name: str) -> str:

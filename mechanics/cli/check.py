@@ -14,7 +14,7 @@ from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.read import file_text
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
-from mechanics.cli.values import JudgedAtOption, assignments, names_of
+from mechanics.cli.values import JudgedAtOption, names_of, points
 from mechanics.errors import InputError
 from mechanics.grading.other_functions import unjudged_functions
 from mechanics.judge.check import check as run
@@ -65,6 +65,14 @@ def check(
         list[str] | None,
         typer.Option(metavar="'cos(q) > 0'", help="Judge only where this holds."),
     ] = None,
+    only: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="WHAT",
+            help="Judge only this: '(6)', 'line 12', 'lines 5-8', theta_ddot on the left; formulas"
+            " sets sentences aside.",
+        ),
+    ] = None,
     step: Annotated[float, typer.Option(min=0, help="Time step of a black box, in s.")] = 0.0,
     integrator: Annotated[
         str, typer.Option(help="Its integrator: euler, 'semi-implicit euler' or rk4.")
@@ -92,6 +100,8 @@ def check(
 
     `mechanics check acrobot control.c --function accelerations`
 
+    `mechanics check rod_pendulum chapter.tex --only '(6)' --only 'lines 40-44'`
+
     `mechanics check rod_pendulum sim.py:step --black-box --value m=1 --step 0.01 --value l=2`
 
     Each equation gets a verdict; a wrong one the smallest change that makes it right, the
@@ -104,7 +114,7 @@ def check(
     refuse_unwritable(report, json_file)
     scene = load(system).scene()
     parts = [part for file in files for part in _parts(file)]
-    values = assignments(value or [], "--value")
+    values = points(value or [], "--value", " or 2*pi")
     if black_box:
         inside = {n: float(v) for n, v in values.items()}
         parts = [p for p in parts if not isinstance(p, Beside | Around)]
@@ -116,7 +126,7 @@ def check(
         found = run(
             scene, parts, names=names_of(name or []), notation=notation, about=about,
             convention=convention or (), function=function, values=values, where=where or (),
-            blame=blame,
+            only=only or (), blame=blame,
         )  # fmt: skip
     _refuse_absent(names_of(name or []), parts, [*(where or []), *(convention or [])], found)
     if report is not None:

@@ -89,6 +89,7 @@ class Tools:
         values: dict[str, str] | None = None,
         where: list[str] | None = None,
         function: str | None = None,
+        only: list[str] | None = None,
         blame: bool = False,
     ) -> dict[str, Any]:
         """Verdicts on equations, energies, reactions or a mass matrix, in LaTeX, text or C.
@@ -107,7 +108,7 @@ class Tools:
         found = judge(
             reference, statements, names=names, notation=notation, about=about,
             convention=convention or (), values=values, where=where or (), function=function,
-            blame=blame,
+            only=only or (), blame=blame,
         )  # fmt: skip
         return {"id": key, **check_json(found)}
 

@@ -17,20 +17,24 @@ from sympy import Expr, Matrix, Rational, Symbol
 from mechanics.equations import Equations, Matrices
 from mechanics.errors import InputError, RangeError, SingularError
 from mechanics.nearest import instead
-from mechanics.program.constants import rational
+from mechanics.program.constants import rational, with_pi
 from mechanics.scene import Scene
 from mechanics.symbolic import generic_rank
 
 Fixed = Mapping[Symbol, Expr]
 
 
-def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
+def read_fixed(
+    scene: Scene, given: Mapping[str, Any], *, turns: bool = False
+) -> dict[Symbol, Expr]:
     """Exact values by symbol; what a scene defines by fixed parameters is fixed too.
 
     Parameters
     ----------
     given : mapping of str to number or str
         By name of a parameter, or of a symbol that the definition of one uses.
+    turns : bool
+        Whether a value may be a multiple of pi, which is no rational.
 
     Raises
     ------
@@ -49,7 +53,7 @@ def read_fixed(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
                 f"fixed {name!r}: {scene.name} has no such parameter:"
                 f" {instead(name, sorted(named), 'parameters')}"
             )
-        table[named[name]] = _number(named[name], value)
+        table[named[name]] = _number(named[name], value, turns)
     for _ in definitions:
         for symbol, expression in definitions.items():
             value = expression.xreplace(table)
@@ -71,14 +75,15 @@ def _used(symbols: Iterable[Symbol], definitions: Mapping[Symbol, Expr]) -> set[
     return found
 
 
-def _number(symbol: Symbol, value: Any) -> Expr:
+def _number(symbol: Symbol, value: Any, turns: bool) -> Expr:
     try:
         # The text of a float is the shortest decimal that gives it: what was typed.
-        number = rational(str(value))
+        number, turned = with_pi(str(value)) if turns else (rational(str(value)), False)
         rounded = float(number)
     except (ValueError, ZeroDivisionError):
         raise InputError(
             f"fixed {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
+            f"{' or 2*pi' if turns else ''}"
         ) from None
     except RangeError as error:
         raise InputError(f"fixed {symbol.name}: {error}") from None
@@ -90,7 +95,7 @@ def _number(symbol: Symbol, value: Any) -> Expr:
         raise InputError(
             f"fixed {symbol.name}: {value} is negative: the parameter is declared positive"
         )
-    return Rational(number.numerator, number.denominator)
+    return Rational(number.numerator, number.denominator) * (sympy.pi if turned else 1)
 
 
 def fix(equations: Equations, table: Fixed) -> Equations:

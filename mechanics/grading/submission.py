@@ -152,11 +152,12 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     """The function of a file, or its equations in SymPy's objects."""
     if not run_python:
         raise InputError(f"file {path}: {RUN}")
+    page = _compiled(path, code)
     try:
-        names, shown_things, lost = standing_in(lambda: _run(path, code))
+        names, shown_things, lost = standing_in(lambda: _run(path, page))
     except InputError as error:
         raise InputError(f"file {path}: {error}") from None
-    except Exception as error:
+    except Exception as error:  # a person's lines run here, and may raise anything
         raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
     whole = names
     own = [
@@ -281,7 +282,16 @@ def _is_empty(function: FunctionType) -> bool:
     return not loads or "NotImplementedError" in code.co_names
 
 
-def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any], dict[str, None]]:
+def _compiled(path: Path, code: str) -> CodeType:
+    """A file that tells what its lines show, and formulas that it loses, as it is run."""
+    try:
+        page = ast.fix_missing_locations(Showing().visit(keeping(ast.parse(code, str(path)))))
+        return compile(page, str(path), "exec")
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        raise InputError(f"file {path}: it ends in {type(error).__name__}: {error}") from None
+
+
+def _run(path: Path, page: CodeType) -> tuple[dict[str, Any], list[Any], dict[str, None]]:
     """The names of a file that is run, what its lines show, and formulas that it loses."""
     module = ModuleType("submission")
     names = vars(module)
@@ -297,9 +307,8 @@ def _run(path: Path, code: str) -> tuple[dict[str, Any], list[Any], dict[str, No
     sys.modules["submission"] = module  # where a dataclass looks for what its annotations say
     try:
         with libraries_unchanged():
-            page = ast.fix_missing_locations(Showing().visit(keeping(ast.parse(code, str(path)))))
             names[SHOW], names[KEEP] = remembered, keeper(lost)
-            exec(compile(page, str(path), "exec"), names)  # in a worker, as the caller allows
+            exec(page, names)  # in a worker, as the caller allows
     finally:
         del sys.modules["submission"]
         if before is not None:
@@ -395,7 +404,7 @@ def _methods(path: Path, names: dict[str, Any]) -> tuple[dict[str, Any], list[st
     try:
         made = classes[-1](**_placeholders(classes[-1], names))
         with_unset(made, _unsaid)
-    except Exception as error:
+    except Exception as error:  # so may what makes an object of a person's class
         words = f"{classes[-1].__name__}() ends in {type(error).__name__}: {error}"
         raise InputError(f"file {path}: {words}: have a function, or values for all") from None
     return {name: getattr(made, name) for name in own}, own

@@ -6,7 +6,7 @@ The values are put into what is derived and into the statement. Lengths that con
 what definitions or speeds are made of, stand in more places: these have no value here.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -19,7 +19,7 @@ from mechanics.claims.statement import Statement
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.equations import Equations
 from mechanics.errors import InputError, MechanicsError
-from mechanics.judge.convention_filter import glance
+from mechanics.judge.convention_filter import may_hold
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.multiples_of_parameters import multiples_for
 from mechanics.judge.numbers_of_parameters import values_for
@@ -62,7 +62,7 @@ def read_values(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     InputError
         For a name or a value that the scene cannot have, or one that stands elsewhere, too.
     """
-    table = read_fixed(scene, given)
+    table = read_fixed(scene, given, turns=True)
     for symbol in table:
         if symbol in _elsewhere(scene):
             raise InputError(
@@ -125,25 +125,33 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
 
     They are the scene's typical ones, or fitted; then they stand in the statements as numbers, or
     are 1, in code that gives others of the scene's parameters values; or there are several of them,
-    and as many numbers.
+    and as many numbers. Or they are what code gives its parameters beside other numbers.
     """
     rows = [in_plain_symbols(truth.kinematics, s.row) for s in statements if s.row is not None]
     if not rows or not all(isinstance(row.quantity, KINDS) for row in rows):
         return ()
     for values in _candidates(truth, rows, units_in(statements)):
         if right_with(truth, rows, values):
-            for symbol in list(values):
-                fewer = {s: v for s, v in values.items() if s != symbol}
-                values = fewer if fewer and right_with(truth, rows, fewer) else values
-            return (words(values),)
+            return (words(fewest(values, lambda some: right_with(truth, rows, some))),)
+    own = {s: v for one in statements for s, v in one.own if s in held_by(truth.scene, rows)}
+    if own and right_with(truth, [put(row, own) for row in rows], own):
+        return (words(own),)
     return ()
+
+
+def fewest(values: Values, enough: Callable[[Values], bool]) -> Values:
+    """Values that are enough, without those that are enough without."""
+    for symbol in list(values):
+        fewer = {s: v for s, v in values.items() if s != symbol}
+        values = fewer if fewer and enough(fewer) else values
+    return values
 
 
 def right_with(truth: Equations, rows: Sequence[Published], values: Values) -> bool:
     """Whether all rows are shown where parameters have values."""
     try:
         target = fix(truth, values)
-        return glance(target, rows, [{}]) == [True] and all(
+        return may_hold(target, rows, [{}]) == [True] and all(
             check_row(truth.scene, row, target).shown for row in rows
         )
     except MechanicsError:

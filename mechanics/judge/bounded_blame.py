@@ -22,8 +22,7 @@ from mechanics.claims.tree import Node, parts
 from mechanics.errors import MechanicsError
 from mechanics.judge.branches import blame_by_branch
 from mechanics.judge.frequencies import solved
-from mechanics.kernel import Verdict
-from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.judged import Judged, differs
 
 MOST = 12
 """Statements that are searched: where more are wrong, a name or sign is wrong in all of them."""
@@ -47,7 +46,7 @@ def blamed(
         What stands for the person's symbols, by a convention or as values of parameters; then no
         known mistakes are looked for, which are those of the scene's own derivation.
     """
-    wrong = [k for k, entry in enumerate(judged) if _wrong(entry)]
+    wrong = [k for k, entry in enumerate(judged) if differs(entry.finding)]
     if not wrong:
         return tuple(judged)
     small = [k for k, entry in enumerate(judged) if nodes(entry.statement) <= LARGEST]
@@ -76,13 +75,7 @@ def blamed(
 def declared_only(judged: Sequence[Judged], words: str) -> tuple[Judged, ...]:
     """The same, told why no edit was searched."""
     none = Blame((), (), searched=f"not searched: {words}")
-    return tuple(replace(e, blame=none) if _wrong(e) else e for e in judged)
-
-
-def _wrong(entry: Judged) -> bool:
-    """Whether sides differ at a state where both have values."""
-    finding = entry.finding
-    return finding.verdict is Verdict.REFUTED and not (finding.undefined or entry.of_dimension)
+    return tuple(replace(e, blame=none) if differs(e.finding) else e for e in judged)
 
 
 def named_once(judged: Sequence[Judged]) -> tuple[Judged, ...]:

@@ -6,13 +6,13 @@ u > 3 ? right : wrong    ->    wrong where u <= 3, right where u > 3, and the bl
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from sympy import Expr, Rational, S, Symbol
+from sympy import Expr
 from sympy.core.relational import Relational
 
 from mechanics.blame.result import Blame
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
-from mechanics.judge.cases import has_parts, in_case, in_words, parts_of
+from mechanics.judge.cases import has_parts, in_case, in_words, meets, parts_of
 from mechanics.kernel import Finding, Verdict
 from mechanics.kernel.field import Inadmissible
 
@@ -49,7 +49,8 @@ def blame_by_branch(
             right.append(_where(conditions))
     if not wrong:
         return None
-    conditions, sides = next((b for b in wrong if _met(b[0], finding)), wrong[0])
+    seen = finding.witness
+    conditions, sides = next((b for b in wrong if seen and meets(seen, b[0])), wrong[0])
     written = next((statement.ways[side] for side in sides if side in statement.ways), None)
     blame = search(replace(statement, row=replace(row, sides=sides), written=written))
     others = [_where(c) for c, _ in wrong if c != conditions]
@@ -61,13 +62,3 @@ def blame_by_branch(
 
 def _where(conditions: Sequence[Relational]) -> str:
     return f"where {' and '.join(map(in_words, conditions))}"
-
-
-def _met(conditions: Sequence[Relational], finding: Finding) -> bool:
-    """Whether the state of a witness is in a branch."""
-    if finding.witness is None:
-        return False
-    values = {**dict(finding.witness.solved), **dict(finding.witness.state)}
-    symbols: set[Symbol] = set().union(*(c.free_symbols for c in conditions))
-    table = {s: Rational(values[s.name]) for s in symbols if s.name in values}
-    return all(condition.xreplace(table) == S.true for condition in conditions)

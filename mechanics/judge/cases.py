@@ -5,7 +5,7 @@
 A case of a function that is hardly ever entered would not be met by random states.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from sympy import (
@@ -15,6 +15,7 @@ from sympy import (
     Piecewise,
     Rational,
     S,
+    Symbol,
     default_sort_key,
     preorder_traversal,
 )
@@ -37,9 +38,8 @@ from mechanics.program import Builder
 from mechanics.program.sympy_reader import read
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion, Identity
-from mechanics.symbolic import Arithmetic, decide
-
-Pairs = list[tuple]
+from mechanics.symbolic import Arithmetic, Number, decide
+from mechanics.symbolic.arithmetic import Experiment
 
 MOST = 64
 """Alternatives of the conditions of one case."""
@@ -79,7 +79,7 @@ def check_cases(truth: Equations, row: Published, demands: Sequence[Demand] = ()
         if conditions is None:
             return None
         if guard := [c for c in conditions if is_guard(c, demands)]:
-            experiment = _in_region(truth, replace(row, sides=sides), {})
+            experiment = in_region(truth, replace(row, sides=sides), {})
             found = inside(truth, conditions, experiment)
             where = " and ".join(map(in_words, guard))
             if found.apart is not None:
@@ -116,18 +116,19 @@ def with_case(truth: Equations, row: Published, finding: Finding) -> Finding:
     """A refuted row's finding, with the conditions of the case that its witness is in."""
     if finding.verdict is not Verdict.REFUTED or not finding.witness or not has_parts(truth, row):
         return finding
-    state = {name: Rational(value) for name, value in finding.witness.state}
     for conditions, _ in parts_of(row):
-        if conditions and all(_holds(condition, state) for condition in conditions):
+        if conditions and meets(finding.witness, conditions):
             words = " and ".join(map(in_words, conditions))
             return replace(finding, evidence=f"{finding.evidence}, where {words}")
     return finding
 
 
-def _holds(condition: Relational, state: Mapping[str, Rational]) -> bool:
-    """Whether a condition holds at a state; False where nobody can tell."""
-    values = {s: state[s.name] for s in condition.free_symbols if s.name in state}
-    return condition.subs(values) is S.true
+def meets(witness: Witness, conditions: Sequence[Relational]) -> bool:
+    """Whether conditions hold at the state of a witness; False where nobody can tell."""
+    values = {**dict(witness.solved), **dict(witness.state)}
+    symbols: set[Symbol] = set().union(*(c.free_symbols for c in conditions))
+    table = {s: Rational(values[s.name]) for s in symbols if s.name in values}
+    return all(condition.xreplace(table) == S.true for condition in conditions)
 
 
 def in_words(condition: Relational) -> str:
@@ -162,7 +163,7 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
     # What the motion determines cannot be chosen so that conditions hold.
     solved = {*truth.unknowns, *(symbol for symbol, _ in truth.reactions)}
     if region is not None and not solved & region.keys():
-        finding = decide(subject, _in_region(truth, row, region))
+        finding = decide(subject, in_region(truth, row, region))
         if finding.verdict is Verdict.REFUTED and equal:
             # What differs at single states only may be meant to be another limit.
             return undecided(subject, "it differs at isolated states")
@@ -170,11 +171,11 @@ def in_case(truth: Equations, row: Published, conditions: tuple[Relational, ...]
         return replace(finding, witness=witness)
     if _is_empty(conditions):
         raise Inadmissible("no state meets the conditions")
-    everywhere = decide(subject, _in_region(truth, row, {}))
+    everywhere = decide(subject, in_region(truth, row, {}))
     if everywhere.shown or equal:
         return everywhere if everywhere.shown else undecided(subject, "not right everywhere")
     for point in entered(conditions):
-        finding = decide(subject, _in_region(truth, row, point))
+        finding = decide(subject, in_region(truth, row, point))
         if finding.verdict is Verdict.REFUTED and finding.witness is not None:
             return replace(finding, witness=_of_scene(finding.witness, point))
     return undecided(
@@ -271,8 +272,10 @@ def _of_scene(witness: Witness, region: Region) -> Witness:
     return replace(witness, state=tuple(sorted(state.items())), solved=tuple(solved.items()))
 
 
-def _in_region(truth: Equations, row: Published, region: Region) -> Callable[[Arithmetic], Pairs]:
-    def experiment(a: Arithmetic) -> Pairs:
+def in_region(truth: Equations, row: Published, region: Region) -> Experiment:
+    """A row about the motion, its symbols in terms of others."""
+
+    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
         for symbol, value in region.items():
             a.assign(symbol, a.value(value))
         define(a, truth.scene)

@@ -26,6 +26,7 @@ from mechanics.judge.at_values import words as in_words
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blame_at_values import with_values
 from mechanics.judge.bounded_blame import blamed, declared_only
+from mechanics.judge.choice import chosen, judged_only, read_choice
 from mechanics.judge.complete import complete_residuals, determines, redundancy
 from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import Answer, judge_under, only_change
@@ -33,27 +34,28 @@ from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
+from mechanics.judge.guesses import other_guesses
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
 from mechanics.judge.one_document import of_one_document
+from mechanics.judge.other_conventions import helpful_changes
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
-from mechanics.judge.prose import as_told, prose_of, seen_from_one_side
+from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
-from mechanics.judge.right_if import right_if
+from mechanics.judge.rounded_code import as_rounded, exact_said
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import Around, source_of
 from mechanics.judge.special_case import in_special_case
-from mechanics.judge.unsaid import unsaid
+from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.judged import Judged, differs
 from mechanics.scene import Scene
-from mechanics.scene.dimensions import BY_DIMENSION
 from mechanics.scene.system import System
 
 
@@ -73,6 +75,7 @@ def check(
     function: str | None = None,
     values: Mapping[str, Any] | None = None,
     where: Sequence[str] | str = (),
+    only: Sequence[str] | str = (),
     blame: bool = True,
 ) -> Check:
     r"""Check a person's equations of motion, energies, reactions or mass matrix.
@@ -111,6 +114,12 @@ def check(
     where : str or sequence of str
         What holds of coordinates and parameters, ``"cos(phi) > 0"``: equations are judged there
         only, and the result says so. One branch of a loop, for example.
+    only : str or sequence of str
+        Which statements of a page the verdict is on: a number (``"(6)"``), lines (``"line 12"``,
+        ``"lines 5-8"``), or what stands on the left (``"theta_ddot"``). All of the page is read
+        for what letters mean; what is not chosen is named in the result. Sentences that deny or
+        limit count where they stand beside what is chosen; ``"formulas"`` sets them aside, but for
+        labels of the formulas.
     blame : bool
         Whether to look for what is wrong with what is refuted, and for the edit that mends it.
 
@@ -139,8 +148,9 @@ def check(
     written_out = truth.textbook is not None
     if not written_out:
         _plain(things, convention=convention, values=values, where=where)
-    if (convention or where) and any(isinstance(thing, BlackBox) for thing in things):
-        raise InputError("check: a black box is only called: leave out a convention and where")
+    choice = read_choice(only)
+    if (convention or where or choice) and any(isinstance(thing, BlackBox) for thing in things):
+        raise InputError("check: a black box is only called: leave out convention, where and only")
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = of_one_document(
@@ -148,10 +158,12 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
+    told_exact, convention = exact_said([convention] if isinstance(convention, str) else convention)
+    picked = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
-    counted = read_declared([convention] if isinstance(convention, str) else convention, known)
+    counted = read_declared(convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
     apart = counted or values or where or not written_out
     said = () if apart else prose.conventions
@@ -168,16 +180,28 @@ def check(
     judged = complete_residuals(truth, judged)
     counts = () if written_out else prose.conventions
     against = (*(f"the text counts otherwise: {one.told}" for one in counts), *prose.against)
-    untold = (*(() if convention else against), *prose.limits)
-    judged = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
+    untold = () if convention else against
+    limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
+    before = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
+    judged = tuple(
+        of_a_part(truth.scene, as_told(entry, (*untold, *some)))
+        for entry, some in zip(judged, limits, strict=True)
+    )
     others = chain(
-        unsaid(truth, judged, readings, statements, held, written_out and not (counted or region)),
+        other_guesses(
+            truth, judged, readings, statements, held, written_out and not (counted or region)
+        ),
         other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
+    judged = as_rounded(judged, bool(told_exact))
     judged = as_meant(judged)
     if written_out and not (counted or held or region):
         judged = in_special_case(truth, judged)
+    hints = () if choice else suggested(prose, before, judged)
+    judged, aside = judged_only(judged, picked)
+    told_against = {words for some in limits for words in some}
+    aside += tuple(one.sentence for one in prose.limits if one.words not in told_against)
     searched = written_out or _operations(truth) <= LARGEST_SEARCHED
     if blame and searched:
         judged = _blamed(reference, judged, counted, held)
@@ -190,13 +214,16 @@ def check(
         remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
-    remarks = (*remarks, *told, *([twice] if twice else []), *dict.fromkeys(bounds), *untried)
+    remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
+    remarks = (*remarks, *dict.fromkeys(bounds), *untried)
     files = [part for part in parts if isinstance(part, Around)]
     around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
-    return Check(truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside)
+    found = tuple(matches.values())
+    beside_it = (unjudged, beside, aside, hints)
+    return Check(truth.scene, judged, found, remarks, shown, *beside_it)
 
 
 def _reference(
@@ -234,9 +261,10 @@ def _around(
     thing: Around, scene: Scene, names: Mapping[str, str], known: Sequence[Match]
 ) -> tuple[str, ...]:
     """What of a file of Python says something and is not judged."""
-    given = {name: meaning for name, meaning in names.items() if " " not in meaning}
-    columns = (Match(name, m, "as given") for name, m in names.items() if " " in m)
-    naming = Naming(Vocabulary(scene), given, (*columns, *known))
+    words = Vocabulary(scene)
+    single = {n: m for n, m in names.items() if m == "t" or words.target(m) is not None}
+    columns = (Match(n, m, "as given") for n, m in names.items() if " " in m)
+    naming = Naming(words, single, (*columns, *known))
     return (*thing.others, *lines_around(thing.code, thing.judged, naming))
 
 
@@ -305,12 +333,6 @@ def _by_letter(entry: Judged, settled: Settled) -> Judged:
     return replace(entry, finding=settled.finding, right_if=(), open=False)
 
 
-def _differs(finding: Finding) -> bool:
-    """Whether the sides differ at a state where both have values."""
-    dimension = finding.evidence.startswith(BY_DIMENSION)
-    return finding.verdict is Verdict.REFUTED and not finding.undefined and not dimension
-
-
 def _helping(
     truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
 ) -> tuple[tuple[str, ...], bool]:
@@ -319,7 +341,7 @@ def _helping(
     A convention may be where the statements determine the motion: any one equation can be mended.
     Lengths that are half of the scene's, and bodies without inertia, need a word of the person's.
     """
-    changes = right_if(truth, statements)
+    changes = helpful_changes(truth, statements)
     if changes:
         plain = all(c.kind not in ("size", "masses") for change in changes[:1] for c in change)
         words = tuple(" and ".join(c.words for c in change) for change in changes)
@@ -358,16 +380,16 @@ def _judged(
         statements, findings = small_angles_at(truth, statements, findings, values)
         return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
     statements, findings = as_said(truth, statements, findings)
-    if not helps or not any(map(_differs, findings)):
+    if not helps or not any(map(differs, findings)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [
         k for k, s in enumerate(statements)
-        if s.row is not None and not s.doubt and (findings[k].shown or _differs(findings[k]))
+        if s.row is not None and not s.doubt and (findings[k].shown or differs(findings[k]))
     ]  # fmt: skip
     some = [statements[k] for k in claimed]
     helping, may_be = _helping(truth, some, [findings[k] for k in claimed])
     entries = []
     for statement, finding in zip(statements, findings, strict=True):
-        wrong = _differs(finding)
+        wrong = differs(finding)
         entries.append(Judged(statement, finding, helping if wrong else (), open=wrong and may_be))
     return tuple(entries), ()

@@ -1,7 +1,7 @@
 r"""What became of a person's equations, as JSON, stable.
 
     {"scene", "verdict", "ok", "statements": [...], "names": {...}, "remarks": [...],
-     "unjudged": [sentence]}
+     "unjudged": [sentence], "aside": [line or sentence]}
 
 | key | what it is |
 | --- | --- |
@@ -10,6 +10,7 @@ r"""What became of a person's equations, as JSON, stable.
   `witness`, `terms`, `domain`, `right_if`, `blame`, `notes` |
 | names | by the person's name: `meaning` in the scene, and `why` |
 | unjudged | sentences of the text, and definitions that nothing uses, compared with nothing |
+| aside | lines and sentences that were set aside by `only` |
 
 `domain` says where the verdict holds, or what was written is undefined; empty for everywhere.
 `witness` is as in `mechanics.report.json_report`, `terms` has each `term` of both sides with its
@@ -58,8 +59,9 @@ def to_json(found: Check) -> dict[str, Any]:
         "ok": found.ok,
         "statements": [_statement(entry) for entry in found.judged],
         "names": {m.name: {"meaning": m.meaning, "why": m.why} for m in found.names},
-        "remarks": list(found.remarks),
+        "remarks": [*found.remarks, *found.suggested],
         "unjudged": list(found.unjudged),
+        "aside": list(found.aside),
     }
 
 

@@ -32,7 +32,7 @@ Typed = tuple[Program, dict[str, Symbol]]
 """Expressions as a program, and the symbols that its inputs are."""
 
 
-def glance(truth: Equations, rows: Sequence[Published], tables: Sequence[Table]) -> list[bool]:
+def may_hold(truth: Equations, rows: Sequence[Published], tables: Sequence[Table]) -> list[bool]:
     """Whether all rows can be right under each change.
 
     Parameters

@@ -24,7 +24,7 @@ from mechanics.equations import Equations
 from mechanics.judge.at_rest import at_rest
 from mechanics.judge.converted_rows import in_plain_symbols, moved, moves_more
 from mechanics.judge.letters import meanings_of, settle
-from mechanics.judge.right_if import targets_of
+from mechanics.judge.other_conventions import targets_of
 from mechanics.judge.single import FAILURES, judge, subject_of
 from mechanics.judge.small_angles import as_said
 from mechanics.kernel import Finding, Verdict, undecided
@@ -50,12 +50,7 @@ def judge_under(
         For conventions that contradict each other, or of what the scene does not have.
     """
     held = _held(truth, statements)
-    every = readings(truth.scene, declared, held)
-    changes = [
-        (change, target)
-        for change, target in zip(every, targets_of(truth, every), strict=True)
-        if target is not None
-    ]
+    changes = _choices(truth, declared, held)
     if not changes:
         told = ", ".join(d.told for d in declared)
         doubt = f"the convention {told} has no meaning for {truth.scene.name}: leave it out"
@@ -87,10 +82,20 @@ def only_change(
 
     None where a declaration leaves several choices open.
     """
-    every = readings(truth.scene, declared, _held(truth, statements))
+    choices = _choices(truth, declared, _held(truth, statements))
+    if len(choices) != 1:
+        return None
+    ((change, target),) = choices
+    return combined_table(change), target
+
+
+def _choices(
+    truth: Equations, declared: Sequence[Declared], held: frozenset[Symbol]
+) -> list[tuple[Change, Equations]]:
+    """What a declaration can mean, and what statements are compared with then."""
+    every = readings(truth.scene, declared, held)
     pairs = zip(every, targets_of(truth, every), strict=True)
-    found = [(combined_table(c), target) for c, target in pairs if target is not None]
-    return found[0] if len(found) == 1 else None
+    return [(change, target) for change, target in pairs if target is not None]
 
 
 def _speeds(scene: Scene, change: Change) -> tuple[str, ...]:

@@ -281,8 +281,6 @@ def _of_truth(
     for demand in dict.fromkeys(demands):
         operands = read(builder, demand.operands)
         conditions = read(builder, [c for c, _ in demand.conditions])
-        kept = dict(builder.obligations)
-        builder.obligations = kept
         answers = [answer for _, answer in demand.conditions]
         _ask(builder, demand, operands, list(zip(conditions, answers, strict=True)))
     found = tuple(builder.obligations)
@@ -427,31 +425,33 @@ def _bare(expression: Expr) -> Expr:
     return rest if number.is_positive else expression
 
 
+WORDS = {
+    "divide": ("{y} != 0", "{y} = 0"), "tan": ("cos({whole}) != 0", "cos({whole}) = 0"),
+    "sqrt": ("{x} >= 0", "{x} = 0"), "log": ("{x} > 0", "{x} = 0"),
+    **dict.fromkeys(("asin", "acos"), ("-1 <= {whole} <= 1", "{x} = 0")),
+    "acosh": ("{whole} >= 1", "{x} = 0"),
+    "atanh": ("-1 < {whole} < 1", "{whole} = 1 or {whole} = -1"),
+    "atan2": ("{all} has a value", "{x} = {second} = 0"),
+}  # fmt: skip
+"""Where an operation has a value, and the thin set where it has none."""
+
+
+def _said(demand: Demand, thin: bool) -> str:
+    whole, *others = demand.operands
+    second = others[0] if others else whole
+    least = demand.operation == "power" and second.is_Rational and second > 0
+    kind = "sqrt" if least else "log" if demand.operation == "power" else demand.operation
+    words = WORDS.get(kind, ("{all} has a value", "{x} = 0"))[thin]
+    return words.format(
+        x=_bare(whole), y=_bare(second), whole=whole, second=second, all=_operation(demand)
+    )
+
+
 def _needed(demand: Demand, branch: bool = False) -> str:
     """Where an operation has a value; outside of its branch, if it has none in it."""
     if demand.nowhere or (branch and demand.conditions):
         return " or ".join(_condition(c, not answer) for c, answer in demand.conditions)
-    x = _bare(demand.operands[0])
-    match demand.operation:
-        case "divide":
-            return f"{_bare(demand.operands[1])} != 0"
-        case "tan":
-            return f"cos({demand.operands[0]}) != 0"
-        case "sqrt":
-            return f"{x} >= 0"
-        case "power":
-            exponent = demand.operands[1]
-            least = exponent.is_Rational and exponent > 0
-            return f"{x} >= 0" if least else f"{x} > 0"
-        case "log":
-            return f"{x} > 0"
-        case "asin" | "acos":
-            return f"-1 <= {demand.operands[0]} <= 1"
-        case "acosh":
-            return f"{demand.operands[0]} >= 1"
-        case "atanh":
-            return f"-1 < {demand.operands[0]} < 1"
-    return f"{_operation(demand)} has a value"
+    return _said(demand, thin=False)
 
 
 def _condition(condition: Basic, answer: bool) -> str:
@@ -473,14 +473,4 @@ def _excluded(demand: Demand) -> str:
     """The thin set where an operation has none."""
     if demand.nowhere:
         return " and ".join(_condition(*pair) for pair in demand.conditions)
-    x = _bare(demand.operands[0])
-    match demand.operation:
-        case "divide":
-            return f"{_bare(demand.operands[1])} = 0"
-        case "tan":
-            return f"cos({demand.operands[0]}) = 0"
-        case "atanh":
-            return f"{demand.operands[0]} = 1 or {demand.operands[0]} = -1"
-        case "atan2":
-            return f"{x} = {demand.operands[1]} = 0"
-    return f"{x} = 0"
+    return _said(demand, thin=True)

@@ -1,7 +1,8 @@
 r"""What a text says of several frequencies: different names, different roots; the lowest.
 
 omega_1 = sqrt(k/m), omega_2 = sqrt(k/m)    each is a root; both are it only where it is double
-the lowest frequency is sqrt(k/m)           which root that is is not checked
+the lowest frequency is sqrt(k/m)           of two roots it has to be the smaller one; of more it
+                                            is not checked
 """
 
 import re
@@ -28,6 +29,9 @@ WHICH = re.compile(
     r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root)",
     re.IGNORECASE,
 )
+LOWER = re.compile(r"(?:low|small|slow|fundamental)(?!.*period)", re.IGNORECASE)
+HIGHER = re.compile(r"(?:high|larg|fast)(?!.*period)", re.IGNORECASE)
+"""Of frequencies; a period is larger where its frequency is smaller."""
 
 
 def one_root_each(
@@ -53,7 +57,7 @@ def one_root_each(
         if others and not _double(truth, statements[k]):
             words = ", ".join(dict.fromkeys(_name(statements[j]) for j in others))
             found[k] = _left_open(found[k], f"{words} and {_name(statements[k])} are the same one")
-        elif words := _which(statements[k]):
+        elif (words := _which(statements[k])) and not _is_so(truth, statements[k], words):
             found[k] = _left_open(found[k], f"it is not checked whether it is {words!r}")
     return tuple(found)
 
@@ -93,6 +97,23 @@ def _which(statement: Statement) -> str:
         return ""
     found = WHICH.search(" ".join(sentence_around(written.text, written.start).split()))
     return found[0] if found else ""
+
+
+def _is_so(truth: Equations, statement: Statement, words: str) -> bool:
+    """Whether of two frequencies it is the one that it is said to be, wherever it is one."""
+    sign = 1 if LOWER.match(words) else -1 if HIGHER.match(words) else 0
+    if not sign or OF_ROOTS & {*meanings_of(statement)} != {"frequency"}:
+        return False
+    square, gaps = truth.scene.plain(_square(statement)), []
+    for _, polynomial in characteristic_polynomials(truth):
+        if not is_zero(polynomial.xreplace({SQUARE: square})):
+            continue
+        whole = expand(polynomial)
+        if degree(whole, SQUARE) != 2:
+            return False
+        other = -whole.coeff(SQUARE, 1) / whole.coeff(SQUARE, 2) - square
+        gaps.append(factor(together(sign * (other - square))))
+    return bool(gaps) and all(gap.is_positive for gap in gaps)
 
 
 def _name(statement: Statement) -> str:

@@ -6,11 +6,10 @@ A guard is a condition with a number of at most 1e-6 whose other branch has an o
 same symbols. Where the truth has no value either, that is said.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from typing import Any
 
 from flint import arb
 from sympy import Not, Rational, S, Symbol
@@ -22,6 +21,7 @@ from mechanics.kernel.balls import ball, enclose, precision
 from mechanics.kernel.statement import LEFT, POSITIVE, RIGHT
 from mechanics.program import Program
 from mechanics.symbolic import Arithmetic
+from mechanics.symbolic.arithmetic import Experiment
 
 LARGEST = Fraction(1, 10**6)
 NEAR = Fraction(1, 10**9)
@@ -38,8 +38,6 @@ SHARES = (
 SIZES = tuple(Fraction(2) ** scale for scale in (-48, -34, -20, 0, 4, 20))
 """Other values, of which those beyond a guard that is none on one side are far from the truth."""
 SIMPLE = (Fraction(1), Fraction(-1, 2), Fraction(2))
-
-Pairs = list[tuple[Any, Any]]
 
 
 @dataclass(frozen=True)
@@ -96,9 +94,7 @@ def _number(condition: Relational) -> Fraction:
     return Fraction(int(number.p), int(number.q)) if number.is_Rational else Fraction(0)
 
 
-def inside(
-    truth: Equations, conditions: Sequence[Relational], experiment: Callable[[Arithmetic], Pairs]
-) -> Inside:
+def inside(truth: Equations, conditions: Sequence[Relational], experiment: Experiment) -> Inside:
     """Guarded values beside those of the truth, at states where conditions hold.
 
     Parameters

@@ -7,23 +7,23 @@ limited input, and of nothing else, is then decided. Coordinates are not limited
 inputs by nothing that moves, nor by what has another unit.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice, permutations, product
 
 from sympy import Abs, Dummy, Expr, Max, Min, Piecewise, Rational, Symbol
 from sympy.core.relational import Relational
 
-from mechanics.checks.ledger_compare import define
-from mechanics.checks.ledger_motion import put_motion
-from mechanics.checks.manifold import restrict
 from mechanics.compiled.dimensions import known_dimensions
 from mechanics.equations import Equations
+from mechanics.judge.cases import in_region
+from mechanics.judge.converted_rows import each_side
 from mechanics.kernel import Finding
 from mechanics.scene.dimensions import MixedDimensions, dimension_of
 from mechanics.scene.published import Published
 from mechanics.scene.quantities import EquationOfMotion
-from mechanics.symbolic import Arithmetic, Number, decide
+from mechanics.symbolic import decide
+from mechanics.symbolic.arithmetic import Experiment
 
 MOST = 8
 """Choices of limits and of their order that are tried."""
@@ -75,20 +75,11 @@ def _are_of(truth: Equations, u: Symbol, choices: Sequence[Limits]) -> bool:
 
 def _of_limited(
     truth: Equations, row: Published, limits: Mapping[Symbol, Limits], order: int
-) -> Callable[[Arithmetic], list[tuple[Number, Number]]]:
+) -> Experiment:
     """The experiment in which the truth sees limited inputs and the row sees them as they are."""
     free = {u: Dummy(u.name, real=True) for u in limits}
-    first, *others = (side.xreplace(free) for side in row.sides)
-
-    def experiment(a: Arithmetic) -> list[tuple[Number, Number]]:
-        for u, w in free.items():
-            a.assign(u, a.value(_clipped(w, *limits[u], order)))
-        define(a, truth.scene)
-        restrict(a, truth.kinematics)
-        put_motion(a, truth)
-        return [(a.value(first), a.value(side)) for side in others]
-
-    return experiment
+    clipped = {u: _clipped(w, *limits[u], order) for u, w in free.items()}
+    return in_region(truth, each_side(row, lambda side: side.xreplace(free)), clipped)
 
 
 def _clipped(u: Expr, low: Expr | None, high: Expr | None, order: int) -> Expr:
@@ -129,29 +120,22 @@ def _compared(side: Expr, u: Symbol) -> Iterator[Expr]:
         if isinstance(node, Relational):
             zeros = [node.lhs - node.rhs]
         elif isinstance(node, Abs):
-            zeros = _without_moduli(node.args[0])
+            zeros = _without((Abs,), node.args[0])
         else:
             zeros = [one - two for one, two in combinations(node.args, 2)]
-            zeros = [zero for one in zeros for zero in _without_limits(one)]
+            zeros = [zero for one in zeros for zero in _without((Max, Min), one)]
         for zero in zeros:
             slope = zero.expand().coeff(u)
             if slope.is_number and slope != 0 and not (bound := (u - zero / slope).expand()).has(u):
                 yield bound
 
 
-def _without_moduli(expression: Expr) -> list[Expr]:
-    """What it is where the moduli in it are one or the other."""
+def _without(kinds: tuple[type[Expr], ...], expression: Expr) -> list[Expr]:
+    """What it is where each modulus, largest or least of it is one or the other."""
     found = [expression]
-    for node in sorted(expression.atoms(Abs), key=str)[:MOST_MODULI]:
-        found = [e.xreplace({node: sign * node.args[0]}) for e in found for sign in (1, -1)]
-    return found
-
-
-def _without_limits(expression: Expr) -> list[Expr]:
-    """What it is where the largest and the least of it are one or the other."""
-    found = [expression]
-    for node in sorted(expression.atoms(Max, Min), key=str)[:MOST_MODULI]:
-        found = [e.xreplace({node: one}) for e in found for one in node.args]
+    for node in sorted(expression.atoms(*kinds), key=str)[:MOST_MODULI]:
+        each = (node.args[0], -node.args[0]) if isinstance(node, Abs) else node.args
+        found = [e.xreplace({node: one}) for e in found for one in each]
     return found
 
 

@@ -56,7 +56,7 @@ def _mended(reference: Reference, entry: Judged) -> Judged:
     problem = None if claim is None else next(problems(claim), None)
     if claim is None or problem is None:
         return entry
-    maker = Maker(problem.forest, problem.sheets, words_of(claim, problem))
+    maker = Maker(problem.tree, problem.sheets, words_of(claim, problem))
     changes = sorted(Candidates(maker).all(), key=lambda change: change.cost)
     solutions = [Solution(problem, (change,)) for change in changes[:TRIED]]
     rows = [

@@ -216,19 +216,7 @@ def _damped(kinematics: Kinematics, load: Damper) -> Expr:
     return coefficient * span.dot(velocity) ** 2 / span.dot(span)
 
 
-def _frequencies(truth: Equations) -> Iterator[Candidate]:
-    yield from _oscillations(truth, "frequency", ROOT**2)
-
-
-def _turns(truth: Equations) -> Iterator[Candidate]:
-    yield from _oscillations(truth, "number per second", (2 * pi * ROOT) ** 2)
-
-
-def _periods(truth: Equations) -> Iterator[Candidate]:
-    yield from _oscillations(truth, "period", (2 * pi / ROOT) ** 2)
-
-
-def _oscillations(truth: Equations, what: str, square: Expr) -> Iterator[Candidate]:
+def _oscillations(what: str, square: Expr, truth: Equations) -> Iterator[Candidate]:
     """What the square of a frequency is made of."""
     for place, vanishing in characteristic_polynomials(truth):
         words = f"the {what} of small oscillations about {place}"
@@ -242,7 +230,9 @@ def _along(axis: str, truth: Equations) -> Iterator[Candidate]:
 SEARCHED: dict[str, Callable[[Equations], Iterator[Candidate]]] = {
     "reaction": _reactions, "tension": _tension, "torque": _moments,
     "angular momentum": _angular_momenta, "momentum": _momenta, "speed": _speeds,
-    "frequency": _frequencies, "turns per second": _turns, "period": _periods,
+    "frequency": partial(_oscillations, "frequency", ROOT**2),
+    "turns per second": partial(_oscillations, "number per second", (2 * pi * ROOT) ** 2),
+    "period": partial(_oscillations, "period", (2 * pi / ROOT) ** 2),
     **{f"momentum along {axis}": partial(_along, axis) for axis in "xyz"},
     "power": _power, "Rayleigh's function": _dissipation, "dissipated power": _dissipated,
 }  # fmt: skip

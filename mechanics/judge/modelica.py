@@ -336,7 +336,7 @@ def _otherwise(facts: SceneFacts, one: Declared, name: str) -> Iterator[str]:
             yield f"{declared} as {one.type}, which is not read"
         unit = unit or TYPES.get(last, "")
     if unit:
-        yield from _unit(facts, own, one, unit)
+        yield from _unit_of(one, unit, _dimension(facts, own))
     yield from _values(facts, own, one, moves)
 
 
@@ -377,11 +377,6 @@ def _number(text: str) -> float | None:
             value = value * float(factor) if sign == "*" else value / (float(factor) or math.inf)
         total += value
     return total
-
-
-def _unit(facts: SceneFacts, own: str, one: Declared, unit: str) -> Iterator[str]:
-    """What a unit says otherwise."""
-    yield from _unit_of(one, unit, _dimension(facts, own))
 
 
 def _unit_of(one: Declared, unit: str, mine: Dimension | None) -> Iterator[str]:

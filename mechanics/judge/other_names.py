@@ -21,7 +21,7 @@ from mechanics.claims.names import Match
 from mechanics.claims.statement import Reading, Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError
-from mechanics.judge.convention_filter import Table, glance
+from mechanics.judge.convention_filter import Table, may_hold
 from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.scene.published import Published
 from mechanics.scene.symbols import DOTS
@@ -53,7 +53,7 @@ def best_names(truth: Equations, reading: Reading, again: Read) -> Reading:
     if not 1 < len(choices) <= MOST + 1:
         return reading
     tables = [_table(truth, guessed, choice) for choice in choices]
-    first, *others = glance(truth, rows, tables)
+    first, *others = may_hold(truth, rows, tables)
     right = [choice for choice, possible in zip(choices[1:], others, strict=True) if possible]
     if first or len(right) != 1:
         return reading

@@ -5,7 +5,7 @@ several that nobody chose is open.
     g sin(x) / 2 l    has no dimension beside x''        /2 l is /(2 l)
     return a, b       [1/s^2, m/s^2]: theta'', x''       the outputs are x'', theta''
     T = m g l sin(x)  T is the kinetic energy            T is the torque (`mechanics.judge.letters`)
-    p(t)              of the only momentum               p is an input (`mechanics.judge.unsaid`)
+    p(t)              of the only momentum               p is an input (`mechanics.judge.guesses`)
 
 The first reading whose terms have one dimension is taken. A statement that is refuted as it is read
 is open where another reading does not refute it, and none that is shown is refuted by that: "right

@@ -15,6 +15,7 @@ from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import is_model, model_words
+from mechanics.judge.nearby import nearby
 from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
@@ -23,6 +24,22 @@ from mechanics.judge.sources import Source
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+
+
+@dataclass(frozen=True)
+class Limit:
+    """What denies or limits statements, or may hide them.
+
+    Attributes
+    ----------
+    words : str
+        What it is, in words.
+    sentence : str
+        The sentence; empty for markup, which counts for a whole text.
+    """
+
+    words: str
+    sentence: str = ""
 
 
 @dataclass(frozen=True)
@@ -35,16 +52,19 @@ class Prose:
         How a text says that it counts, where the scene counts otherwise.
     against : tuple of str
         What it says that the scene has otherwise, in words.
-    limits : tuple of str
-        What denies or limits statements, or may hide them, in words.
+    limits : tuple of Limit
+        What denies or limits statements, or may hide them.
     unjudged : tuple of str
         Its other sentences.
+    names : frozenset of str
+        Of the person, and the scene's.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
-    limits: tuple[str, ...]
+    limits: tuple[Limit, ...]
     unjudged: tuple[str, ...]
+    names: frozenset[str] = frozenset()
 
 
 def prose_of(
@@ -72,7 +92,7 @@ def prose_of(
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
     conventions: dict[Declared, None] = {}
     against: dict[str, None] = {}
-    limits: dict[str, None] = {}
+    limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
     for sentence in every:
         if sentence.unread:
@@ -88,7 +108,7 @@ def prose_of(
         kind, why = class_of(facts, sentence, found)
         if kind is SentenceClass.LIMITS:
             words = f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
-            limits[words] = None
+            limits[Limit(words, sentence.words)] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     for text, notation in written.items():
@@ -96,12 +116,13 @@ def prose_of(
         # What a formula continues with on a new line is no quotation.
         if notation == "latex" and QUOTED.search(marked(text)) and foreign_quotation(text):
             hidden.append("a quotation")
-        markup = (f"{one} is not read: it may hide what it holds" for one in hidden)
+        markup = (Limit(f"{one} is not read: it may hide what it holds") for one in hidden)
         limits |= dict.fromkeys(markup)
         against |= dict.fromkeys(declared_otherwise(facts, text))
     for source in code:
         against |= dict.fromkeys(declared_in_code(facts, source.code(), statements))
-    return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged))
+    every_name = frozenset(names)
+    return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged), every_name)
 
 
 def seen_from_one_side(
@@ -115,6 +136,31 @@ def seen_from_one_side(
     texts = sentences(written.text, written.notation, [match.name for match in known])
     told = any(senses(facts, text.marked) for text in texts)
     return replace(entry, open=True) if told else entry
+
+
+def limits_on(
+    prose: Prose, statement: Statement, *, alone: bool = False, formulas: bool = False
+) -> tuple[str, ...]:
+    """What denies or limits a statement, in words.
+
+    Parameters
+    ----------
+    alone : bool
+        Whether only what stands beside it does.
+    formulas : bool
+        Whether only what its own formulas hold does, as their labels.
+    """
+    limits = prose.limits
+    if limits and (alone or formulas):
+        found = nearby(statement.written, prose.names)
+        here = found.own if formulas else found.near
+        elsewhere = None if formulas else found.every
+        limits = tuple(
+            limit for limit in limits
+            if not limit.sentence or limit.sentence in here
+            or (elsewhere is not None and limit.sentence not in elsewhere)
+        )  # fmt: skip
+    return tuple(limit.words for limit in limits)
 
 
 def as_told(entry: Judged, contradictions: Sequence[str]) -> Judged:

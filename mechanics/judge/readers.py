@@ -31,6 +31,7 @@ from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
 from mechanics.judge.sources import COMPUTED, Another, Around, Beside, NotRead, Numbers
+from mechanics.judge.special_case import values_in
 from mechanics.scene import Scene
 
 FILE = re.compile(
@@ -116,16 +117,16 @@ def read(
             text, origin = file_text(thing), str(thing)
             if thing.suffix in SUFFIXES:
                 found = read_cpp(scene, text, function, names, about, origin)
-                return found if function else _with_rest(found, scene, thing, text, names)
+                return _with_rest(found, scene, thing, text, names, function)
             try:
                 found = read_c(scene, text, function, names, about, origin)
-                return found if function else _with_rest(found, scene, thing, text, names)
+                return _with_rest(found, scene, thing, text, names, function)
             except InputError as error:
                 if "is not declared" not in str(error) or '#include "' in text:
                     raise  # a header that is not there may define anything
                 try:  # with names that nothing declares as arguments
                     found = read_cpp(scene, text, function, names, about, origin)
-                    return found if function else _with_rest(found, scene, thing, text, names)
+                    return _with_rest(found, scene, thing, text, names, function)
                 except InputError:
                     raise error from None
         options = {"names": names, "notation": notation, "about": about}
@@ -133,11 +134,11 @@ def read(
         text = file_text(thing) if known else ""
         if known and has_function(text):
             found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
-            return found if function else _with_rest(found, scene, thing, text, names)
+            return _with_rest(found, scene, thing, text, names, function)
         if known and thing.suffix == ".m" and has_solved_handle(text):
             with suppress(InputError):  # else a page of equations
                 found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
-                return found if function else _with_rest(found, scene, thing, text, names)
+                return _with_rest(found, scene, thing, text, names, function)
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
         thing = decoded(thing, "bytes")
@@ -164,12 +165,17 @@ def read(
 
 
 def _with_rest(
-    found: Reading, scene: Scene, path: Path, text: str, names: Mapping[str, str] | None
-) -> Reading:
+    found: Reading, scene: Scene, path: Path, text: str, names: Mapping[str, str] | None,
+    function: str | None,
+) -> Reading:  # fmt: skip
     """What was read of a file of code, and what stands in it beside that."""
-    judged = {s.source.partition(":")[0] for s in found.statements}
     naming = Naming(Vocabulary(scene), names or {})
-    return replace(found, beside=not_judged(text, path.suffix, judged, naming))
+    beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
+    taken = {word for match in found.names for word in match.meaning.split()}
+    values = values_in(text, scene, naming).items()
+    given = tuple((s, v) for s, v in values if s in scene.input_symbols and str(s) not in taken)
+    statements = tuple(replace(s, given=given) for s in found.statements)
+    return replace(found, beside=beside, statements=statements)
 
 
 def _not_read(thing: NotRead) -> Reading:

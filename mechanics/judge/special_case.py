@@ -18,7 +18,7 @@ from mechanics.claims.latex.case_beside import case_of
 from mechanics.claims.names import Naming
 from mechanics.claims.prose import SYMBOL, sentence_around
 from mechanics.equations import Equations
-from mechanics.judge.at_values import as_identity, put, right_with, words
+from mechanics.judge.at_values import as_identity, fewest, put, right_with, words
 from mechanics.judge.converted_rows import in_plain_symbols
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
@@ -54,7 +54,12 @@ def in_special_case(truth: Equations, entries: Sequence[Judged]) -> tuple[Judged
 
 def _open(truth: Equations, entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
-    if entry.verdict is not Verdict.REFUTED or row is None or written is None:
+    if entry.verdict is not Verdict.REFUTED or row is None:
+        return entry
+    given = dict(entry.statement.given)
+    if given and _right_with(truth, row, given):
+        return replace(entry, right_if=(f"{words(given)}, as the code says",), open=True)
+    if written is None:
         return entry
     if written.notation == "latex" and (
         case := case_of(written.text, written.start, written.naming)
@@ -67,10 +72,8 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
     for some in (table, table | beside):
         if some and _right_with(truth, row, some):
-            for symbol in list(some):
-                fewer = {s: v for s, v in some.items() if s != symbol}
-                some = fewer if fewer and _right_with(truth, row, fewer) else some
-            return replace(entry, right_if=(f"{words(some)}, as the text says",), open=True)
+            fewer = fewest(some, lambda values: _right_with(truth, row, values))
+            return replace(entry, right_if=(f"{words(fewer)}, as the text says",), open=True)
     return entry
 
 
@@ -89,7 +92,19 @@ def _stated(truth: Equations, written: Written) -> dict[Symbol, Expr]:
     In LaTeX what stands behind the sentence is of something else.
     """
     text = written.text if written.notation == "text" else written.text[: _end(written)]
-    free = _free(truth.scene, written.naming)
+    return values_in(text, truth.scene, written.naming)
+
+
+def values_in(text: str, scene: Scene, naming: Naming) -> dict[Symbol, Expr]:
+    """Values of parameters and inputs in a text, the same in all places.
+
+    Parameters
+    ----------
+    text : str
+    scene : Scene
+    naming : Naming
+    """
+    free = _free(scene, naming)
     found: dict[Symbol, set[Rational]] = {}
     for one in STATED.finditer(text):
         if (own := free(one["name"])) is not None:

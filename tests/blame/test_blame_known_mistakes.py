@@ -21,7 +21,7 @@ from mechanics.blame.derivation import Derivation
 from mechanics.blame.explanations import MOST, explanations
 from mechanics.blame.mistakes import forgotten_constraints, substituted_constraint
 from mechanics.blame.mistakes.catalogue import KNOWN
-from mechanics.blame.mistakes.fault_model import Slip, equations, right
+from mechanics.blame.mistakes.fault_model import Fault, equations, right
 from mechanics.blame.reference import Reference
 from mechanics.checks.ledger import check_row
 from mechanics.claims.statement import Statement
@@ -39,24 +39,24 @@ def judged(truth: Equations, statements: list[Statement]) -> list[Finding]:
     return [check_row(truth.scene, s.row, truth) for s in statements if s.row is not None]
 
 
-def slips(truth: Equations) -> Iterator[Slip]:
+def faults(truth: Equations) -> Iterator[Fault]:
     """Mistakes that leave the motion determined; with constraints, one of each that is new then."""
     derivation = right(Derivation(truth), with_reactions=False)
     tied = bool(truth.scene.constraints)
-    for known in (forgotten_constraints.slips, substituted_constraint.slips) if tied else KNOWN:
-        found = (slip for slip in known(derivation) if determined(truth, slip))
+    for known in (forgotten_constraints.faults, substituted_constraint.faults) if tied else KNOWN:
+        found = (fault for fault in known(derivation) if determined(truth, fault))
         yield from islice(found, 1 if tied else None)
 
 
-def determined(truth: Equations, slip: Slip) -> bool:
+def determined(truth: Equations, fault: Fault) -> bool:
     """Whether there is a motion with the mistake: a disc without inertia has none."""
-    left, _ = equations(truth, slip).system
+    left, _ = equations(truth, fault).system
     return len(independent_rows(left.tolist())) == left.cols
 
 
-def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:
+def made_wrong(fault: Fault, stated: Stated) -> list[Statement]:
     """The equations that a person would find who makes the mistake."""
-    rows = (Add(*(times * piece.value for times, piece in row)) for row in slip.rows)
+    rows = (Add(*(times * piece.value for times, piece in row)) for row in fault.rows)
     return [stated(value, str(tag)) for tag, value in zip(count(1), rows, strict=False)]
 
 
@@ -64,13 +64,13 @@ def made_wrong(slip: Slip, stated: Stated) -> list[Statement]:
 def test_every_mistake_is_named_where_it_was_made(reference: Reference, stated: Stated) -> None:
     truth, fired = reference.truth, 0
     # Friction keeps the reactions in the equations: they are rows of free bodies, tried below.
-    for slip in () if frictions(truth.scene) else slips(truth):
-        statements = made_wrong(slip, stated)
+    for fault in () if frictions(truth.scene) else faults(truth):
+        statements = made_wrong(fault, stated)
         findings = judged(truth, statements)
         told = explanations(reference, statements, findings)
         for finding, words in zip(findings, told, strict=True):
             if finding.verdict is Verdict.REFUTED:
-                assert slip.words in words or len(words) == MOST
+                assert fault.words in words or len(words) == MOST
                 fired += 1
             else:
                 assert words == ()
@@ -92,14 +92,16 @@ MAKERS = ("elastic_pendulum", "acrobot", "cartpole_friction", "rolling_disc", "f
 
 def test_every_kind_of_mistake_can_be_made(truth_of: Callable[[str], Equations]) -> None:
     derivations = [right(Derivation(truth_of(name)), with_reactions=False) for name in MAKERS]
-    found = [slip.words for one in derivations for known in KNOWN for slip in known(one)]
+    found = [fault.words for one in derivations for known in KNOWN for fault in known(one)]
     assert [made for made in MADE if not any(words.startswith(made) for words in found)] == []
 
 
 def test_friction_with_the_wrong_sign(truth_of: Callable[[str], Equations]) -> None:
     truth = truth_of("cartpole_friction")
     (track,) = frictions(truth.scene)
-    found = [slip for slip in slips(truth) if slip.words == f"load {track.name} has the wrong sign"]
+    found = [
+        fault for fault in faults(truth) if fault.words == f"load {track.name} has the wrong sign"
+    ]
     assert len(found) == 1
 
 
@@ -230,14 +232,14 @@ def test_loads_without_potential_follow_the_constraints_that_were_put_in() -> No
     push = Symbol("push", real=True)
     centre = plain.bodies[0].centre
     scene = replace(plain, loads=(*plain.loads, force("push", centre, push * plain.frame.x)))
-    (slip, *_) = substituted_constraint.slips(
+    (fault, *_) = substituted_constraint.faults(
         right(Derivation(mechanics.derive(scene, "free_body")), with_reactions=False)
     )
     pushed = [
         Add(*(times * piece.value for times, piece in row if piece.origin.name == "push"))
-        for row in slip.rows
+        for row in fault.rows
     ]
-    assert slip.words == SUBSTITUTED
+    assert fault.words == SUBSTITUTED
     assert is_zero(pushed[-1] + push * rolling_disc.R * cos(scene.q[2]))
 
 

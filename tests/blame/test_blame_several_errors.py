@@ -12,7 +12,7 @@ import mechanics
 from mechanics.blame.result import Blame, Mistake, Repair
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.cover import Piece, covers
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.claims.tree import Name, Sum
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
@@ -142,19 +142,19 @@ CASES = (
 @pytest.mark.parametrize("case", CASES)
 def test_covers_undo_every_difference_once_the_cheapest_first(case: Case) -> None:
     names = tuple(Name(0, f"a{i}") for i in range(len(case.pieces)))
-    forest = Forest({}).plant([(0, Sum(0, names))])
+    tree = SyntaxTree({}).plant([(0, Sum(0, names))])
     pieces = [
         Piece(undone, (Change(i, None, Mistake.SIGN, cost, i, (0,)),))
         for i, (undone, cost) in enumerate(case.pieces, 1)
     ]
-    found = [[piece.undone for piece in cover.pieces] for cover in covers(forest, pieces, 3, 0)]
+    found = [[piece.undone for piece in cover.pieces] for cover in covers(tree, pieces, 3, 0)]
     assert found[:1] == list(case.wanted)
 
 
 def test_covers_may_leave_what_nothing_undoes() -> None:
-    forest = Forest({}).plant([(0, Sum(0, (Name(0, "a"), Name(0, "b"))))])
+    tree = SyntaxTree({}).plant([(0, Sum(0, (Name(0, "a"), Name(0, "b"))))])
     piece = Piece(0b01, (Change(1, None, Mistake.SIGN, 1.0, 1, (0,)),))
-    lefts = [cover.left for cover in covers(forest, [piece], 2, 2)]
+    lefts = [cover.left for cover in covers(tree, [piece], 2, 2)]
     assert 0b10 in lefts
 
 

@@ -5,10 +5,11 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import particles
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
-from mechanics import Particle, Scene, check, gravity, parameters, reaction
+from mechanics import Scene, check, gravity, parameters
 from mechanics.cli.load import run_file
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
@@ -20,18 +21,12 @@ m, c, g = parameters("m c g", units="kg N*s/m m/s^2", typical="2 0.5 9.81")
 
 def _mass() -> Scene:
     """A mass that falls, damped and pulled: m q'' = F - c q' - m g."""
-    ground = ReferenceFrame("N")
-    origin = Point("O")
-    place = origin.locatenew("P", q * ground.y)
-    side = reaction("R", at=place, on="mass", by=None, along=ground.x)
-    loads = (
-        gravity(-g * ground.y),
-        force("F", place, F * ground.y),
-        force("c", place, -c * q.diff() * ground.y),
-    )
-    return Scene(
-        "falling mass", ground, origin, coordinates=(q,), bodies=(Particle("mass", place, m),),
-        loads=loads, reactions=(side,), inputs=(F,),
+    return particles.on_line(
+        "falling mass", q, m,
+        lambda N, O, P: [
+            gravity(-g * N.x), force("F", P, F * N.x), force("c", P, -c * q.diff() * N.x)
+        ],
+        inputs=(F,),
     )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from mechanics.claims.code.python_page import Unread
 def value(before: str, inside: str, formula: str, origin: str = "page.cpp") -> float:
     """What a function returns for x = 1."""
     text = f"{before}\ndouble f(double x) {{ {inside} return x*({formula}); }}"
-    (one,) = in_python(text, origin, "f")
+    (one,) = in_python(text, origin, "f").functions
     return float(one(x=1.0))
 
 
@@ -30,8 +30,6 @@ def value(before: str, inside: str, formula: str, origin: str = "page.cpp") -> f
         ("double k(uint8_t n) { return n; }", "", "k(259)", "n is uint8_t: 259"),
         ("uint8_t k() { return 259; }", "", "k()", "what is returned is uint8_t: 259"),
         ("", "int n = 2000000000;", "n*2", "32 bits: 4000000000"),
-        ("const float n = 0.1;", "", "n", "float n = is rounded to single precision"),
-        ("", "float n{0.1};", "n", "is rounded to single precision"),
         ("", "const auto n = uint8_t{259};", "n", "made an integer"),
         ("", "double n = 9007199254740993;", "n", "more than a double holds"),
     ],

@@ -180,16 +180,28 @@ G = p.g*[(p.m1*p.c1 + p.m2*p.l1)*cos(q1) + p.m2*p.c2*cos(q1 + q2); p.m2*p.c2*cos
 """
 
 
-@pytest.mark.parametrize("sign, verdict", [("-", "PROVED"), ("", "UNDECIDED")])
-def test_mass_matrix_turning_and_gravity_together(tmp_path: Path, sign: str, verdict: str) -> None:
+@pytest.mark.parametrize(
+    ("sign", "change", "verdict"),
+    [
+        ("-", ("", ""), "PROVED"), ("", ("", ""), "UNDECIDED"),
+        ("-", ("+ p.I2;", "+ 2*p.I2;"), "REFUTED"), ("-", ("q2); b + a", "q2); b - a"), "REFUTED"),
+        ("-", ("G = p.g*", "G = -p.g*"), "UNDECIDED"),
+    ],
+)  # fmt: skip
+def test_mass_matrix_turning_and_gravity_together(
+    tmp_path: Path, sign: str, change: tuple[str, str], verdict: str
+) -> None:
+    """However the parts are put together: a wrong mass matrix is wrong."""
     q1, q2, t1, t2 = dynamicsymbols("q1 q2 t1 t2")
     m1, m2, l1, c1, c2, i1, i2, g = P("m1:kg m2:kg l1:m c1:m c2:m I1:kg*m^2 I2:kg*m^2 g:m/s^2")
     scene = two_link_arm((q1, q2), l1, (m1, c1, i1), (m2, c2, i2), g, (t1, t2), (t1, t2))
     path = tmp_path / "arm.m"
-    path.write_text(ARM % sign)
+    path.write_text((ARM % sign).replace(*change))
     found = mechanics.check(scene, path, blame=False)
     assert found.verdict.name == verdict
-    assert sign or any("otherwise than M" in words for e in found.judged for words in e.right_if)
+    assert verdict != "UNDECIDED" or any(
+        "otherwise than M" in words for e in found.judged for words in e.right_if
+    )
 
 
 def test_a_return_at_the_end_of_a_function_is_its_end() -> None:

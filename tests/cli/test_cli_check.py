@@ -72,6 +72,14 @@ def test_doubt_exits_with_three() -> None:
     assert "unknown_thing: the scene has no such name" in " ".join(result.stdout.split())
 
 
+def test_what_is_chosen_alone_has_the_exit_code() -> None:
+    text = "F_s = -k*x\n(M + m)*x'' + 2*k*x + M*L/2*(theta''*cos(theta) - theta'^2*sin(theta)) = 0"
+    assert run("elastic_pendulum", "-", text=text).exit_code == 3
+    result = run("elastic_pendulum", "-", "--only", "line 2", text=text)
+    assert result.exit_code == 0
+    assert "not judged, as you asked: 'line 1: F_s = -k*x'" in result.stdout
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -82,6 +90,7 @@ def test_doubt_exits_with_three() -> None:
         (("elastic_pendulum", "-", "--about", "love"), "the quantities are equation of motion"),
         (("elastic_pendulum", "-", "--notation", "word"), "the notations are latex, text"),
         (("elastic_pendulum", "-", "--convention", "x"), "the conventions are other vertical"),
+        (("elastic_pendulum", "-", "--only", "line 7"), "left side; there are 1 in line 1"),
     ],
 )
 def test_bad_input_is_an_input_error(arguments: tuple[str, ...], words: str) -> None:

@@ -5,8 +5,9 @@ import json
 import subprocess
 from pathlib import Path
 
+import particles
 import pytest
-from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
 from mechanics.compiled import Model
 from mechanics.compiled import compile as compile_model
@@ -14,7 +15,7 @@ from mechanics.errors import InputError
 from mechanics.export import write_c as write_and_prove
 from mechanics.export.prefix import free_prefix
 from mechanics.routes.derivation import by_route
-from mechanics.scene import Particle, Scene, force, parameters
+from mechanics.scene import force, parameters
 
 # The proofs are tested with the evidence.
 write_c = functools.partial(write_and_prove, prove=False)
@@ -26,18 +27,10 @@ FEW = ["forward_dynamics"]
 def named(name: str) -> Model:
     """A particle on a line, whose scene has that name."""
     x, m = dynamicsymbols("x"), parameters("m", units="kg", typical="1")[0]
-    ground, origin = ReferenceFrame("N"), Point("O")
-    place = origin.locatenew("P", x * ground.x)
-    return compile_model(
-        by_route(
-            "kane",
-            Scene(
-                name, ground, origin, coordinates=(x,), bodies=(Particle("bob", place, m),),
-                loads=(force("pull", place, -x * ground.x, on="bob"),),
-            )
-        ),
-        compiler=None,
-    )  # fmt: skip
+    scene = particles.on_line(
+        name, x, m, lambda N, O, P: [force("pull", P, -x * N.x, on="bob")], body="bob"
+    )
+    return compile_model(by_route("kane", scene), compiler=None)
 
 
 @pytest.mark.parametrize(

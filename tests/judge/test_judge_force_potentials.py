@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+import particles
 import pytest
 from sympy import cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
@@ -54,12 +55,10 @@ def test_an_input_by_the_letter_of_an_energy_is_no_energy() -> None:
 def wagon() -> Scene:
     """A wagon on a spring to a place z that is moved."""
     (x, z), (m, k) = dynamicsymbols("x z"), parameters("m k", units="kg N/m")
-    N, O = ReferenceFrame("N"), Point("O")
-    C = O.locatenew("C", x * N.x)
-    spring = force("spring", C, -k * (x - z) * N.x, on="wagon")
-    return Scene("wagon", N, O, coordinates=(x,), inputs=(z,), loads=(spring,),
-                 bodies=(Particle("wagon", C, m),), plane=N.z,
-                 reactions=(reaction("n", at=C, on="wagon", by=None, along=N.y),))  # fmt: skip
+    return particles.on_line(
+        "wagon", x, m, lambda N, O, P: [force("spring", P, -k * (x - z) * N.x, on="wagon")],
+        body="wagon", inputs=(z,),
+    )  # fmt: skip
 
 
 def plate() -> Scene:
@@ -95,16 +94,13 @@ def test_a_spring_to_what_moves_has_its_potential(
 
 def driven() -> Scene:
     """A mass on a spring and a damper, driven by F_0 cos(omega t), all in one force."""
-    (y,), (m, k, l, b, F0, w) = (
-        dynamicsymbols("y,"), parameters("m k l b F_0 omega", units="kg N/m m N*s/m N 1/s")
+    y, (m, k, l, b, F0, w) = (
+        dynamicsymbols("y"), parameters("m k l b F_0 omega", units="kg N/m m N*s/m N 1/s")
     )  # fmt: skip
-    N, O = ReferenceFrame("N"), Point("O")
-    P, drive = O.locatenew("P", y * N.y), F0 * cos(w * dynamicsymbols._t)
-    return Scene(
-        "driven", N, O, coordinates=(y,), plane=N.z, bodies=(Particle("mass", P, m),),
-        loads=(force("all", P, (drive - k * (y - l) - b * y.diff()) * N.y, on="mass"),),
-        reactions=(reaction("n", at=P, on="mass", by=None, along=N.x),),
-    )  # fmt: skip
+    strength = F0 * cos(w * dynamicsymbols._t) - k * (y - l) - b * y.diff()
+    return particles.on_line(
+        "driven", y, m, lambda N, O, P: [force("all", P, strength * N.x, on="mass")]
+    )
 
 
 @pytest.mark.parametrize(

@@ -98,6 +98,10 @@ def chain() -> Equations:
         ("omega = sqrt(k/(7*m))\nomega = sqrt(k/m)", ["REFUTED", "PROVED"]),
         (r"A frequency is $\omega = \sqrt{k/m}$.", ["PROVED"]),
         (r"The lowest frequency is $\omega = \sqrt{k/m}$.", ["UNDECIDED"]),
+        (r"The lowest frequency is $\omega = \sqrt{k/(6m)}$.", ["PROVED"]),
+        (r"The higher frequency is $\omega = \sqrt{k/m}$.", ["PROVED"]),
+        (r"The higher frequency is $\omega = \sqrt{k/(6m)}$.", ["UNDECIDED"]),
+        (r"The longest period is $T = 2\pi\sqrt{6m/k}$.", ["UNDECIDED"]),
         (r"The only frequency is $\omega = \sqrt{k/m}$.", ["UNDECIDED"]),
     ],
 )

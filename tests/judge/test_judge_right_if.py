@@ -10,9 +10,9 @@ from sympy import Eq, Expr, Matrix, pi
 import mechanics
 from mechanics.claims.convention import POINT_MASS
 from mechanics.equations import Equations
-from mechanics.judge import right_if as module
+from mechanics.judge import other_conventions as module
 from mechanics.judge.check import derived
-from mechanics.judge.right_if import targets_of
+from mechanics.judge.other_conventions import targets_of
 from systems import cartpole, double_pendulum, elastic_pendulum_ledger, rod_pendulum, rolling_disc
 
 WITH_RODS = {"cartpole": cartpole, "rod_pendulum": rod_pendulum}

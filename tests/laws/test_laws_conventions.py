@@ -17,7 +17,7 @@ from mechanics.claims.conventions import conventions
 from mechanics.claims.directions import counted
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
-from mechanics.judge.right_if import targets_of
+from mechanics.judge.other_conventions import targets_of
 from systems import ALL
 
 pytestmark = pytest.mark.campaign

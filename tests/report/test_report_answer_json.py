@@ -28,7 +28,8 @@ def fits(found: dict[str, Any], schema: dict[str, type]) -> bool:
 
 def test_layout(answered: Check) -> None:
     found = json.loads(json.dumps(to_json(answered), allow_nan=False))
-    assert set(found) == {"scene", "verdict", "ok", "statements", "names", "remarks", "unjudged"}
+    keys = {"scene", "verdict", "ok", "statements", "names", "remarks", "unjudged", "aside"}
+    assert set(found) == keys
     assert all(fits(statement, STATEMENT) for statement in found["statements"])
     blames = [s["blame"] for s in found["statements"] if s["blame"] is not None]
     assert len(blames) == 3

@@ -12,15 +12,15 @@ from mechanics.blame.mistakes import (
     speeds,
     substituted_constraint,
 )
-from mechanics.blame.mistakes.fault_model import Right, Slip
+from mechanics.blame.mistakes.fault_model import Fault, Right
 
-KNOWN: tuple[Callable[[Right], Iterator[Slip]], ...] = (
-    loads.slips,
-    friction.slips,
-    inertia.slips,
-    speeds.slips,
-    forgotten_constraints.slips,
-    substituted_constraint.slips,
+KNOWN: tuple[Callable[[Right], Iterator[Fault]], ...] = (
+    loads.faults,
+    friction.faults,
+    inertia.faults,
+    speeds.faults,
+    forgotten_constraints.faults,
+    substituted_constraint.faults,
 )
 """Mistakes of a whole derivation; those of one equation are in `turning`."""
 
@@ -37,6 +37,6 @@ class Mistakes:
     right: Right
 
     @cached_property
-    def slips(self) -> tuple[Slip, ...]:
+    def faults(self) -> tuple[Fault, ...]:
         """Every known mistake that its scene lets one make."""
-        return tuple(slip for known in KNOWN for slip in known(self.right))
+        return tuple(fault for known in KNOWN for fault in known(self.right))

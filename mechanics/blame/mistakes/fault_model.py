@@ -28,7 +28,7 @@ Change = Callable[[Piece], Sequence[Part]]
 
 
 @dataclass(frozen=True)
-class Slip:
+class Fault:
     """One mistake.
 
     Attributes
@@ -71,14 +71,14 @@ class Right:
         """The scene."""
         return self.derivation.scene
 
-    def slip(self, words: str, change: Change) -> Iterator[Slip]:
+    def fault(self, words: str, change: Change) -> Iterator[Fault]:
         """The derivation with a mistake in every piece that it concerns; none if there is none."""
         rows = tuple(
             tuple((count * factor, new) for count, piece in row for factor, new in change(piece))
             for row in self.rows
         )
         if rows != self.rows:
-            yield Slip(words, rows, self.unknowns)
+            yield Fault(words, rows, self.unknowns)
 
 
 @lru_cache(maxsize=4096)
@@ -122,25 +122,25 @@ def of_load(name: str, factor: Rational) -> Change:
     return change
 
 
-def equations(truth: Equations, slip: Slip) -> Equations:
+def equations(truth: Equations, fault: Fault) -> Equations:
     """The common form of a derivation with a mistake in it."""
     scene = truth.scene
     mass, forcing, reactions = [], [], []
-    for row in slip.rows:
-        factors, rest = _sum(row, slip.unknowns)
+    for row in fault.rows:
+        factors, rest = _sum(row, fault.unknowns)
         mass.append(factors[: len(scene.ud)])
         reactions.append([-factor for factor in factors[len(scene.ud) :]])
         forcing.append(-rest)
-    kept = slip.unknowns[len(scene.ud) :]
+    kept = fault.unknowns[len(scene.ud) :]
     size = len(scene.ud)
     matrices = Matrices(
         Matrix(mass),
         Matrix(forcing),
-        Matrix(reactions) if kept else zeros(len(slip.rows), 0),
-        truth.constraint_matrix if slip.held else zeros(0, size),
-        truth.constraint_bias if slip.held else zeros(0, 1),
+        Matrix(reactions) if kept else zeros(len(fault.rows), 0),
+        truth.constraint_matrix if fault.held else zeros(0, size),
+        truth.constraint_bias if fault.held else zeros(0, 1),
     )
-    words = f"with a mistake: {slip.words}"
+    words = f"with a mistake: {fault.words}"
     return Equations(scene, words, kept, False, textbook=matrices)
 
 

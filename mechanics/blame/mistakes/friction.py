@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from sympy import Expr, S, Symbol
 
-from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Fault, Part, Right
 from mechanics.blame.pieces import Kind, Piece
 from mechanics.routes.friction_reactions import pressed, pressing
 from mechanics.routes.lagrange_sympy import opened_equations
@@ -17,7 +17,7 @@ from mechanics.scene import Scene
 from mechanics.scene.actions import frictions
 
 
-def slips(right: Right) -> Iterator[Slip]:
+def faults(right: Right) -> Iterator[Fault]:
     """Every friction with every mistake that people make with it."""
     if not frictions(right.scene):
         return
@@ -29,7 +29,7 @@ def slips(right: Right) -> Iterator[Slip]:
             (S.One, f"is the coefficient alone, without {load.normal}"),
         ):
             words = f"friction {load.name} {words}"
-            yield from right.slip(words, _pressing_with(load.name, normal, value))
+            yield from right.fault(words, _pressing_with(load.name, normal, value))
 
 
 def _at_rest(scene: Scene) -> dict[Symbol, Expr]:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sympy import Expr, Matrix, Rational, S, eye
 
-from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Fault, Part, Right
 from mechanics.blame.pieces import Kind, Origin, Piece, inner
 from mechanics.kinematics.symbolic import BodyMotion
 from mechanics.scene import RigidBody, Scene
@@ -18,7 +18,7 @@ from mechanics.scene.topology import tree
 from mechanics.symbolic import canonical
 
 
-def slips(right: Right) -> Iterator[Slip]:
+def faults(right: Right) -> Iterator[Fault]:
     """Every body that turns and has an inertia, and then all of them."""
     turning = [
         name
@@ -37,8 +37,8 @@ def slips(right: Right) -> Iterator[Slip]:
                 (*row, *_added(right, index, grown, factor)) for index, row in enumerate(right.rows)
             )
             if rows != right.rows:
-                yield Slip(words, rows, right.unknowns)
-        yield from right.slip(f"rotational inertia is missing: {title}", _without(names))
+                yield Fault(words, rows, right.unknowns)
+        yield from right.fault(f"rotational inertia is missing: {title}", _without(names))
 
 
 def _without(names: tuple[str, ...]) -> Change:

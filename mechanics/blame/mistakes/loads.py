@@ -7,17 +7,17 @@ from collections.abc import Iterator
 
 from sympy import Rational
 
-from mechanics.blame.mistakes.fault_model import Right, Slip, of_load
+from mechanics.blame.mistakes.fault_model import Fault, Right, of_load
 from mechanics.scene import Gravity, Spring, TorsionSpring
 from mechanics.scene.loads import Damper, Load
 
 
-def slips(right: Right) -> Iterator[Slip]:
+def faults(right: Right) -> Iterator[Fault]:
     """Every load with every mistake that people make with its kind."""
     for load in right.scene.loads:
         name = "gravity" if isinstance(load, Gravity) else load.name
         for factor, words in _mistakes(load):
-            yield from right.slip(words, of_load(name, factor))
+            yield from right.fault(words, of_load(name, factor))
 
 
 def _mistakes(load: Load) -> list[tuple[Rational, str]]:

@@ -8,32 +8,18 @@ One equation is wrong, not the whole derivation: what is compared is that equati
 
 from collections.abc import Iterator, Sequence
 
-from mechanics.blame.nearest import Candidate
 from mechanics.blame.pieces import Kind, Origin, Piece
-from mechanics.blame.rows import Moment
-from mechanics.blame.terms import terms_of
-from mechanics.kernel.ring import TooLarge
+from mechanics.blame.rows import Moment, Row
 
 
-def wrong_rows(moments: Sequence[Moment]) -> tuple[Candidate, ...]:
+def wrong_rows(moments: Sequence[Moment]) -> Iterator[Row]:
     """Each moment equation about a point that moves, with each term forgotten in turn."""
-    candidates: list[Candidate] = []
     for moment in moments:
-        about = moment.about
+        about, pieces = moment.about, moment.row.pieces
         if not about:
             continue
-        moved = tuple(piece for piece in moment.row.pieces if piece.origin.kind is not Kind.MOVING)
-        candidates += _candidate(f"v_B x P is missing in the moment about B = {about}", moved)
+        moved = tuple(piece for piece in pieces if piece.origin.kind is not Kind.MOVING)
+        yield Row(f"v_B x P is missing in the moment about B = {about}", moved)
         carried = Piece(Origin(Kind.MOVING, ""), -moment.carried)
         words = f"BC x m a_B is missing in the moment about B = {about}, which accelerates"
-        candidates += _candidate(words, (*moment.row.pieces, carried))
-    return tuple(candidates)
-
-
-def _candidate(words: str, pieces: tuple[Piece, ...]) -> Iterator[Candidate]:
-    try:
-        terms = terms_of([piece.value for piece in pieces], cleared=True)
-    except TooLarge:
-        return
-    origins = (piece.origin for piece in pieces)
-    yield Candidate(words, tuple(zip(origins, terms, strict=True)))
+        yield Row(words, (*pieces, carried))

@@ -8,22 +8,22 @@ from functools import lru_cache
 
 from sympy import Expr, S, Symbol
 
-from mechanics.blame.mistakes.fault_model import Change, Part, Right, Slip
+from mechanics.blame.mistakes.fault_model import Change, Fault, Part, Right
 from mechanics.blame.pieces import Kind, Piece
 from mechanics.blame.terms import Terms, terms_of, written
 
 RATES = (Kind.LINEAR, Kind.ANGULAR)
 
 
-def slips(right: Right) -> Iterator[Slip]:
+def faults(right: Right) -> Iterator[Fault]:
     """Products of two speeds, squares of one, and both where there are both."""
     speeds = tuple(dict.fromkeys((*right.scene.u, *right.scene.qd)))
-    mixed = list(right.slip("Coriolis terms are missing", _without(speeds, False, True)))
-    squares = list(right.slip("centrifugal terms are missing", _without(speeds, True, False)))
+    mixed = list(right.fault("Coriolis terms are missing", _without(speeds, False, True)))
+    squares = list(right.fault("centrifugal terms are missing", _without(speeds, True, False)))
     yield from (*mixed, *squares)
     if mixed and squares:
         words = "Coriolis and centrifugal terms are missing"
-        yield from right.slip(words, _without(speeds, True, True))
+        yield from right.fault(words, _without(speeds, True, True))
 
 
 def _without(speeds: tuple[Symbol, ...], squares: bool, mixed: bool) -> Change:

@@ -11,7 +11,7 @@ from itertools import combinations
 
 from sympy import Add, Expr, S, Symbol
 
-from mechanics.blame.mistakes.fault_model import Right, Slip, once
+from mechanics.blame.mistakes.fault_model import Fault, Right, once
 from mechanics.blame.pieces import Kind, Origin, Piece
 from mechanics.kinematics.symbolic import Kinematics
 from mechanics.scene import Gravity, Scene
@@ -23,7 +23,7 @@ from mechanics.symbolic import canonical, collect_linear, independent_rows
 from mechanics.symbolic.cramer import cramer
 
 
-def slips(right: Right) -> Iterator[Slip]:
+def faults(right: Right) -> Iterator[Fault]:
     """For each set of rates that the constraints may be solved for."""
     scene = right.scene
     if right.free or not scene.constraints or any(c.holonomic for c in scene.constraints):
@@ -35,7 +35,7 @@ def slips(right: Right) -> Iterator[Slip]:
         table = _solved(forms, tied)
         names = ", ".join(symbol.name for symbol in tied)
         words = f"the constraints, solved for {names}, substituted into the Lagrangian"
-        yield Slip(words, once(_rows(right, parts, tied, table)), scene.ud)
+        yield Fault(words, once(_rows(right, parts, tied, table)), scene.ud)
 
 
 def _lagrangian(scene: Scene) -> list[tuple[Origin, Expr]]:

@@ -5,18 +5,18 @@ slope of a sum * number * term = -wrong        a'' = N / Q:  Q lacks what is wro
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import islice
 
 from sympy import Expr, Rational, S, Symbol
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.cover import Piece
 from mechanics.blame.search.differing_terms import Wrong, Wrongs
 from mechanics.blame.search.edit_effects import steps
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.residues import rational
 from mechanics.blame.search.words import Words
@@ -43,7 +43,7 @@ class Added:
 
     def _added(self, wrong: Wrong) -> Iterator[Change]:
         p, sheets = self.problem.prime, self.problem.sheets
-        nodes, places = self.problem.forest.nodes, self._sums_and_sides
+        nodes, places = self.problem.tree.nodes, self._sums_and_sides
         if not self.words.quadratic(wrong.term):  # what m x'' = F lacks is a force
             places = sorted(places, key=lambda place: self.words.accelerates(nodes[place[0]]))
         for index, slopes, divisor in places:
@@ -56,16 +56,12 @@ class Added:
                 continue
             try:
                 number = Rational(factor.numerator, factor.denominator)
-                added = self.claim.written.tree(number * term)
+                tree = self.claim.written.tree(number * term)
             except Untreeable:
                 return
-            worths = worth(sheets, added)
-            if worths is not None:
-                wrap = partial(plus, added)
-                new = wrap(self.problem.forest.nodes[index])
-                sums = tuple((s.has[index] + v) % p for s, v in zip(sheets, worths, strict=True))
-                cost = ADDED + (MET if wrong.meets else 0.0)
-                yield Change(index, new, Mistake.MISSING, cost, index, sums, wrap)
+            cost = ADDED + (MET if wrong.meets else 0.0)
+            if (change := added(self.problem, index, tree, cost)) is not None:
+                yield change
 
     @cached_property
     def _sums_and_sides(self) -> list[tuple[int, list[int], Expr]]:
@@ -73,13 +69,12 @@ class Added:
 
         Where a'' = N / Q is wrong by a term with a'', Q lacks that without a''.
         """
-        forest = self.problem.forest
+        tree = self.problem.tree
         found: list[tuple[int, list[int], Expr]] = []
-        for index, node in enumerate(forest.nodes):
-            side = forest.term(index) and not forest.place[index][1]
-            if not (side or isinstance(node, Sum)) or isinstance(node, Number):
+        for index, node in enumerate(tree.nodes):
+            if not (tree.side(index) or isinstance(node, Sum)) or isinstance(node, Number):
                 continue
-            if not forest.written(index) or not forest.single(index) or forest.rates[index]:
+            if not tree.plain(index):
                 continue
             slopes = self.problem.slopes(index)
             if slopes is not None:

@@ -26,13 +26,13 @@ def signs(problem: Problem) -> list[tuple[Change, ...]]:
 
 def _found(problem: Problem) -> Iterator[tuple[Change, ...]]:
     (sheet,) = problem.sheets
-    forest, p = problem.forest, problem.prime
+    tree, p = problem.tree, problem.prime
     half = pow(2, -1, p)
-    for index, node in enumerate(forest.nodes):
-        kids, need = forest.kids[index], sheet.needs[index]
-        if not isinstance(node, Sum) or need is None or not forest.written(index):
+    for index, node in enumerate(tree.nodes):
+        kids, need = tree.kids[index], sheet.needs[index]
+        if not isinstance(node, Sum) or need is None or not tree.written(index):
             continue
-        if not FEWEST < len(kids) <= MOST or not forest.single(index):
+        if not FEWEST < len(kids) <= MOST or not tree.single(index):
             continue
         wanted = (sheet.has[index] - need) * half % p
         for chosen in _choices([sheet.has[kid] for kid in kids], wanted, p):
@@ -61,5 +61,5 @@ def _sums(values: Sequence[int], start: int, p: int) -> list[tuple[int, tuple[in
 
 def _turned(problem: Problem, index: int) -> Change:
     values = tuple(-sheet.has[index] % problem.prime for sheet in problem.sheets)
-    node = minus(problem.forest.nodes[index])
+    node = minus(problem.tree.nodes[index])
     return Change(index, node, Mistake.SIGN, EACH, index, values, minus)

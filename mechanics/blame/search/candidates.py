@@ -52,42 +52,42 @@ class Candidates:
         """Every edit, once for each node that was written."""
         found: list[Change] = []
         inside: list[tuple[int, Inner]] = []
-        forest = self.make.forest
-        for index, node in enumerate(forest.nodes):
-            copies = forest.copies[forest.place[index]]
-            if not forest.written(index) or copies[0] != index or self._hidden(index):
+        tree = self.make.tree
+        for index, node in enumerate(tree.nodes):
+            copies = tree.copies[tree.place[index]]
+            if not tree.written(index) or copies[0] != index or self._hidden(index):
                 continue
-            if not forest.rates[index]:
+            if not tree.rates[index]:
                 found += self._here(index, node)
-            if forest.opaque(index):
-                edits = differentiated if forest.rates[index] else inside_of
+            if tree.opaque(index):
+                edits = differentiated if tree.rates[index] else inside_of
                 inside += [(index, edit) for edit in edits(self.make, index)]
         inside.sort(key=lambda pair: pair[1][-1])  # the cheapest are tried
         return [*found, *valued(self.make, inside[:MOST_INSIDE])]
 
     def _hidden(self, index: int) -> bool:
         """Whether a node stands in a function or exponent, so that its value tells nothing."""
-        forest = self.make.forest
-        for child, above in itertools.pairwise(forest.ways_up(index)):
-            node = forest.nodes[above]
-            if forest.opaque(above):
+        tree = self.make.tree
+        for child, above in itertools.pairwise(tree.ways_up(index)):
+            node = tree.nodes[above]
+            if tree.opaque(above):
                 return True
             if isinstance(node, Power):
-                exponent = forest.kids[above][0] != child
+                exponent = tree.kids[above][0] != child
                 if exponent or not (is_root(node) or integer_exponent(node)):
                     return True
         return False
 
     def _here(self, index: int, node: Node) -> Iterator[Change]:
         around = self.make.around(index)
-        if self.make.forest.term(index) or self._entry(index, node):
+        if self.make.tree.term(index) or self._entry(index, node):
             yield from self._term(index, node)
         elif isinstance(around, Product):
             yield from self._factor(index, node)
         elif around is not None and is_root(around):
             yield from self._inserted.of(index, 0.0)
         yield from self._tokens.of(index, node)
-        alone = isinstance(node, Name) and not self.make.forest.kids[index]
+        alone = isinstance(node, Name) and not self.make.tree.kids[index]
         if isinstance(node, Sum):
             yield from self._plus(index, node.terms)
         elif alone and not isinstance(self.make.around(index), Sum):
@@ -96,7 +96,7 @@ class Candidates:
     def _entry(self, index: int, node: Node) -> bool:
         """Whether a node is an entry of a matrix that is multiplied by something."""
         around = self.make.around(index)
-        plain = isinstance(node, Name) and not self.make.forest.kids[index]
+        plain = isinstance(node, Name) and not self.make.tree.kids[index]
         return isinstance(around, Product) and around.at == COMPOSED and not plain
 
     @cached_property
@@ -105,8 +105,8 @@ class Candidates:
 
     @cached_property
     def _inserted(self) -> Inserted:
-        forest, sheets, words = self.make.forest, self.make.sheets, self.make.words
-        return Inserted(self.make, circular(forest, sheets, words))
+        tree, sheets, words = self.make.tree, self.make.sheets, self.make.words
+        return Inserted(self.make, circular(tree, sheets, words))
 
     def _term(self, index: int, node: Node) -> Iterator[Change]:
         """The sign of a term, a factor of it, the term left out."""
@@ -114,7 +114,7 @@ class Candidates:
         if not any(has):
             return
         values = tuple(-value % p for value in has)
-        side = self.make.forest.parent[index] < 0 or not self.make.forest.place[index][1]
+        side = self.make.tree.side(index)
         # A side that is one name is likely so; a whole sum is rarely turned.
         far = 2 * HINT if side and isinstance(node, Name) else 0.0
         far += 4 * HINT if side and isinstance(node, Sum) else 0.0
@@ -123,7 +123,7 @@ class Candidates:
         # right.
         far += HINT if self.make.words.accelerates(node) else 0.0
         yield self.make.wrapped(index, minus, Mistake.SIGN, TOKEN + far, values)
-        if not side or self._other_side(index) or isinstance(self.make.forest.place[index][0], str):
+        if not side or self._other_side(index) or isinstance(self.make.tree.place[index][0], str):
             zero = (0,) * len(has)
             # A factor that is left out is one, an entry that is left out is zero.
             left = Number(node.at, Fraction(0)) if self._entry(index, node) else None
@@ -132,7 +132,7 @@ class Candidates:
 
     def _other_side(self, index: int) -> bool:
         """Whether there is another side, so that this one may be zero."""
-        return index > 0 and len(self.make.forest.kids[0]) == 2 and not self.make.forest.written(0)
+        return index > 0 and len(self.make.tree.kids[0]) == 2 and not self.make.tree.written(0)
 
     def _factor(self, index: int, node: Node) -> Iterator[Change]:
         """A factor left out."""

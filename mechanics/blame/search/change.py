@@ -40,7 +40,7 @@ class Change:
     Attributes
     ----------
     index : int
-        The node that is replaced, in its forest; of a term that is added, the sum.
+        The node that is replaced, in its tree; of a term that is added, the sum.
     node : Node or None
         What stands there instead; None for a term or factor that is left out.
     at : int

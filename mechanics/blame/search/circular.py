@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.inverse_evaluation import Sheet
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.blame.search.words import Words
 from mechanics.claims.kinds import angular
 from mechanics.claims.tree import Call, Node, Number, Product, Sum
@@ -36,12 +36,12 @@ class Circular:
     values: tuple[int, ...]
 
 
-def circular(forest: Forest, sheets: Sequence[Sheet], words: Words) -> tuple[Circular, ...]:
+def circular(tree: SyntaxTree, sheets: Sequence[Sheet], words: Words) -> tuple[Circular, ...]:
     """Products of at most two sines and cosines, one first."""
     p = sheets[0].point.prime
     known: dict[Node, tuple[int, ...]] = {}
     doubled: set[Node] = set()
-    for angle in _angles(forest, sheets[0], words):
+    for angle in _angles(tree, sheets[0], words):
         for function in ("sin", "cos"):
             call = Call(0, function, (angle,))
             values = worth(sheets, call)
@@ -59,10 +59,10 @@ def circular(forest: Forest, sheets: Sequence[Sheet], words: Words) -> tuple[Cir
     return (Circular((), (1,) * len(sheets)), *found)
 
 
-def _angles(forest: Forest, sheet: Sheet, words: Words) -> list[Node]:
+def _angles(tree: SyntaxTree, sheet: Sheet, words: Words) -> list[Node]:
     """Arguments that were written, coordinates, sums and differences of two."""
     found: list[Node] = []
-    for node in forest.nodes:
+    for node in tree.nodes:
         if isinstance(node, Call) and node.function in ("sin", "cos", "tan"):
             found += node.arguments
     found += list(_from_scene(words))

@@ -16,7 +16,7 @@ from mechanics.blame.search.change import Change
 from mechanics.blame.search.inverse_evaluation import Sheet, sheet_of
 from mechanics.blame.search.point import Family, Point
 from mechanics.blame.search.probabilistic_check import Problem
-from mechanics.blame.search.syntax_tree import Forest, Step, Way, edited
+from mechanics.blame.search.syntax_tree import Step, SyntaxTree, Way, edited
 from mechanics.checks.ledger_energy import ENERGIES, energy_of
 from mechanics.checks.ledger_momenta import derived
 from mechanics.claims.claim import Trees, Written, row_of, row_trees
@@ -68,11 +68,11 @@ class Claim:
         return dict(self.written.definitions)
 
 
-def edited_claim(claim: Claim, changes: Sequence[tuple[Forest, Change]]) -> Claim:
-    """A claim with edits put in, each told by the forest that it was found in."""
+def edited_claim(claim: Claim, changes: Sequence[tuple[SyntaxTree, Change]]) -> Claim:
+    """A claim with edits put in, each told by the tree that it was found in."""
     steps: dict[int | str, list[tuple[Way, Step]]] = {}
-    for forest, change in changes:
-        home, way = forest.place[change.index]
+    for tree, change in changes:
+        home, way = tree.place[change.index]
         steps.setdefault(home, []).append((way, change.wrap or change.node))
     entries = tuple(edited(tree, steps.get(k, ())) for k, tree in enumerate(claim.entries))
     definitions = tuple(
@@ -232,10 +232,10 @@ def posed(
     claim: Claim, numbers: tuple[int, ...], target: Target, families: Sequence[Family]
 ) -> Problem:
     """Some entries of a claim at points: one alone, or the difference of two."""
-    forest = Forest(claim.definitions, claim.kept).plant([(k, claim.entries[k]) for k in numbers])
+    tree = SyntaxTree(claim.definitions, claim.kept).plant([(k, claim.entries[k]) for k in numbers])
     builder = claim.written.builder()
 
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
-        return tuple(sheet_of(forest, point, builder, target(point)) for point in points)
+        return tuple(sheet_of(tree, point, builder, target(point)) for point in points)
 
-    return Problem(forest, numbers, claim.reference.points.together(families, sheets), target)
+    return Problem(tree, numbers, claim.reference.points.together(families, sheets), target)

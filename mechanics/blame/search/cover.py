@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 
 MOST_PIECES = 6
 """Pieces of a cover."""
@@ -60,7 +60,9 @@ class Cover:
         return tuple(change for piece in self.pieces for change in piece.changes)
 
 
-def covers(forest: Forest, pieces: Sequence[Piece], count: int, most_left: int) -> Iterator[Cover]:
+def covers(
+    tree: SyntaxTree, pieces: Sequence[Piece], count: int, most_left: int
+) -> Iterator[Cover]:
     """Pieces at places apart that undo differences, the cheapest first; some may be left."""
     by_first: dict[int, list[Piece]] = {}
     for piece in pieces:
@@ -83,23 +85,21 @@ def covers(forest: Forest, pieces: Sequence[Piece], count: int, most_left: int) 
         if len(cover.pieces) == MOST_PIECES:
             continue
         for piece in by_first.get(first, ()):
-            if piece.undone & ~open_ or not all(apart(forest, piece, p) for p in cover.pieces):
+            if piece.undone & ~open_ or not all(apart(tree, piece, p) for p in cover.pieces):
                 continue
             more = Cover(cover.left, (*cover.pieces, piece))
             cost = bound + piece.cost - each * piece.undone.bit_count()
             heapq.heappush(heap, (cost, next(order), open_ & ~piece.undone, more))
 
 
-def apart(forest: Forest, one: Piece, two: Piece) -> bool:
+def apart(tree: SyntaxTree, one: Piece, two: Piece) -> bool:
     """Whether no edit of one stands in an edit of the other, but for a term that is added there."""
-    return all(
-        _under(forest, a, b) and _under(forest, b, a) for a in one.changes for b in two.changes
-    )
+    return all(_under(tree, a, b) and _under(tree, b, a) for a in one.changes for b in two.changes)
 
 
-def _under(forest: Forest, outer: Change, inner: Change) -> bool:
+def _under(tree: SyntaxTree, outer: Change, inner: Change) -> bool:
     """Whether an edit may go together with another one that may stand in it."""
-    return adds(outer) or outer.at not in forest.ways_up(inner.at)
+    return adds(outer) or outer.at not in tree.ways_up(inner.at)
 
 
 def adds(change: Change) -> bool:

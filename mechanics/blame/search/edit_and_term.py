@@ -8,6 +8,7 @@ What passes is looked at in full: the edit is put in, and the missing term looke
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 
 from sympy import Symbol
 
@@ -16,7 +17,7 @@ from mechanics.blame.search.candidates import Candidates
 from mechanics.blame.search.change import ADDED, Change
 from mechanics.blame.search.claim import edited_claim
 from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.words import Words
@@ -36,26 +37,26 @@ class Both:
 
     Attributes
     ----------
-    growth : Growth
+    homogeneity : Homogeneity
         Of the statement without an edit.
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
 
     @property
     def _p(self) -> int:
-        return self.growth.problem.prime
+        return self.homogeneity.problem.prime
 
     def pairs(self) -> list[tuple[Change, Change]]:
         """Edits with a missing term each, the cheapest first."""
-        grown = self.growth.problems
-        if not self.growth.problem.plain or len(grown) < 2:
+        grown = self.homogeneity.problems
+        if not self.homogeneity.problem.plain or len(grown) < 2:
             return []
         problems = [grown[None], *(grown[symbol] for symbol in self._tests)]
         sheets = tuple(problem.sheets[0] for problem in problems)
-        words = self.growth.words
+        words = self.homogeneity.words
         words = Words(words.truth, words.written, sheets, words.held)
-        changes = Candidates(Maker(self.growth.problem.forest, sheets, words)).all()
+        changes = Candidates(Maker(self.homogeneity.problem.tree, sheets, words)).all()
         hopeful = sorted(self._hopeful(sheets, changes), key=lambda change: change.cost)
         found: list[tuple[Change, Change]] = []
         for change in hopeful[:FULL]:
@@ -65,18 +66,18 @@ class Both:
     @cached_property
     def _tests(self) -> list[Symbol]:
         """Parameters that stand in most terms: what is left tells most when these are doubled."""
-        scene, grown = self.growth.claim.truth.scene, self.growth.problems
+        scene, grown = self.homogeneity.claim.truth.scene, self.homogeneity.problems
         held = [s for s in grown if s is not None and s in scene.parameters]
         return (held or [s for s in grown if s is not None])[:TESTS]
 
     def _hopeful(self, sheets: Sequence[Sheet], changes: Sequence[Change]) -> Iterator[Change]:
-        forest = self.growth.problem.forest
+        tree = self.homogeneity.problem.tree
         for change in changes:
-            if not forest.single(change.at):
+            if not tree.single(change.at):
                 continue
-            for index in forest.ways_up(change.at):
-                top = isinstance(forest.nodes[index], Sum) or not forest.place[index][1]
-                plain = forest.written(index) and not forest.rates[index]
+            for index in tree.ways_up(change.at):
+                top = isinstance(tree.nodes[index], Sum) or tree.side(index)
+                plain = tree.written(index) and not tree.rates[index]
                 if top and plain and self._grows(sheets, change, index):
                     yield change
                     break
@@ -88,11 +89,10 @@ class Both:
             need = sheet.needs[index]
             if need is None:
                 return False
-            value, child = change.values[k], change.at
+            start = (change.at, change.values[k])
             try:
-                while child != index:
-                    above = sheet.forest.parent[child]
-                    value, child = sheet.above(above, child, value), above
+                way = chain([start], sheet.climb(*start))
+                value = next(value for above, value in way if above == index)
             except (DivisionHere, InsideHere):
                 return False
             lacks.append((need - value) % self._p)
@@ -109,18 +109,24 @@ class Both:
         """How a product may grow with each quantity that is doubled: with what it may hold."""
         p, found = self._p, []
         for symbol in self._tests:
-            steps = [f.inverse[None] * pow(f.inverse[symbol], -1, p) for f in self.growth.factors]
-            found.append({step * power % p for step in steps for power in self.growth.doubling})
+            steps = [
+                f.inverse[None] * pow(f.inverse[symbol], -1, p) for f in self.homogeneity.factors
+            ]
+            found.append(
+                {step * power % p for step in steps for power in self.homogeneity.doubling}
+            )
         return found
 
     def _completed(self, change: Change) -> Iterator[tuple[Change, Change]]:
         """An edit with the term that is missing beside it."""
-        forest = self.growth.problem.forest
-        growth = self.growth.edited(edited_claim(self.growth.claim, [(forest, change)]))
-        if growth is None:
+        tree = self.homogeneity.problem.tree
+        homogeneity = self.homogeneity.edited(
+            edited_claim(self.homogeneity.claim, [(tree, change)])
+        )
+        if homogeneity is None:
             return
-        for added in Missing(growth).changes():
-            place = growth.problem.forest.place[added.index]
-            indices = forest.copies.get(place, [])
+        for added in Missing(homogeneity).changes():
+            place = homogeneity.problem.tree.place[added.index]
+            indices = tree.copies.get(place, [])
             if added.mistake is Mistake.MISSING and indices and added.cost < 2 * ADDED:
                 yield change, replace(added, index=indices[0], at=indices[0])

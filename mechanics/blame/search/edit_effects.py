@@ -10,7 +10,7 @@ Where sums in denominators were multiplied out an edit of one, Q, changes all te
 from collections.abc import Iterator
 
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet, integer_exponent
+from mechanics.blame.search.inverse_evaluation import InsideHere, integer_exponent
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.claims.tree import Sum
 from mechanics.kernel.field import DivisionHere
@@ -18,29 +18,26 @@ from mechanics.kernel.field import DivisionHere
 
 def steps(problem: Problem, change: Change, cleared: bool) -> Iterator[int]:
     """What an edit adds to the residual; nothing where that is not known."""
-    if not problem.forest.single(change.at):
+    if not problem.tree.single(change.at):
         return
-    found, factor = [], 1
-    for k, sheet in enumerate(problem.sheets):
-        try:
-            root, factor = _up(sheet, change.at, change.values[k])
-        except (DivisionHere, InsideHere):
-            return
-        found.append(root - sheet.has[0])
-    p = problem.prime
-    step = (found[0] - (found[1] if len(found) > 1 else 0)) % p
+    try:
+        step = (problem.residual_with([change]) - problem.residual) % problem.prime
+        factor = _growth(problem, change) if cleared else 1
+    except (DivisionHere, InsideHere):
+        return
     if step:
         yield step
-    if cleared and factor != 1:
-        yield ((problem.residual + step) * factor - problem.residual) % p
+    if factor != 1:
+        yield ((problem.residual + step) * factor - problem.residual) % problem.prime
 
 
-def _up(sheet: Sheet, child: int, value: int) -> tuple[int, int]:
-    """What the root is worth with an edit, and by what a sum that is divided by grows."""
-    forest, p, factor = sheet.forest, sheet.point.prime, 1
-    while (above := forest.parent[child]) >= 0:
-        exponent = integer_exponent(forest.nodes[above])
-        if exponent is not None and exponent < 0 and isinstance(forest.nodes[child], Sum):
+def _growth(problem: Problem, change: Change) -> int:
+    """By what the sums grow that are divided by, at the last point."""
+    sheet, tree, p = problem.sheets[-1], problem.tree, problem.prime
+    factor, child, value = 1, change.at, change.values[-1]
+    for above, new in sheet.climb(child, value):
+        exponent = integer_exponent(tree.nodes[above])
+        if exponent is not None and exponent < 0 and isinstance(tree.nodes[child], Sum):
             factor = factor * pow(value * pow(sheet.has[child], -1, p), -exponent, p) % p
-        value, child = sheet.above(above, child, value), above
-    return value, factor
+        child, value = above, new
+    return factor

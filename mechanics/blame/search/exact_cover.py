@@ -17,7 +17,7 @@ from mechanics.blame.search.change import DROPPED, Change
 from mechanics.blame.search.cover import Piece, covers
 from mechanics.blame.search.differing_terms import Wrongs, wrongs
 from mechanics.blame.search.edit_effects import steps
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.pieces import Pieces
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.second_edit import completed
@@ -66,7 +66,7 @@ class Several:
         Single edits.
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
     changes: Sequence[Change]
 
     def pairs(self) -> list[tuple[Change, ...]]:
@@ -86,14 +86,14 @@ class Several:
 
     @property
     def _problem(self) -> Problem:
-        return self.growth.problem
+        return self.homogeneity.problem
 
     @cached_property
     def _known(self) -> list[Wrongs]:
         if len(self.changes) > MOST_CHANGES:
             return []
         try:
-            return wrongs(self.growth.claim, self._problem)
+            return wrongs(self.homogeneity.claim, self._problem)
         except (ExpressionError, TooLarge, Inadmissible):
             return []
 
@@ -118,8 +118,8 @@ class Several:
     def _option(self, known: Wrongs) -> Option:
         problem, size = self._problem, len(known.each)
         pieces = Pieces(problem, self._steps, known).all()
-        added = Added(self.growth.claim, problem, known, self.growth.words).pieces()
-        found = covers(problem.forest, [*pieces, *added], size, 0)
+        added = Added(self.homogeneity.claim, problem, known, self.homogeneity.words).pieces()
+        found = covers(problem.tree, [*pieces, *added], size, 0)
         return Option(size, pieces, [cover.changes for cover in islice(found, SHOWN)])
 
     def _against(self, option: Option, looked_at: int) -> Iterator[tuple[Change, ...]]:
@@ -127,7 +127,7 @@ class Several:
         yield from option.found
         if any(map(_simple, option.found)):
             return
-        partly = covers(self._problem.forest, option.pieces, option.size, MOST_LEFT)
+        partly = covers(self._problem.tree, option.pieces, option.size, MOST_LEFT)
         for cover in islice(partly, looked_at):
             if cover.left and cover.pieces:
                 more = list(completed(self._problem, cover.changes, self._open))
@@ -147,4 +147,4 @@ def _simple(changes: Sequence[Change]) -> bool:
 
 
 def _drops_a_side(problem: Problem, change: Change) -> bool:
-    return change.node is None and not problem.forest.place[change.index][1]
+    return change.node is None and problem.tree.side(change.index)

@@ -14,7 +14,7 @@ from itertools import combinations_with_replacement
 from sympy import Symbol, sign
 
 from mechanics.blame.search.change import raised
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
 from mechanics.claims.tree import Call, Node, Number, Power, Sum, constant
@@ -102,7 +102,7 @@ def _signs(problem: Problem, words: Words) -> Iterator[Node]:
     """Signs that were written, and those of the speeds at which friction slides."""
     scene = words.truth.scene
     found: dict[int, Node] = {}
-    calls = [n for n in problem.forest.nodes if isinstance(n, Call) and n.function == "sign"]
+    calls = [n for n in problem.tree.nodes if isinstance(n, Call) and n.function == "sign"]
     sliding = [words.written.tree(sign(scene.plain(load.sliding))) for load in frictions(scene)]
     for call in (*calls, *sliding):
         for value in worth(problem.sheets[:1], call) or ():
@@ -112,15 +112,15 @@ def _signs(problem: Problem, words: Words) -> Iterator[Node]:
 
 def _divisors(grown: Grown) -> Iterator[Factor]:
     """One over each sum below a line that was written."""
-    forest = grown[None].forest
+    tree = grown[None].tree
     known: set[int] = set()
-    for index, node in enumerate(forest.nodes):
+    for index, node in enumerate(tree.nodes):
         exponent = constant(node.exponent) if isinstance(node, Power) else None
-        below = forest.kids[index][0] if exponent is not None and exponent < 0 else index
-        if below == index or not isinstance(forest.nodes[below], Sum):
+        below = tree.kids[index][0] if exponent is not None and exponent < 0 else index
+        if below == index or not isinstance(tree.nodes[below], Sum):
             continue
         values = {symbol: problem.sheets[0].has[below] for symbol, problem in grown.items()}
         if values[None] not in known and len(known) < MOST_DIVISORS:
             known.add(values[None])
-            inverse = Power(0, forest.nodes[below], Number(0, Fraction(-1)))
+            inverse = Power(0, tree.nodes[below], Number(0, Fraction(-1)))
             yield Factor((inverse,), values)

@@ -17,7 +17,7 @@ from mechanics.blame.search.exact_cover import Several
 from mechanics.blame.search.exchanged_names import exchanged
 from mechanics.blame.search.function_definitions import in_functions
 from mechanics.blame.search.group_differences import whole
-from mechanics.blame.search.homogeneity_test import Growth, growing
+from mechanics.blame.search.homogeneity_test import Homogeneity, growing
 from mechanics.blame.search.missing import Missing
 from mechanics.blame.search.pairs import pairs
 from mechanics.blame.search.probabilistic_check import Problem
@@ -47,23 +47,23 @@ class Solution:
 def solutions(claim: Claim, problem: Problem, statement: Statement) -> Iterator[list[Solution]]:
     """Solutions stage by stage, those of a stage the cheapest first."""
     words = words_of(claim, problem)
-    changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
+    changes = Candidates(Maker(problem.tree, problem.sheets, words)).all()
     singles = [change for change in changes if problem.mends(change)]
     yield _sorted(problem, [(change,) for change in (*singles, *numbers(problem))])
     if (elsewhere := growing(claim, problem, words)) is not problem:
         problem, words = elsewhere, words_of(claim, elsewhere)
-        changes = Candidates(Maker(problem.forest, problem.sheets, words)).all()
-    growth = Growth(claim, problem, words)
-    yield _sorted(problem, [*exchanged(growth), *in_functions(growth)])
-    lacking = Missing(growth).changes()
+        changes = Candidates(Maker(problem.tree, problem.sheets, words)).all()
+    homogeneity = Homogeneity(claim, problem, words)
+    yield _sorted(problem, [*exchanged(homogeneity), *in_functions(homogeneity)])
+    lacking = Missing(homogeneity).changes()
     added = [change for change in lacking if change.mistake is Mistake.MISSING]
     yield _sorted(problem, [(change,) for change in added])
     yield _sorted(problem, pairs(problem, changes))
     yield _sorted(problem, signs(problem))
-    many = Several(growth, changes)
+    many = Several(homogeneity, changes)
     yield _sorted(problem, many.pairs())
-    yield _sorted(problem, Both(growth).pairs())
-    yield _sorted(problem, Two(growth).pairs())
+    yield _sorted(problem, Both(homogeneity).pairs())
+    yield _sorted(problem, Two(homogeneity).pairs())
     groups = whole(claim, problem, statement, words)
     yield _sorted(problem, [*many.all(), *groups])
     yield _sorted(problem, [(change,) for change in lacking if change not in added])
@@ -74,7 +74,7 @@ def _sorted(problem: Problem, found: Sequence[tuple[Change, ...]]) -> list[Solut
 
     def size(solution: Solution) -> int:
         """How much stands where something is exchanged: -S is likelier than -(all of a side)."""
-        nodes = problem.forest.nodes
+        nodes = problem.tree.nodes
         there = (c for c in solution.changes if c.mistake is not Mistake.MISSING)
         return sum(nodes[change.index].depth for change in there)
 
@@ -84,7 +84,7 @@ def _sorted(problem: Problem, found: Sequence[tuple[Change, ...]]) -> list[Solut
 def words_of(claim: Claim, problem: Problem) -> Words:
     """The words of the scene at the points of a problem."""
     held = []
-    for node in problem.forest.nodes:
+    for node in problem.tree.nodes:
         if isinstance(node, Name) and node.name not in claim.definitions:
             try:
                 held.append(claim.written.naming.symbol(node.name, node.order))

@@ -3,11 +3,9 @@
 sin(theta_1 - theta_2)  ->  sin(theta_1 + theta_2), sin(theta_1), sin(theta_1 - theta_3), ...
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-
-from sympy.matrices import MatrixBase
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import (
@@ -23,12 +21,10 @@ from mechanics.blame.search.change import (
     size_of,
     times,
 )
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.inverse_evaluation import Sheet
-from mechanics.blame.search.syntax_tree import Forest, edited
+from mechanics.blame.search.edits import Maker, worth
+from mechanics.blame.search.syntax_tree import SyntaxTree, edited
 from mechanics.blame.search.words import Words
 from mechanics.claims.kinds import angular
-from mechanics.claims.place import Refused
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -41,40 +37,29 @@ from mechanics.claims.tree import (
     product,
     with_parts,
 )
-from mechanics.errors import MechanicsError
 
 Inner = tuple[int, Node | None, Mistake, float]
 """Where, what in its place, which mistake, and its cost."""
 
 
-def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
-    """What a node is worth at each point; None where it has no value, or is a matrix."""
-    try:
-        if isinstance(sheets[0].builder(node), MatrixBase):
-            return None
-        return tuple(sheet.opaque(node) for sheet in sheets)
-    except (MechanicsError, Refused):
-        return None
-
-
 def inside_of(make: Maker, index: int) -> Iterator[Inner]:
     """Edits below a function."""
-    return Inside(make.forest, make.words).of(index)
+    return Inside(make.tree, make.words).of(index)
 
 
 def valued(make: Maker, edits: Iterable[tuple[int, Inner]]) -> Iterator[Change]:
     """Edits at or below nodes that are known as a whole only, with what these are worth then."""
-    forest = make.forest
+    tree = make.tree
     for index, (below, other, mistake, cost) in edits:
-        node, depth = forest.nodes[index], len(forest.place[index][1])
+        node, depth = tree.nodes[index], len(tree.place[index][1])
         if below == index:
             new = other
         else:
-            new = edited(node, [(forest.place[below][1][depth:], other)])
+            new = edited(node, [(tree.place[below][1][depth:], other)])
         if new is None:
             yield Change(below, None, mistake, cost, index, (0,) * len(make.sheets))
             continue
-        values = None if new == node else worth(make.sheets, forest.as_told(index, new))
+        values = None if new == node else worth(make.sheets, tree.as_told(index, new))
         if values is not None:
             yield Change(below, other, mistake, cost, index, values)
 
@@ -83,23 +68,23 @@ def valued(make: Maker, edits: Iterable[tuple[int, Inner]]) -> Iterator[Change]:
 class Inside:
     """Edits of what a function is taken of."""
 
-    forest: Forest
+    tree: SyntaxTree
     words: Words
 
     def of(self, index: int) -> Iterator[Inner]:
         """Edits of the parts of a node, and of theirs."""
-        node = self.forest.nodes[index]
-        for kid in self.forest.kids[index]:
-            if self.forest.place[kid][0] != self.forest.place[index][0]:
+        node = self.tree.nodes[index]
+        for kid in self.tree.kids[index]:
+            if self.tree.place[kid][0] != self.tree.place[index][0]:
                 continue  # a definition, which is worth something at other places, too
-            part = self.forest.nodes[kid]
+            part = self.tree.nodes[kid]
             yield from self.edits(kid, part, node)
             if parts(part):
                 yield from self.of(kid)
 
     def edits(self, index: int, part: Node, around: Node) -> Iterator[Inner]:
         """Edits of one part."""
-        if isinstance(part, Name) and not self.forest.kids[index]:
+        if isinstance(part, Name) and not self.tree.kids[index]:
             yield from self._symbols(index, part)
         if isinstance(part, Number) and part.value not in (-1, 0):
             for ratio in RATIOS[:8]:

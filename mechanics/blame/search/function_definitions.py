@@ -11,31 +11,31 @@ from itertools import islice
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.exchanged_names import mends
 from mechanics.blame.search.function_arguments import Inside
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.claims.tree import Call
 
 MOST = 80
 """Edits that are tried."""
 
 
-def in_functions(growth: Growth) -> list[tuple[Change, ...]]:
+def in_functions(homogeneity: Homogeneity) -> list[tuple[Change, ...]]:
     """Single edits of such definitions that make the statement right."""
-    changes = islice(_changes(growth), MOST)
-    return [(change,) for change in changes if mends(growth, (change,))]
+    changes = islice(_changes(homogeneity), MOST)
+    return [(change,) for change in changes if mends(homogeneity, (change,))]
 
 
-def _changes(growth: Growth) -> Iterator[Change]:
-    forest = growth.problem.forest
-    inside = Inside(forest, growth.words)
-    zero = (0,) * len(growth.problem.sheets)  # they are valued with the statement
-    for index in range(len(forest.nodes)):
-        place = forest.place[index]
-        above = any(forest.opaque(k) for k in forest.ways_up(index)[1:])
-        if place[1] or not above or forest.copies[place][0] != index or not forest.written(index):
+def _changes(homogeneity: Homogeneity) -> Iterator[Change]:
+    tree = homogeneity.problem.tree
+    inside = Inside(tree, homogeneity.words)
+    zero = (0,) * len(homogeneity.problem.sheets)  # they are valued with the statement
+    for index in range(len(tree.nodes)):
+        place = tree.place[index]
+        above = any(tree.opaque(k) for k in tree.ways_up(index)[1:])
+        if place[1] or not above or tree.copies[place][0] != index or not tree.written(index):
             continue
-        around = Call(0, "", (forest.nodes[index],))
+        around = Call(0, "", (tree.nodes[index],))
         for below, node, mistake, cost in (
-            *inside.edits(index, forest.nodes[index], around),
+            *inside.edits(index, tree.nodes[index], around),
             *inside.of(index),
         ):
             yield Change(below, node, mistake, cost, below, zero)

@@ -4,15 +4,14 @@ right = written + sum over groups of (right terms - written terms)
 """
 
 from collections.abc import Iterator
-from functools import partial
 
 from sympy import Add, Expr, S, factor_terms
 
 from mechanics.blame.difference import Group, groups
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change, plus
+from mechanics.blame.search.change import ADDED, HINT, REPLACED, Change
 from mechanics.blame.search.claim import Claim
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.words import Words
 from mechanics.blame.terms import difference, written
@@ -36,12 +35,12 @@ def whole(
     found = groups(claim.reference, statement)
     if not 0 < len(found) <= MOST or any(group.multiplied for group in found):
         return []
-    first, *others = (problem.forest.copies[k, ()][0] for k in problem.numbers)
-    left = problem.forest.nodes[first]
+    first, *others = (problem.tree.copies[k, ()][0] for k in problem.numbers)
+    left = problem.tree.nodes[first]
     if isinstance(left, Name) and any(group.about is not None for group in found):
         return []  # of x'' = a the whole side would be another one
     # What m x'' = F lacks is a force.
-    forces = [k for k in others if constant(problem.forest.nodes[k]) != 0]
+    forces = [k for k in others if constant(problem.tree.nodes[k]) != 0]
     force = not any(words.quadratic(t) for g in found for t in Add.make_args(_step(claim, g)))
     place = forces[0] if forces and force and words.accelerates(left) else first
     changes = list(_changes(claim, problem, found, place, -1 if place != first else 1))
@@ -51,23 +50,19 @@ def whole(
 def _changes(
     claim: Claim, problem: Problem, found: tuple[Group, ...], index: int, sign: int
 ) -> Iterator[Change]:
-    node = problem.forest.nodes[index]
-    has = [sheet.has[index] for sheet in problem.sheets]
     for group in found:
         try:
             term = claim.written.tree(sign * _step(claim, group))
         except Untreeable:
             return
-        values = worth(problem.sheets, term)
-        if values is None:
-            return
-        wrap = partial(plus, term)
         mistake = Mistake.TERM if group.written else Mistake.MISSING
         # What replaces a term may be a long sum.
         count = len(difference(group.right, group.written))
         cost = max(REPLACED, ADDED * (count - 1)) if group.written else ADDED + HINT
-        sums = tuple((a + b) % problem.prime for a, b in zip(has, values, strict=True))
-        yield Change(index, wrap(node), mistake, cost, index, sums, wrap)
+        change = added(problem, index, term, cost, mistake)
+        if change is None:
+            return
+        yield change
 
 
 def _step(claim: Claim, group: Group) -> Expr:

@@ -22,7 +22,7 @@ MOST_EXPONENT = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Growth:
+class Homogeneity:
     """How a problem grows with every quantity."""
 
     claim: Claim
@@ -52,17 +52,17 @@ class Growth:
         return isinstance(self.claim.row.quantity, ALONG)
 
     def _doubled(self, symbol: Symbol) -> Problem | None:
-        target, forest = self.problem.target, self.problem.forest
+        target, tree = self.problem.target, self.problem.tree
         sheets = []
         for sheet in self.problem.sheets:
             before = sheet.point.family
             family = replace(before, doubled=(*before.doubled, symbol))
             try:
                 point = self.claim.reference.points.like(sheet.point, family)
-                sheets.append(sheet_of(forest, point, sheet.builder, target(point)))
+                sheets.append(sheet_of(tree, point, sheet.builder, target(point)))
             except Inadmissible:
                 return None
-        return Problem(forest, self.problem.numbers, tuple(sheets), target)
+        return Problem(tree, self.problem.numbers, tuple(sheets), target)
 
     @cached_property
     def factors(self) -> tuple[Factor, ...]:
@@ -82,19 +82,19 @@ class Growth:
         p = self.problem.prime
         return {pow(2, e, p): e for e in range(-MOST_EXPONENT, MOST_EXPONENT + 1)}
 
-    def after(self, symbol: Symbol) -> "Growth":
+    def after(self, symbol: Symbol) -> "Homogeneity":
         """How the problem grows from where a symbol is doubled already."""
         problem = self.problems[symbol]
-        return Growth(self.claim, problem, words_at(self.words, problem))
+        return Homogeneity(self.claim, problem, words_at(self.words, problem))
 
-    def edited(self, claim: Claim) -> "Growth | None":
+    def edited(self, claim: Claim) -> "Homogeneity | None":
         """The same for a claim with an edit in it; None where it has no value."""
         families = [sheet.point.family for sheet in self.problem.sheets]
         try:
             problem = posed(claim, self.problem.numbers, self.problem.target, families)
         except (Inadmissible, Refused):
             return None
-        return Growth(claim, problem, words_at(self.words, problem))
+        return Homogeneity(claim, problem, words_at(self.words, problem))
 
 
 def growing(claim: Claim, problem: Problem, words: Words) -> Problem:
@@ -102,16 +102,16 @@ def growing(claim: Claim, problem: Problem, words: Words) -> Problem:
 
     A root of 1 + 4 a^2 x^2 has one in a field at half of all points.
     """
-    growth = Growth(claim, problem, words)
-    if growth.problems:
+    homogeneity = Homogeneity(claim, problem, words)
+    if homogeneity.problems:
         return problem
     families = [sheet.point.family for sheet in problem.sheets]
-    doubled = [replace(f, doubled=(*f.doubled, s)) for f in families for s in growth.symbols]
+    doubled = [replace(f, doubled=(*f.doubled, s)) for f in families for s in homogeneity.symbols]
     builder = problem.sheets[0].builder
 
     def sheets(points: list[Point]) -> tuple[Sheet, ...]:
         kept = points[: len(families)]
-        return tuple(sheet_of(problem.forest, p, builder, problem.target(p)) for p in kept)
+        return tuple(sheet_of(problem.tree, p, builder, problem.target(p)) for p in kept)
 
     try:
         found = claim.reference.points.together([*families, *doubled], sheets)

@@ -11,8 +11,7 @@ from functools import cached_property, partial
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, size_of, times
 from mechanics.blame.search.circular import Circular
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, scaled
 from mechanics.claims.tree import Call, Node, Number, Power, Product
 
@@ -65,11 +64,11 @@ class Inserted:
 
     def _number_below(self, index: int) -> bool:
         """Whether a term has a number that can be another one."""
-        node = self.make.forest.nodes[index]
+        node = self.make.tree.nodes[index]
         if isinstance(node, Number):
             return node.value not in (-1, 0)
         if isinstance(node, Product):
-            return any(self._number_below(kid) for kid in self.make.forest.kids[index])
+            return any(self._number_below(kid) for kid in self.make.tree.kids[index])
         if isinstance(node, Power) and integer_exponent(node) in (1, -1):
-            return self._number_below(self.make.forest.kids[index][0])
+            return self._number_below(self.make.tree.kids[index][0])
         return False

@@ -9,12 +9,13 @@ The terms below d/dt are worth their derivatives.
 A node is right as something else if that is worth what is needed there.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.syntax_tree import Forest, is_root
+from mechanics.blame.search.residues import others_of
+from mechanics.blame.search.syntax_tree import SyntaxTree, is_root
 from mechanics.claims.build import Builder
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Rate, Sum, constant
 from mechanics.kernel.field import DivisionHere
@@ -42,7 +43,7 @@ class Sheet:
         What the square of a node has to be.
     """
 
-    forest: Forest
+    tree: SyntaxTree
     point: Point
     builder: Builder
     target: int
@@ -68,8 +69,8 @@ class Sheet:
             return []
         return [root, p - root]
 
-    def above(self, parent: int, child: int, value: int) -> int:
-        """What a node is worth when one part of it has another value.
+    def above(self, index: int, values: Mapping[int, int]) -> int:
+        """What a node is worth when some parts of it have other values.
 
         Raises
         ------
@@ -78,27 +79,41 @@ class Sheet:
         InsideHere
             For a part inside of a function.
         """
-        p, node, has = self.point.prime, self.forest.nodes[parent], self.has
+        p, node, has = self.point.prime, self.tree.nodes[index], self.has
+        kids = self.tree.kids[index]
         if isinstance(node, Sum):
-            return (has[parent] - has[child] + value) % p
-        if self.forest.opaque(parent):
+            # A term may have been added to it.
+            steps = (values[kid] - has[kid] for kid in kids if kid in values)
+            return (has[index] + sum(steps)) % p
+        if self.tree.opaque(index):
             raise InsideHere
-        if isinstance(node, Rate):
-            return value
+        first, *others = (values.get(kid, has[kid]) for kid in kids)
         if isinstance(node, Product):
-            total = value
-            for kid in self.forest.kids[parent]:
-                if kid != child:
-                    total = total * has[kid] % p
-            return total
-        if isinstance(node, Name):
-            return value
-        if is_root(node) and child == self.forest.kids[parent][0]:
-            return root_of(value, p)
-        exponent = integer_exponent(node)
-        if exponent is None or child != self.forest.kids[parent][0]:
+            for other in others:
+                first = first * other % p
+            return first
+        if isinstance(node, Name | Rate):
+            return first
+        if isinstance(node, Power) and kids[1] in values:
             raise InsideHere
-        return power(value, exponent, p)
+        if is_root(node):
+            return root_of(first, p)
+        exponent = integer_exponent(node)
+        if exponent is None:
+            raise InsideHere
+        return power(first, exponent, p)
+
+    def climb(self, child: int, value: int) -> Iterator[tuple[int, int]]:
+        """Each node above one that has another value, and what it is worth then.
+
+        Raises
+        ------
+        DivisionHere, InsideHere
+            As `above`.
+        """
+        while (index := self.tree.parent[child]) >= 0:
+            value, child = self.above(index, {child: value}), index
+            yield child, value
 
 
 def integer_exponent(node: Node) -> int | None:
@@ -143,10 +158,10 @@ def scaled(sheets: Sequence[Sheet], index: int, ratio: Fraction) -> tuple[int, .
     return tuple(sheet.has[index] * factor % p for sheet in sheets)
 
 
-def sheet_of(forest: Forest, point: Point, builder: Builder, target: int) -> Sheet:
+def sheet_of(tree: SyntaxTree, point: Point, builder: Builder, target: int) -> Sheet:
     """Values from the leaves up, and what is needed from the root down."""
-    count = len(forest.nodes)
-    sheet = Sheet(forest, point, builder, target, [0] * count, [None] * count)
+    count = len(tree.nodes)
+    sheet = Sheet(tree, point, builder, target, [0] * count, [None] * count)
     for index in reversed(range(count)):
         sheet.has[index] = _value(sheet, index)
     return _from_root(sheet)
@@ -160,12 +175,12 @@ def again(sheet: Sheet) -> Sheet:
 
 def _from_root(sheet: Sheet) -> Sheet:
     """What is needed from the root down; not where a node stands at several places."""
-    forest = sheet.forest
+    tree = sheet.tree
     sheet.needs[0] = sheet.target % sheet.point.prime
-    for index in range(len(forest.nodes)):
-        if forest.kids[index]:
+    for index in range(len(tree.nodes)):
+        if tree.kids[index]:
             _needed_below(sheet, index)
-    for indices in forest.copies.values():
+    for indices in tree.copies.values():
         if len(indices) > 1:
             for index in indices:
                 sheet.needs[index] = None
@@ -173,13 +188,13 @@ def _from_root(sheet: Sheet) -> Sheet:
 
 
 def _value(sheet: Sheet, index: int) -> int:
-    forest, p = sheet.forest, sheet.point.prime
-    node, kids = forest.nodes[index], forest.kids[index]
+    tree, p = sheet.tree, sheet.point.prime
+    node, kids = tree.nodes[index], tree.kids[index]
     values = [sheet.has[kid] for kid in kids]
     if isinstance(node, Sum):
         return sum(values) % p
-    if forest.opaque(index):
-        return sheet.opaque(forest.as_told(index, node))
+    if tree.opaque(index):
+        return sheet.opaque(tree.as_told(index, node))
     if isinstance(node, Rate):
         return values[0]
     if isinstance(node, Product):
@@ -199,20 +214,20 @@ def _value(sheet: Sheet, index: int) -> int:
 
 
 def _needed_below(sheet: Sheet, index: int) -> None:
-    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
-    node, kids, need = forest.nodes[index], forest.kids[index], sheet.needs[index]
+    tree, p, has = sheet.tree, sheet.point.prime, sheet.has
+    node, kids, need = tree.nodes[index], tree.kids[index], sheet.needs[index]
     if need is None:
         _squared_below(sheet, index)
         return
     if isinstance(node, Sum):
         for kid in kids:
             sheet.needs[kid] = (need - has[index] + has[kid]) % p
-    elif forest.opaque(index):
+    elif tree.opaque(index):
         return
     elif isinstance(node, Rate):
         sheet.needs[kids[0]] = need
     elif isinstance(node, Product):
-        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+        for kid, others in zip(kids, others_of([has[kid] for kid in kids], p), strict=True):
             sheet.needs[kid] = need * pow(others, -1, p) % p if others else None
     elif isinstance(node, Name):
         sheet.needs[kids[0]] = need
@@ -230,8 +245,8 @@ def _needed_below(sheet: Sheet, index: int) -> None:
 
 def _squared_below(sheet: Sheet, index: int) -> None:
     """What the squares of parts have to be, or the part below a root."""
-    forest, p, has = sheet.forest, sheet.point.prime, sheet.has
-    node, kids, square = forest.nodes[index], forest.kids[index], sheet.squares.get(index)
+    tree, p, has = sheet.tree, sheet.point.prime, sheet.has
+    node, kids, square = tree.nodes[index], tree.kids[index], sheet.squares.get(index)
     if square is None:
         return
     if is_root(node):
@@ -239,19 +254,6 @@ def _squared_below(sheet: Sheet, index: int) -> None:
     elif isinstance(node, Name):
         sheet.squares[kids[0]] = square
     elif isinstance(node, Product):
-        for kid, others in zip(kids, _others([has[kid] for kid in kids], p), strict=True):
+        for kid, others in zip(kids, others_of([has[kid] for kid in kids], p), strict=True):
             if others:
                 sheet.squares[kid] = square * pow(others, -2, p) % p
-
-
-def _others(values: list[int], p: int) -> list[int]:
-    """For every factor the product of the others."""
-    before, found = 1, []
-    for value in values:
-        found.append(before)
-        before = before * value % p
-    after = 1
-    for i in reversed(range(len(values))):
-        found[i] = found[i] * after % p
-        after = after * values[i] % p
-    return found

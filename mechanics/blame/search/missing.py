@@ -4,14 +4,14 @@ needed - has = m l theta_dot**2 sin(theta)
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property, partial
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, HINT, Change, plus
+from mechanics.blame.search.change import ADDED, HINT, Change
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.function_arguments import worth
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.products import Products
 from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum, constant, parts
@@ -23,16 +23,16 @@ class Missing:
 
     Attributes
     ----------
-    growth : Growth
+    homogeneity : Homogeneity
         The problem, and how it is where quantities are doubled.
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
 
     @property
     def problem(self) -> Problem:
         """The equality that does not hold."""
-        return self.growth.problem
+        return self.homogeneity.problem
 
     @property
     def _p(self) -> int:
@@ -40,13 +40,13 @@ class Missing:
 
     @cached_property
     def _products(self) -> Products:
-        return Products(self.growth)
+        return Products(self.homogeneity)
 
     def changes(self) -> list[Change]:
         """A term added to each sum or side that lacks one product."""
-        if not self.growth.problems:
+        if not self.homogeneity.problems:
             return []
-        count = len(self.problem.forest.nodes)
+        count = len(self.problem.tree.nodes)
         return [change for index in range(count) for change in self._at(index)]
 
     def _lacks(self, problem: Problem, index: int) -> list[int]:
@@ -62,7 +62,8 @@ class Missing:
     def _series(self, index: int) -> Iterator[Series]:
         """What a node lacks at every point; of two roots the one that tells an exponent."""
         options = {
-            symbol: self._lacks(problem, index) for symbol, problem in self.growth.problems.items()
+            symbol: self._lacks(problem, index)
+            for symbol, problem in self.homogeneity.problems.items()
         }
         if not all(options.values()):
             return
@@ -71,7 +72,9 @@ class Missing:
             inverse = pow(first, -1, self._p) if first else 0
             for symbol, values in options.items():
                 if symbol is not None:
-                    known = [v for v in values if v * inverse % self._p in self.growth.doubling]
+                    known = [
+                        v for v in values if v * inverse % self._p in self.homogeneity.doubling
+                    ]
                     found[symbol] = (known or values)[0]
             if first:
                 yield found
@@ -90,42 +93,34 @@ class Missing:
                 kind = any(isinstance(part, Call) and part.function == "sign" for part in held)
                 if kind not in likeliest or cost < likeliest[kind][1]:
                     likeliest[kind] = term, cost
-        forest = self.problem.forest
-        side = forest.term(index) and not forest.place[index][1]
+        tree = self.problem.tree
+        side = tree.side(index)
         # Beside a side is plainer than in a bracket around a factor: + c x', not k (x + c x'/k).
-        far = 0.0 if isinstance(forest.nodes[index], Sum) else (5 if side else 10) * HINT
-        words = self.growth.words
-        inertial = side and words.accelerates(forest.nodes[index])
+        far = 0.0 if isinstance(tree.nodes[index], Sum) else (5 if side else 10) * HINT
+        words = self.homogeneity.words
+        inertial = side and words.accelerates(tree.nodes[index])
         for term, cost in likeliest.values():
             # What m x'' = F lacks is a force, on the right.
             force = inertial and not words.quadratic(self.problem.sheets[0].builder(term))
             yield from self._added(index, term, ADDED + far + cost + (HINT / 2 if force else 0.0))
 
     def _around(self, index: int) -> Node | None:
-        above = self.problem.forest.parent[index]
-        return self.problem.forest.nodes[above] if above >= 0 else None
+        above = self.problem.tree.parent[index]
+        return self.problem.tree.nodes[above] if above >= 0 else None
 
     def _open(self, index: int) -> bool:
         """Whether a term may be missing at a node: a sum, a side, a factor, a divisor, a base."""
-        forest = self.problem.forest
-        node, around = forest.nodes[index], self._around(index)
-        side = forest.term(index) and not forest.place[index][1]
+        tree = self.problem.tree
+        node, around = tree.nodes[index], self._around(index)
         factor = isinstance(node, Product | Name) and isinstance(around, Product)
         below = isinstance(around, Power)
         # Nothing is missing in 1/2; a number alone is another one.
-        open_here = isinstance(node, Sum) or side or ((factor or below) and constant(node) is None)
-        plain = forest.written(index) and forest.single(index) and not forest.rates[index]
-        return open_here and plain
+        inside = (factor or below) and constant(node) is None
+        return (isinstance(node, Sum) or tree.side(index) or inside) and tree.plain(index)
 
     def _added(self, index: int, term: Node, cost: float) -> Iterator[Change]:
-        worths = worth(self.problem.sheets, term)
-        if worths is None:
-            return
-        node = self.problem.forest.nodes[index]
-        has = [sheet.has[index] for sheet in self.problem.sheets]
-        values = tuple((a + b) % self._p for a, b in zip(has, worths, strict=True))
-        if isinstance(node, Number) and node.value == 0:
-            yield Change(index, term, Mistake.TERM, cost, index, values)
-            return
-        wrap = partial(plus, term)
-        yield Change(index, wrap(node), Mistake.MISSING, cost, index, values, wrap)
+        node = self.problem.tree.nodes[index]
+        change = added(self.problem, index, term, cost)
+        if change is not None and isinstance(node, Number) and node.value == 0:
+            change = replace(change, mistake=Mistake.TERM, wrap=None)  # it stands in place of that
+        yield from () if change is None else (change,)

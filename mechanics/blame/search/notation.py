@@ -14,7 +14,7 @@ from sympy.matrices import MatrixBase
 from mechanics.blame.result import Edit, Mistake
 from mechanics.blame.search.change import Change, is_minus, minus, raised
 from mechanics.blame.search.claim import Claim
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.claims.claim import Trees
 from mechanics.claims.spelling import Spelling, hidden_minus
 from mechanics.claims.tree import (
@@ -40,48 +40,48 @@ CLOSES = re.compile(r"\s*(?:\\right\s*)?\)")
 Span = tuple[int, int]
 
 
-def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Edit:
+def edit_of(claim: Claim, spelling: Spelling, tree: SyntaxTree, change: Change) -> Edit:
     """An edit as a person makes it, with the names that the person has for parts of it."""
-    home = forest.place[change.index][0]
+    home = tree.place[change.index][0]
     if change.node is not None:
         change = replace(change, node=_in_own_names(claim, home, change.node))
     if isinstance(home, str):
         place = claim.written.places.get(home, "")
-        if _adds(forest, change) and change.wrap and not forest.place[change.index][1]:
+        if _adds(tree, change) and change.wrap and tree.side(change.index):
             term = change.wrap(Number(0, Fraction(0)))
             return Edit(change.mistake, "", _signed(spelling, term), None, home, place)
         # It stands elsewhere, so that a sign alone would say nothing.
-        return Edit(change.mistake, *_without_place(forest, change, spelling), None, home, place)
-    node, new = forest.nodes[change.index], change.node
+        return Edit(change.mistake, *_without_place(tree, change, spelling), None, home, place)
+    node, new = tree.nodes[change.index], change.node
     span = spelling.span(node)
-    above = forest.parent[change.index]
-    around = forest.nodes[above] if above >= 0 else None
+    above = tree.parent[change.index]
+    around = tree.nodes[above] if above >= 0 else None
     if span is None and isinstance(around, Power) and new is not None and spelling.span(around):
         # The sine of sin^2(x) has no place of its own.
         power = Power(around.at, new, around.exponent)
-        return told(claim, spelling, forest, replace(change, index=above, node=power, wrap=None))
+        return edit_of(claim, spelling, tree, replace(change, index=above, node=power, wrap=None))
     if span is None and isinstance(around, Call) and new is not None and spelling.span(around):
         # Nor has the angle of c_2.
-        kids = forest.kids[above]
-        arguments = [new if k == change.index else forest.nodes[k] for k in kids]
+        kids = tree.kids[above]
+        arguments = [new if k == change.index else tree.nodes[k] for k in kids]
         call = with_parts(around, tuple(arguments))
-        return told(claim, spelling, forest, replace(change, index=above, node=call, wrap=None))
+        return edit_of(claim, spelling, tree, replace(change, index=above, node=call, wrap=None))
     if _divides(node) and new is not None and isinstance(new, Power) and _divides(new):
         # r^2 for r below a line, not 1/r^2.
         below = raised(new.base, -int(constant(new.exponent) or -1))
-        base = forest.kids[change.index][0]
-        return told(claim, spelling, forest, replace(change, index=base, node=below, wrap=None))
+        base = tree.kids[change.index][0]
+        return edit_of(claim, spelling, tree, replace(change, index=base, node=below, wrap=None))
     sign = None if span is None else _sign_before(claim, span)
     if change.mistake is Mistake.SIGN and sign is not None:
         mark = claim.written.text[sign[0]]
         return _edit(claim, change, mark, "-" if mark == "+" else "+", sign)
-    if _adds(forest, change) and isinstance(new, Sum):
+    if _adds(tree, change) and isinstance(new, Sum):
         at = None if span is None else (span[1], span[1])
         return _edit(claim, change, "", _signed(spelling, new.terms[-1]), at)
-    if new is None and not forest.place[change.index][1]:
+    if new is None and tree.side(change.index):
         return _edit(claim, change, spelling(node), "0", span)
     if span is None or (sign is None and hidden_minus(node)):
-        return _edit(claim, change, *_without_place(forest, change, spelling), None)
+        return _edit(claim, change, *_without_place(tree, change, spelling), None)
     if new is None and isinstance(around, Sum):
         # A bracket of its own goes with a term, and the sign before it.
         span = _with_brackets(claim.written.text, span)
@@ -97,13 +97,13 @@ def told(claim: Claim, spelling: Spelling, forest: Forest, change: Change) -> Ed
         return _edit(claim, change, written, right, span)
     if hidden_minus(node) and is_minus(new):
         return _edit(claim, change, written, spelling(minus(new)), span)
-    in_sum = forest.parent[change.index] >= 0 and isinstance(
-        forest.nodes[forest.parent[change.index]], Sum
+    in_sum = tree.parent[change.index] >= 0 and isinstance(
+        tree.nodes[tree.parent[change.index]], Sum
     )
     if sign is not None and in_sum and (is_minus(new) or hidden_minus(node)):
         written = f"{claim.written.text[sign[0]]} {written}"
         return _edit(claim, change, written, _signed(spelling, new), (sign[0], span[1]))
-    return _edit(claim, change, written, _fitting(forest, change, spelling), span)
+    return _edit(claim, change, written, _fitting(tree, change, spelling), span)
 
 
 def _in_own_names(claim: Claim, home: int | str, node: Node) -> Node:
@@ -163,11 +163,11 @@ def _edit(claim: Claim, change: Change, written: str, right: str, span: Span | N
     return Edit(change.mistake, written, right, _within(claim, span))
 
 
-def _adds(forest: Forest, change: Change) -> bool:
+def _adds(tree: SyntaxTree, change: Change) -> bool:
     """Whether a term is added to a sum, or to what stands alone as a term."""
     if change.mistake not in (Mistake.MISSING, Mistake.TERM) or change.wrap is None:
         return False
-    return isinstance(forest.nodes[change.index], Sum) or forest.term(change.index)
+    return isinstance(tree.nodes[change.index], Sum) or tree.term(change.index)
 
 
 def _signed(spelling: Spelling, node: Node) -> str:
@@ -176,39 +176,39 @@ def _signed(spelling: Spelling, node: Node) -> str:
     return f"- {text[1:].lstrip()}" if text.startswith("-") else f"+ {text}"
 
 
-def _fitting(forest: Forest, change: Change, spelling: Spelling) -> str:
+def _fitting(tree: SyntaxTree, change: Change, spelling: Spelling) -> str:
     """The new text, in brackets where it would fall apart at its place."""
     new = change.node
     if new is None:
         return ""
-    above = forest.parent[change.index]
-    if above < 0 or not forest.place[change.index][1]:
+    above = tree.parent[change.index]
+    if above < 0 or tree.side(change.index):
         return spelling(new)
-    around = forest.nodes[above]
+    around = tree.nodes[above]
     level = 0
     if isinstance(around, Product):
         level = 2 if spelling.written.notation == "text" and isinstance(new, Product) else 1
     if isinstance(around, Power):
         level = 2 if _divides(around) and not spelling.latex else 3
         # A denominator has its own braces, unless a slash stands before it; an exponent, too.
-        fraction = around.exponent.end < 0 and _in_braces(spelling, forest.nodes[change.index])
-        if spelling.latex and (fraction or change.index != forest.kids[above][0]):
+        fraction = around.exponent.end < 0 and _in_braces(spelling, tree.nodes[change.index])
+        if spelling.latex and (fraction or change.index != tree.kids[above][0]):
             level = 0
     if isinstance(around, Sum) and is_minus(new):
-        level = 0 if change.index == forest.kids[above][0] else 1
+        level = 0 if change.index == tree.kids[above][0] else 1
     if isinstance(around, Call) and spelling.latex:
-        level = 0 if _in_brackets(spelling, forest.nodes[change.index]) else 1
+        level = 0 if _in_brackets(spelling, tree.nodes[change.index]) else 1
     return spelling.tight(new, level)
 
 
-def _without_place(forest: Forest, change: Change, spelling: Spelling) -> tuple[str, str]:
+def _without_place(tree: SyntaxTree, change: Change, spelling: Spelling) -> tuple[str, str]:
     """What stood there and has to, where nobody can look; both without the sign that they share."""
-    node, new = forest.nodes[change.index], change.node
+    node, new = tree.nodes[change.index], change.node
     if new is not None and is_minus(node) and is_minus(new):
         change, node = replace(change, node=minus(new)), minus(node)
     if isinstance(node, Sum) and isinstance(change.node, Sum):
         return spelling(node), spelling(change.node)  # in the brackets that stand there
-    return spelling(node), _fitting(forest, change, spelling)
+    return spelling(node), _fitting(tree, change, spelling)
 
 
 def _in_brackets(spelling: Spelling, node: Node) -> bool:

@@ -8,6 +8,7 @@ Every edit is entered at every node above it with what it does there; its partne
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import Change
@@ -39,31 +40,29 @@ def _where_they_meet(
     problem: Problem, changes: Sequence[Change]
 ) -> Iterator[tuple[Change, Change]]:
     (sheet,) = problem.sheets
-    forest = problem.forest
+    tree = problem.tree
     entries: dict[int, list[Entry]] = defaultdict(list)
     reached: dict[int, dict[int, list[Change]]] = defaultdict(lambda: defaultdict(list))
     for change in changes:
-        if not forest.single(change.at):
+        if not tree.single(change.at):
             continue
-        child, value = change.at, change.values[0]
+        way = chain([(change.at, change.values[0])], sheet.climb(change.at, change.values[0]))
         try:
-            while (above := forest.parent[child]) >= 0:
-                if isinstance(forest.nodes[above], Sum | Product):
+            for child, value in way:
+                above = tree.parent[child]
+                if above >= 0 and isinstance(tree.nodes[above], Sum | Product):
                     entries[above].append((child, value, change))
                 reached[child][value].append(change)
-                value = sheet.above(above, child, value)
-                child = above
-            reached[child][value].append(change)
         except (DivisionHere, InsideHere):
             continue
     for change in changes:
-        if change.wrap is not None and forest.single(change.at):
+        if change.wrap is not None and tree.single(change.at):
             yield from _around(sheet, change, reached[change.index])
     for index, here in entries.items():
         for need in sheet.needed(index):
             if need == sheet.has[index]:
                 continue
-            if isinstance(forest.nodes[index], Sum):
+            if isinstance(tree.nodes[index], Sum):
                 yield from _added(sheet, need - sheet.has[index], here)
             elif sheet.has[index]:
                 yield from _multiplied(sheet, index, need, here)
@@ -103,9 +102,7 @@ def _multiplied(
     sheet: Sheet, index: int, need: int, here: Sequence[Entry]
 ) -> Iterator[tuple[Change, Change]]:
     p = sheet.point.prime
-    inverse = {
-        kid: pow(sheet.has[kid], -1, p) for kid in sheet.forest.kids[index] if sheet.has[kid]
-    }
+    inverse = {kid: pow(sheet.has[kid], -1, p) for kid in sheet.tree.kids[index] if sheet.has[kid]}
     wanted = need * pow(sheet.has[index], -1, p) % p
     known: dict[int, list[tuple[int, Change]]] = defaultdict(list)
     for child, value, change in here:
@@ -125,18 +122,10 @@ def _at_root(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[Chan
     known: dict[int, list[Change]] = defaultdict(list)
     for change in changes:
         try:
-            steps = [_step(sheet, change, k) for k, sheet in enumerate(problem.sheets)]
+            step = (problem.residual_with([change]) - problem.residual) % p
         except (DivisionHere, InsideHere):
             continue
-        step = (steps[0] - steps[1]) % p
         for partner in known.get((missing - step) % p, ()):
             if problem.together([partner, change]):
                 yield partner, change
         known[step].append(change)
-
-
-def _step(sheet: Sheet, change: Change, k: int) -> int:
-    value, child = change.values[k], change.at
-    while (above := sheet.forest.parent[child]) >= 0:
-        value, child = sheet.above(above, child, value), above
-    return value - sheet.has[0]

@@ -48,7 +48,7 @@ class Pieces:
 
     def all(self) -> list[Piece]:
         """All of them, the cheapest of those that undo the same."""
-        depth = [node.depth for node in self.problem.forest.nodes]
+        depth = [node.depth for node in self.problem.tree.nodes]
         alike: dict[int, list[Piece]] = defaultdict(list)
         found = [*self._single(), *self._numbers()]
         for piece in sorted(found, key=lambda one: (one.cost, depth[one.changes[0].index])):
@@ -76,11 +76,11 @@ class Pieces:
 
     def _numbers(self) -> Iterator[Piece]:
         """Numbers that are not among the simple ones."""
-        forest = self.problem.forest
+        tree = self.problem.tree
         for change, found in self.steps:
             if change.node is not None or change.at != change.index:
                 continue
-            if change.mistake is not Mistake.EXTRA or not forest.single(change.index):
+            if change.mistake is not Mistake.EXTRA or not tree.single(change.index):
                 continue
             for step in found:
                 inverse = pow(step, -1, self._p)
@@ -107,7 +107,7 @@ class Pieces:
         factor = ratio.numerator * pow(ratio.denominator, -1, self._p)
         values = tuple(sheet.has[index] * factor % self._p for sheet in self.problem.sheets)
         wrap = partial(_scaled, ratio)
-        node = wrap(self.problem.forest.nodes[index])
+        node = wrap(self.problem.tree.nodes[index])
         cost = TOKEN + 2 * HINT + size_of(ratio) + (TOKEN - HINT if ratio < 0 else 0.0)
         return Change(index, node, Mistake.FACTOR, cost, index, values, wrap)
 

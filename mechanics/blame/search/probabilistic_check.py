@@ -9,16 +9,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mechanics.blame.search.change import Change
-from mechanics.blame.search.inverse_evaluation import (
-    InsideHere,
-    Sheet,
-    integer_exponent,
-    power,
-    root_of,
-)
+from mechanics.blame.search.inverse_evaluation import InsideHere, Sheet
 from mechanics.blame.search.point import Point
-from mechanics.blame.search.syntax_tree import Forest, is_root
-from mechanics.claims.tree import Name, Power, Product, Rate, Sum
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.kernel.field import DivisionHere
 
 
@@ -28,7 +21,7 @@ class Problem:
 
     Attributes
     ----------
-    forest : Forest
+    tree : SyntaxTree
     numbers : tuple of int
         Of the entries that are compared.
     sheets : tuple of Sheet
@@ -37,7 +30,7 @@ class Problem:
         What the root has to be at a point.
     """
 
-    forest: Forest
+    tree: SyntaxTree
     numbers: tuple[int, ...]
     sheets: tuple[Sheet, ...]
     target: Callable[[Point], int]
@@ -63,7 +56,7 @@ class Problem:
 
     def mends(self, change: Change) -> bool:
         """Whether one edit makes the statement right."""
-        if self.plain and self.forest.single(change.at):
+        if self.plain and self.tree.single(change.at):
             need = self.sheets[0].needs[change.at]
             if need is not None:
                 return change.values[0] == need
@@ -71,18 +64,27 @@ class Problem:
 
     def together(self, changes: Iterable[Change]) -> bool:
         """Whether several edits do."""
-        chosen = list(changes)
-        roots = []
-        for k, sheet in enumerate(self.sheets):
-            new: dict[int, int] = {}
-            for change in chosen:
-                for copy in self.forest.copies[self.forest.place[change.at]]:
-                    new[copy] = change.values[k]
-            try:
-                roots.append(root_with(sheet, new))
-            except (DivisionHere, InsideHere):
-                return False
-        return self._difference(roots) == 0
+        try:
+            return self.residual_with(changes) == 0
+        except (DivisionHere, InsideHere):
+            return False
+
+    def residual_with(self, changes: Iterable[Change]) -> int:
+        """What should be zero, with edits at all copies of their nodes.
+
+        Raises
+        ------
+        DivisionHere, InsideHere
+            Where that is not known.
+        """
+        places = [(self.tree.copies[self.tree.place[c.at]], c) for c in changes]
+        news = (
+            {copy: change.values[k] for copies, change in places for copy in copies}
+            for k in range(len(self.sheets))
+        )
+        return self._difference(
+            [root_with(sheet, new) for sheet, new in zip(self.sheets, news, strict=True)]
+        )
 
     def slopes(self, index: int) -> list[int] | None:
         """How the root grows with a node at each point; None where that is no straight line."""
@@ -110,36 +112,12 @@ def root_with(sheet: Sheet, new: Mapping[int, int]) -> int:
         Where one of the nodes stands inside of a function.
     """
     values = dict(new)
-    open_nodes = {sheet.forest.parent[index] for index in values} - {-1}
+    open_nodes = {sheet.tree.parent[index] for index in values} - {-1}
     while open_nodes:
         index = max(open_nodes)  # what stands below has a larger number
         open_nodes.remove(index)
-        values[index] = _again(sheet, index, values)
-        above = sheet.forest.parent[index]
+        values[index] = sheet.above(index, values)
+        above = sheet.tree.parent[index]
         if above >= 0:
             open_nodes.add(above)
     return values.get(0, sheet.has[0])
-
-
-def _again(sheet: Sheet, index: int, values: Mapping[int, int]) -> int:
-    node, kids, p = sheet.forest.nodes[index], sheet.forest.kids[index], sheet.point.prime
-    if isinstance(node, Sum):
-        # A term may have been added to it.
-        steps = (values[kid] - sheet.has[kid] for kid in kids if kid in values)
-        return (sheet.has[index] + sum(steps)) % p
-    parts = [values.get(kid, sheet.has[kid]) for kid in kids]
-    if sheet.forest.opaque(index):
-        raise InsideHere
-    if isinstance(node, Product):
-        total = 1
-        for part in parts:
-            total = total * part % p
-        return total
-    if isinstance(node, Name | Rate):
-        return parts[0]
-    if is_root(node):
-        return root_of(parts[0], p)
-    exponent = integer_exponent(node)
-    if isinstance(node, Power) and exponent is not None and kids[1] not in values:
-        return power(parts[0], exponent, p)
-    raise InsideHere

@@ -19,7 +19,7 @@ from sympy import Symbol
 from mechanics.blame.search.change import HINT, RATIOS, raised, size_of
 from mechanics.blame.search.circular import Circular, circular
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.residues import inverses, rational
 from mechanics.blame.search.words import Words
 from mechanics.claims.tree import Name, Node, Number, Power, Product, Sum, constant
@@ -37,23 +37,23 @@ class Products:
 
     Attributes
     ----------
-    growth : Growth
+    homogeneity : Homogeneity
         A problem, and how it is where quantities are doubled.
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
 
     @property
     def _words(self) -> Words:
-        return self.growth.words
+        return self.homogeneity.words
 
     @property
     def _p(self) -> int:
-        return self.growth.problem.prime
+        return self.homogeneity.problem.prime
 
     def of(self, series: Series) -> Iterator[tuple[Node, float]]:
         """Products that a series is, with what each costs more."""
-        for factor in self.growth.factors:
+        for factor in self.homogeneity.factors:
             yield from self._product(factor.out_of(series, self._p), factor.nodes)
 
     def _product(self, series: Series, factors: Sequence[Node]) -> Iterator[tuple[Node, float]]:
@@ -61,10 +61,10 @@ class Products:
         unknown: list[Symbol] = []
         rest = series[None]
         inverse = pow(rest, -1, self._p)
-        for symbol in self.growth.problems:
+        for symbol in self.homogeneity.problems:
             if symbol is None:
                 continue
-            exponent = self.growth.doubling.get(series[symbol] * inverse % self._p)
+            exponent = self.homogeneity.doubling.get(series[symbol] * inverse % self._p)
             if exponent is None:
                 unknown.append(symbol)
             elif exponent:
@@ -148,7 +148,7 @@ class Products:
         self, rest: int, exponents: Mapping[Symbol, int]
     ) -> Iterator[tuple[Fraction, tuple[Node, ...]]]:
         """A number, and the sines and cosines beside it."""
-        states = [self._state(exponents, k) for k in range(len(self.growth.problem.sheets))]
+        states = [self._state(exponents, k) for k in range(len(self.homogeneity.problem.sheets))]
         for round_ in self._circular:
             first, *other = (a * b for a, b in zip(states, round_.values, strict=True))
             whole = (first - sum(other)) % self._p
@@ -183,7 +183,7 @@ class Products:
 
     @cached_property
     def _circular(self) -> tuple[Circular, ...]:
-        return circular(self.growth.problem.forest, self.growth.problem.sheets, self._words)
+        return circular(self.homogeneity.problem.tree, self.homogeneity.problem.sheets, self._words)
 
     def _node(
         self, number: Fraction, exponents: Mapping[Symbol, int], factors: Sequence[Node]

@@ -9,9 +9,9 @@ from mechanics.blame.result import Repair
 from mechanics.blame.search.change import Change
 from mechanics.blame.search.claim import Claim, edited_claim
 from mechanics.blame.search.find import Solution
-from mechanics.blame.search.notation import spliced, told
+from mechanics.blame.search.notation import edit_of, spliced
 from mechanics.blame.search.point import Family, Point
-from mechanics.blame.search.syntax_tree import Forest
+from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.checks.ledger import check_row
 from mechanics.claims.claim import Trees, Written, row_of
 from mechanics.claims.place import Refused
@@ -33,8 +33,8 @@ def edited_row(claim: Claim, chosen: Sequence[Solution]) -> tuple[Published, Tre
         return None
 
 
-def _changes(chosen: Sequence[Solution]) -> list[tuple[Forest, Change]]:
-    return [(solution.problem.forest, change) for solution in chosen for change in solution.changes]
+def _changes(chosen: Sequence[Solution]) -> list[tuple[SyntaxTree, Change]]:
+    return [(solution.problem.tree, change) for solution in chosen for change in solution.changes]
 
 
 def proved(
@@ -62,7 +62,7 @@ def proved(
         return None
     spelling = spelling_of(claim)
     edits = tuple(
-        told(claim, spelling, solution.problem.forest, change)
+        edit_of(claim, spelling, solution.problem.tree, change)
         for solution in chosen
         for change in solution.changes
     )

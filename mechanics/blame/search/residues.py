@@ -5,6 +5,7 @@ A residue is a small fraction when the half-way remainder of Euclid's algorithm 
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import reduce
 
 BOUND = 1 << 20
 """Of numerators and denominators: 2**41 of them among 2**127 residues are hardly met by chance."""
@@ -23,14 +24,20 @@ def rational(residue: int, p: int) -> Fraction | None:
     return Fraction(here, d)
 
 
-def inverses(values: Sequence[int], p: int) -> list[int]:
-    """One over each of many residues, by one division for all of them."""
+def others_of(values: Sequence[int], p: int) -> list[int]:
+    """For every residue the product of the others."""
     before, found = 1, []
     for value in values:
         found.append(before)
         before = before * value % p
-    after = pow(before, -1, p)
+    after = 1
     for i in reversed(range(len(values))):
         found[i] = found[i] * after % p
         after = after * values[i] % p
     return found
+
+
+def inverses(values: Sequence[int], p: int) -> list[int]:
+    """One over each of many residues, by one division for all of them."""
+    whole = pow(reduce(lambda a, b: a * b % p, values, 1), -1, p)
+    return [whole * others % p for others in others_of(values, p)]

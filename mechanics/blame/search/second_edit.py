@@ -47,8 +47,8 @@ def _values(sheet: Sheet, made: Sequence[Change], k: int) -> Sheet:
         child, value = change.at, change.values[k]
         if adds(change):
             value = now.has[child] + value - sheet.has[child]
-        while (above := sheet.forest.parent[child]) >= 0:
-            upper = now.above(above, child, value)
+        while (above := sheet.tree.parent[child]) >= 0:
+            upper = now.above(above, {child: value})
             now.has[child] = value
             child, value = above, upper
         now.has[child] = value
@@ -57,14 +57,14 @@ def _values(sheet: Sheet, made: Sequence[Change], k: int) -> Sheet:
 
 def _elsewhere(problem: Problem, made: Sequence[Change], changes: Sequence[Change]) -> list[Change]:
     """Edits that do not stand in those that were made, nor around them."""
-    forest = problem.forest
+    tree = problem.tree
     inside: set[int] = set()
     around: set[int] = set()
     for change in made:
-        around.update(forest.ways_up(change.at))
+        around.update(tree.ways_up(change.at))
         if not adds(change):
             inside.add(change.at)
-    for index in range(len(forest.nodes)):
-        if forest.parent[index] in inside:
+    for index in range(len(tree.nodes)):
+        if tree.parent[index] in inside:
             inside.add(index)  # what stands below has a larger number
     return [c for c in changes if c.at not in inside and (adds(c) or c.at not in around)]

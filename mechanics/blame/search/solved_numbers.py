@@ -26,10 +26,10 @@ def numbers(problem: Problem) -> Iterator[Change]:
         yield from _of_two_states(problem)
         return
     (sheet,) = problem.sheets
-    forest, p = problem.forest, problem.prime
-    for index, node in enumerate(forest.nodes):
+    tree, p = problem.tree, problem.prime
+    for index, node in enumerate(tree.nodes):
         need, has = sheet.needs[index], sheet.has[index]
-        if not need or not has or not forest.written(index):
+        if not need or not has or not tree.written(index):
             continue
         if isinstance(node, Number) and node.value not in (-1, 0):
             value = rational(need, p)
@@ -39,7 +39,7 @@ def numbers(problem: Problem) -> Iterator[Change]:
                 if value < 0:
                     cost += TOKEN - HINT
                 yield Change(index, new, Mistake.FACTOR, cost, index, (need,))
-        elif forest.term(index):
+        elif tree.term(index):
             ratio = rational(need * pow(has, -1, p) % p, p)
             if ratio is None or ratio in RATIOS or abs(ratio) == 1:
                 continue
@@ -52,12 +52,12 @@ def numbers(problem: Problem) -> Iterator[Change]:
 
 def _of_two_states(problem: Problem) -> Iterator[Change]:
     """The same where two states are subtracted: the residual grows evenly with a factor."""
-    forest, p = problem.forest, problem.prime
-    for index, node in enumerate(forest.nodes):
+    tree, p = problem.tree, problem.prime
+    for index, node in enumerate(tree.nodes):
         number = isinstance(node, Number) and node.value not in (-1, 0)
-        if not forest.written(index) or not forest.single(index):
+        if not tree.written(index) or not tree.single(index):
             continue
-        if not number and not forest.term(index):
+        if not number and not tree.term(index):
             continue
         slopes = problem.slopes(index)
         if slopes is None:

@@ -11,7 +11,7 @@ from functools import partial
 
 from mechanics.blame.result import Mistake
 from mechanics.blame.search.change import ADDED, HINT, Change, minus, plus, size_of, times
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.claims.tree import Call, Node, Number, Sum, parts, with_parts
@@ -26,13 +26,13 @@ OTHER = {"sin": "cos", "cos": "sin"}
 
 def borrowed(problem: Problem) -> Iterator[Change]:
     """Terms of other squares added in each square."""
-    forest, p = problem.forest, problem.prime
-    squares = [index for index in range(len(forest.nodes)) if _squared(problem, index)]
+    tree, p = problem.tree, problem.prime
+    squares = [index for index in range(len(tree.nodes)) if _squared(problem, index)]
     known = _terms(problem, squares)
     for index in squares:
-        node = forest.nodes[index]
+        node = tree.nodes[index]
         has = [sheet.has[index] for sheet in problem.sheets]
-        held = {v for part in forest.kids[index] for v in _either(problem, part)}
+        held = {v for part in tree.kids[index] for v in _either(problem, part)}
         for term, worths in known:
             if worths[0] in held:
                 continue
@@ -50,17 +50,17 @@ def borrowed(problem: Problem) -> Iterator[Change]:
 
 def _squared(problem: Problem, index: int) -> bool:
     """Whether a node is the base of a square that somebody wrote."""
-    forest, above = problem.forest, problem.forest.parent[index]
-    if above < 0 or not forest.written(index) or not forest.single(index) or forest.rates[index]:
+    tree, above = problem.tree, problem.tree.parent[index]
+    if above < 0 or not tree.plain(index):
         return False
-    return integer_exponent(forest.nodes[above]) == 2 and forest.kids[above][0] == index
+    return integer_exponent(tree.nodes[above]) == 2 and tree.kids[above][0] == index
 
 
 def _terms(problem: Problem, squares: list[int]) -> list[tuple[Node, tuple[int, ...]]]:
     """Terms of all squares, without their signs, and their like; one of each."""
     found: dict[int, tuple[Node, tuple[int, ...]]] = {}
     for index in squares:
-        node = problem.forest.nodes[index]
+        node = problem.tree.nodes[index]
         for term in node.terms if isinstance(node, Sum) else (node,):
             for like in (term, _turned(term)):
                 values = worth(problem.sheets, like)

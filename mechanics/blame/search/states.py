@@ -22,7 +22,7 @@ def in_one_term(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[C
     """Pairs of edits in two factors of one term."""
     entries: dict[int, list[Entry]] = defaultdict(list)
     for change in changes:
-        if problem.forest.single(change.at):
+        if problem.tree.single(change.at):
             for index, entry in _on_the_way(problem, change):
                 entries[index].append(entry)
     for index, here in entries.items():
@@ -33,16 +33,16 @@ def in_one_term(problem: Problem, changes: Sequence[Change]) -> Iterator[tuple[C
 
 def _on_the_way(problem: Problem, change: Change) -> Iterator[tuple[int, Entry]]:
     """The products above an edit, up to the term that it stands in."""
-    forest, p = problem.forest, problem.prime
+    tree, p = problem.tree, problem.prime
     child, values = change.at, change.values
-    while (above := forest.parent[child]) >= 0 and not isinstance(forest.nodes[above], Sum):
+    while (above := tree.parent[child]) >= 0 and not isinstance(tree.nodes[above], Sum):
         try:
             pairs = zip(problem.sheets, values, strict=True)
-            values = tuple(sheet.above(above, child, value) for sheet, value in pairs)
+            values = tuple(sheet.above(above, {child: value}) for sheet, value in pairs)
         except (DivisionHere, InsideHere):
             return
         has = [sheet.has[above] for sheet in problem.sheets]
-        if isinstance(forest.nodes[above], Product) and all(has) and any(values):
+        if isinstance(tree.nodes[above], Product) and all(has) and any(values):
             ratios = tuple(v * pow(h, -1, p) % p for v, h in zip(values, has, strict=True))
             yield above, (child, ratios, change)
         child = above

@@ -36,7 +36,7 @@ SYNTHETIC = -1
 
 
 @dataclass(eq=False)
-class Forest:
+class SyntaxTree:
     """Nodes by number.
 
     Attributes
@@ -92,7 +92,7 @@ class Forest:
         self.copies.setdefault(place, []).append(len(self.nodes) - 1)
         return len(self.nodes) - 1
 
-    def plant(self, entries: Sequence[tuple[int, Node]]) -> "Forest":
+    def plant(self, entries: Sequence[tuple[int, Node]]) -> "SyntaxTree":
         """Number one entry, or the difference of two."""
         (number, left), *rest = entries
         if not rest:
@@ -116,6 +116,14 @@ class Forest:
     def single(self, index: int) -> bool:
         """Whether a node stands at one place only."""
         return len(self.copies[self.place[index]]) == 1
+
+    def plain(self, index: int) -> bool:
+        """Whether somebody wrote the node, at one place, and not below d/dt."""
+        return self.written(index) and self.single(index) and not self.rates[index]
+
+    def side(self, index: int) -> bool:
+        """Whether a node is a whole side, or all of a definition."""
+        return not self.place[index][1]
 
     def term(self, index: int) -> bool:
         """Whether a node is a term of a sum, or a whole side."""

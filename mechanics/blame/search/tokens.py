@@ -20,8 +20,7 @@ from mechanics.blame.search.change import (
     raised,
     size_of,
 )
-from mechanics.blame.search.edits import Maker
-from mechanics.blame.search.function_arguments import worth
+from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
 from mechanics.claims.tree import (
     Call,
@@ -55,7 +54,7 @@ class Tokens:
 
     def of(self, index: int, node: Node) -> Iterator[Change]:
         """Every edit of a node alone."""
-        if isinstance(node, Name) and not self.make.forest.kids[index]:
+        if isinstance(node, Name) and not self.make.tree.kids[index]:
             yield from self._name(index, node)
         elif isinstance(node, Name):
             yield from self._defined(index, node)
@@ -77,7 +76,7 @@ class Tokens:
     def _operators(self, index: int, node: Sum | Product) -> Iterator[Change]:
         """Another operator between two neighbours: a b or a/b for a + b, a + b for a b."""
         inner = parts(node)
-        kids = self.make.forest.kids[index]
+        kids = self.make.tree.kids[index]
         if len(kids) != len(inner) or len(inner) > LONGEST or any(map(is_minus, inner)):
             return
         for k, (one, two) in enumerate(pairwise(inner)):
@@ -124,7 +123,7 @@ class Tokens:
 
     def _defined(self, index: int, node: Name) -> Iterator[Change]:
         """Another definition of the person's, or another function than the one defined."""
-        inner = self.make.forest.nodes[self.make.forest.kids[index][0]]
+        inner = self.make.tree.nodes[self.make.tree.kids[index][0]]
         others: list[tuple[Node, Mistake]] = []
         if isinstance(inner, Call):
             others += [(call, Mistake.FUNCTION) for call in self.make.words.functions(inner)]
@@ -149,7 +148,7 @@ class Tokens:
     @cached_property
     def _worth_of_definitions(self) -> list[tuple[str, tuple[int, ...]]]:
         pairs = (
-            (name, worth(self.make.sheets, Name(0, name))) for name in self.make.forest.definitions
+            (name, worth(self.make.sheets, Name(0, name))) for name in self.make.tree.definitions
         )
         return [(name, values) for name, values in pairs if values is not None and any(values)]
 
@@ -195,7 +194,7 @@ class Tokens:
         exponent = integer_exponent(node)
         if exponent is None:
             return
-        base = self.make.forest.kids[index][0]
+        base = self.make.tree.kids[index][0]
         for other in (exponent + 1, exponent - 1, exponent + 2, exponent - 2, -exponent):
             try:
                 values = tuple(power(value, other, self.make.p) for value in self.make.has(base))
@@ -213,7 +212,7 @@ class Tokens:
 
     def _split(self, index: int, node: Power, base: int, exponent: int) -> Iterator[Change]:
         """x**3 as x**2 y and x y**2: SymPy puts together what was written apart."""
-        if exponent < 0 or (self.make.forest.kids[base] and not isinstance(node.base, Call)):
+        if exponent < 0 or (self.make.tree.kids[base] and not isinstance(node.base, Call)):
             return
         others: list[tuple[Node, tuple[int, ...]]]
         others = [(word.name, word.values) for word in self.make.words.symbols]

@@ -7,15 +7,14 @@ Each of the two is then a product of its own, with the same question about every
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
-from mechanics.blame.result import Mistake
-from mechanics.blame.search.change import ADDED, Change, plus
+from mechanics.blame.search.change import ADDED, Change
+from mechanics.blame.search.edits import added
 from mechanics.blame.search.factors import Series
-from mechanics.blame.search.function_arguments import worth
-from mechanics.blame.search.homogeneity_test import Growth
+from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.products import Products
-from mechanics.claims.tree import Node, Sum
+from mechanics.claims.tree import Sum
 
 EXPONENTS = ((1, 0), (0, 1), (2, 0), (0, 2), (2, 1), (1, 2))
 MOST_SYMBOLS = 2
@@ -28,53 +27,52 @@ class Two:
 
     Attributes
     ----------
-    growth : Growth
+    homogeneity : Homogeneity
     """
 
-    growth: Growth
+    homogeneity: Homogeneity
 
     @property
     def _p(self) -> int:
-        return self.growth.problem.prime
+        return self.homogeneity.problem.prime
 
     @cached_property
     def _products(self) -> Products:
-        return Products(self.growth)
+        return Products(self.homogeneity)
 
     def pairs(self) -> list[tuple[Change, Change]]:
         """Pairs of terms that are added to one sum, the cheapest first."""
-        if not self.growth.problem.plain or not self.growth.problems:
+        if not self.homogeneity.problem.plain or not self.homogeneity.problems:
             return []
-        forest = self.growth.problem.forest
+        tree = self.homogeneity.problem.tree
         found: list[tuple[Change, Change]] = []
-        for index, node in enumerate(forest.nodes):
-            side = forest.term(index) and not forest.place[index][1]
-            plain = forest.written(index) and forest.single(index) and not forest.rates[index]
-            if plain and (isinstance(node, Sum) or side):
+        for index, node in enumerate(tree.nodes):
+            if tree.plain(index) and (isinstance(node, Sum) or tree.side(index)):
                 found += self._at(index)
         return sorted(found, key=lambda pair: pair[0].cost + pair[1].cost)
 
     def _at(self, index: int) -> Iterator[tuple[Change, Change]]:
-        products = self._products
-        whole = self._series(self.growth, index)
+        whole = self._series(self.homogeneity, index)
         if not whole or not whole[None]:
             return
         inverse = pow(whole[None], -1, self._p)
-        mixed = [s for s, v in whole.items() if v * inverse % self._p not in self.growth.doubling]
+        mixed = [
+            s for s, v in whole.items() if v * inverse % self._p not in self.homogeneity.doubling
+        ]
         for symbol in [s for s in mixed if s is not None][:MOST_SYMBOLS]:
-            grown = self._series(self.growth.after(symbol), index)
+            grown = self._series(self.homogeneity.after(symbol), index)
             for a, b in EXPONENTS if grown else ():
                 first = self._split(whole, grown, a, b)
                 second = {s: (v - first[s]) % self._p for s, v in whole.items()}
-                one, two = self._told(products, first), self._told(products, second)
+                one, two = (self._added(index, series) for series in (first, second))
                 if one is not None and two is not None:
-                    yield self._change(index, *one), self._change(index, *two)
+                    yield one, two
                     return
 
-    def _series(self, growth: Growth, index: int) -> Series:
+    def _series(self, homogeneity: Homogeneity, index: int) -> Series:
         """What a node lacks everywhere; empty where that is not known."""
         found: Series = {}
-        for symbol, problem in growth.problems.items():
+        for symbol, problem in homogeneity.problems.items():
             need = problem.sheets[0].needs[index]
             if need is None:
                 return {}
@@ -85,15 +83,9 @@ class Two:
         scale = pow(2**a - 2**b, -1, self._p)
         return {s: (grown[s] - 2**b * v) * scale % self._p for s, v in whole.items()}
 
-    def _told(self, products: Products, series: Series) -> tuple[Node, float] | None:
+    def _added(self, index: int, series: Series) -> Change | None:
+        """The cheapest product that a series is, added to a node."""
         if not series[None]:
             return None
-        return min(products.of(series), key=lambda entry: entry[1], default=None)
-
-    def _change(self, index: int, term: Node, extra: float) -> Change:
-        sheets = self.growth.problem.sheets
-        values = worth(sheets, term) or (0,)
-        sums = tuple((s.has[index] + v) % self._p for s, v in zip(sheets, values, strict=True))
-        wrap = partial(plus, term)
-        node = wrap(self.growth.problem.forest.nodes[index])
-        return Change(index, node, Mistake.MISSING, ADDED + extra, index, sums, wrap)
+        found = min(self._products.of(series), key=lambda entry: entry[1], default=None)
+        return found and added(self.homogeneity.problem, index, found[0], ADDED + found[1])

@@ -40,7 +40,7 @@ class _Term:
 
     def of(self, index: int) -> Iterator[Inner]:
         """Edits of a term, of its factors, and of what functions are taken of."""
-        node = self.make.forest.nodes[index]
+        node = self.make.tree.nodes[index]
         if isinstance(self.make.around(index), Sum):
             far = HINT if one_of_squares(node, self.make.around(index)) else 0.0
             yield index, minus(node), Mistake.SIGN, TOKEN + far
@@ -53,19 +53,19 @@ class _Term:
         yield from self._below(index)
 
     def _below(self, index: int) -> Iterator[Inner]:
-        node, forest = self.make.forest.nodes[index], self.make.forest
+        node, tree = self.make.tree.nodes[index], self.make.tree
         yield from self._token(index, node)
         if isinstance(node, Call):
-            yield from Inside(forest, self.make.words).of(index)
+            yield from Inside(tree, self.make.words).of(index)
             return
-        for kid in forest.kids[index]:
-            part = forest.nodes[kid]
-            if forest.place[kid][0] != forest.place[index][0]:
+        for kid in tree.kids[index]:
+            part = tree.nodes[kid]
+            if tree.place[kid][0] != tree.place[index][0]:
                 continue  # a definition, which is worth something at other places, too
-            yield from Inside(forest, self.make.words).edits(kid, part, node)
+            yield from Inside(tree, self.make.words).edits(kid, part, node)
             if isinstance(node, Product) and not isinstance(part, Number):
                 yield kid, None, Mistake.FACTOR, TOKEN + SECOND
-            if not (isinstance(node, Power) and kid == forest.kids[index][1]):
+            if not (isinstance(node, Power) and kid == tree.kids[index][1]):
                 yield from self._below(kid)
 
     def _token(self, index: int, node: Node) -> Iterator[Inner]:

@@ -81,7 +81,7 @@ class Words:
                 if each in set(self.held):
                     kinds.setdefault(each, "momentum")
         first = [symbol for symbol in kinds if symbol in set(self.held)]
-        large = len(self.sheets[0].forest.nodes) > LARGE
+        large = len(self.sheets[0].tree.nodes) > LARGE
         found = []
         for symbol in dict.fromkeys(first if large else [*first, *kinds]):
             meant = self.written.put.get(symbol, symbol)

@@ -20,12 +20,13 @@ from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, key
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.rates import TIME
 from mechanics.scene.symbols import DOTS
 
 STATES = ("state", "states", "y", "z", "s", "x", "X", "Y", "xs")
 POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
-SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "speeds", "w")
+SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "velocity", "speeds", "w")
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
 PARAMETERS = ("p", "params", "parameters", "args", "constants")
@@ -146,6 +147,9 @@ def arguments_of(
                     f"the rate of {speed.name.removesuffix(DOTS[1])}, of the same number",
                     -1,
                 )
+            if group is None and len(scene.q) == 1 and name in parted and naming.knows(name):
+                # Of one coordinate all that a vector of its name can begin with.
+                group = naming.symbol(name, 0), "a vector of one entry", -1
             if group is None:
                 unexplained.append(name)
                 continue
@@ -326,12 +330,16 @@ def _by_spelling(naming: Naming, order: Sequence[str]) -> list[tuple[str, int] |
 def contradicted(
     naming: Naming, apart: Mapping[str, Apart] | None, name: str, entries: Sequence[Expr]
 ) -> bool:
-    """Whether the code calls an entry by the name of another coordinate or input."""
+    """Whether the code calls an entry by the name of another coordinate or input, or a momentum."""
+    momenta = {symbol.name for symbol in momentum_symbols(naming.vocabulary.scene)}
     moving = {*naming.vocabulary.scene.q, *naming.vocabulary.scene.input_symbols}
     known = (apart or {}).get(name)
     for place, names in known.places.items() if known else ():
         meant = {naming.symbol(n, 0) for n in names if naming.knows(n)} & moving
         if meant and place < len(entries) and entries[place] not in meant:
+            return True
+        impulses = [n for n in names if not naming.knows(n) and naming.vocabulary.momentum(n)]
+        if impulses and not momenta & {str(entry) for entry in entries[place : place + 1]}:
             return True
     return False
 

@@ -158,6 +158,33 @@ def get(a: Any, *indices: Any) -> Any:
     return tidy(flat.reshape(1, -1) if row else flat)
 
 
+def segment(a: Any, start: Any, count: Any) -> Any:
+    """a.segment(1, 2) of Eigen: a part of a row or column, by its first place from 0."""
+    array = table(a)
+    if min(array.shape) > 1 or start < 0 or count < 1 or start + count > array.size:
+        raise ValueError(f"{count} entries from {start} of an array of shape {array.shape}")
+    return array.ravel()[start : start + count]
+
+
+def exactly(a: Any, count: int) -> Any:
+    """A part of so many entries, which Python's slices may have fewer of."""
+    if np.size(a) != count:
+        raise ValueError(
+            f"a part of {count} entries of an array that has no more than {np.size(a)}"
+        )
+    return a
+
+
+def laid(a: Any, value: Any, start: Any, count: Any, unset: float = np.nan) -> Any:
+    """The array of Eigen after a.segment(1, 2) = value"""
+    values = np.ravel(value)
+    if len(values) != count:
+        raise ValueError(f"{len(values)} numbers for {count} entries")
+    for place, one in enumerate(values, start + 1):
+        a = put(a, one, place, unset=unset)
+    return a
+
+
 def lay(a: Any, value: Any, *indices: Any) -> Any:
     """The array of C++ after a[2] = value: others have no value before they are set."""
     return put(a, value, *indices, unset=np.nan)

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Vocabulary
 from mechanics.program.c.tokens import blanked
@@ -112,11 +113,13 @@ def _called(text: str, functions: list[re.Pattern[str]], names: Sequence[str]) -
 
 
 def _parameter(name: str, vocabulary: Vocabulary) -> str:
-    """The parameter of the scene that a name is; empty for none."""
+    """The parameter of the scene that a name is, or a step of time; empty for none."""
     exact = vocabulary.lookup(name)
     if exact is not None:
         return exact[0] if exact[0] in vocabulary.constants and exact[1] == 0 else ""
     alike = [one for one in vocabulary.constants if one.lower() == name.lower()]
+    if len(alike) != 1 and name in STEPS and name != "h":
+        return "a step of time"
     return alike[0] if len(alike) == 1 else ""
 
 

@@ -28,6 +28,23 @@ SINGLE = (
 ROUNDED = (
     "is rounded to single precision among doubles, which is no exact formula: write it as a double"
 )
+LEAPS = re.compile(
+    r"\b(?:if|while|switch|(?:std::)?(?:l?l?r?(?:ound|int)|floor|ceil|trunc|fmod|modf|remainder"
+    r"|signbit|copysign|nextafter|isnan|isinf|isfinite)[fl]?\s*\()|[?]|[<>]=|[=!]=|&&|[|][|]"
+    r"|(?<![<>-])[<>](?![<>])"
+)
+"""What a small change may make another one: it is decided, or rounded to an integer."""
+LOOP = re.compile(r"\bfor\s*\([^(){}]*\)")
+ANGLES = re.compile(
+    r"^[ \t]*#[ \t]*include[^\n]*|<<|>>|->"
+    r"|\b(?:template|vector|valarray|array|Matrix|Vector|Array|static_cast)"
+    r"\s*<[\w\s:,*&]*>",
+    re.MULTILINE,
+)
+"""Where < and > compare nothing."""
+NUMBERS = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+SMALLEST, GREATEST = 1e-6, 1e6
+"""Of numbers beside which single precision keeps what is added."""
 SINGLE_NOTE = "single precision (float, sinf, 0.5f) is read as exact numbers"
 
 CALLED = re.compile(r"\s*\(")
@@ -72,15 +89,24 @@ class Plain:
     apart : dict of str to Apart
         Names of the entries of what was a struct.
     notes : tuple of str
+    rounded : str
+        What is rounded to single precision among doubles; empty for nothing.
     """
 
     text: str
     apart: dict[str, Apart]
     notes: tuple[str, ...]
+    rounded: str = ""
 
 
-def plain(text: str, origin: str) -> Plain:
+def plain(text: str, origin: str, whole: str = "") -> Plain:
     """The file in doubles and arrays.
+
+    Parameters
+    ----------
+    text, origin : str
+    whole : str
+        As its author has it, where doubles of `text` may be none of his; else `text`.
 
     Raises
     ------
@@ -93,17 +119,20 @@ def plain(text: str, origin: str) -> Plain:
     for name in DEFINE.findall(_blank(text)) if records or notes else ():
         if name in SINGLE or name in WORDS:
             raise ExpressionError(f"{origin}: {name} is a word of C, and a macro here: remove it")
-    if rounded := made_single(text) if notes else None:
+    doubles = re.search(r"\bdouble\b", _blank(whole or text)) is not None
+    rounded = made_single(text) if notes and doubles else None
+    if rounded and not smooth(text):
         raise ExpressionError(f"{_place(text, rounded.start(), origin)}: {rounded[0]} {ROUNDED}")
+    words = " ".join(rounded[0].split()) if rounded else ""
     if not records:
-        return Plain(doubled, {}, notes)
+        return Plain(doubled, {}, notes, words)
     apart: dict[str, Apart] = {}
     structs = list(STRUCT.finditer(_blank(doubled)))
     if len(structs) > MOST:
         raise ExpressionError(f"{origin}:1: it has {len(structs)} structs: {MOST} at most")
     for match in reversed(structs):
         doubled = _as_arrays(doubled, match, origin, apart)
-    return Plain(doubled, apart, notes)
+    return Plain(doubled, apart, notes, words)
 
 
 def in_doubles(text: str) -> tuple[str, tuple[str, ...]]:
@@ -128,6 +157,17 @@ def made_single(text: str) -> re.Match[str] | None:
             if (change := re.search(CHANGE.format(name), text)) is not None:
                 return change
     return None
+
+
+def smooth(text: str) -> bool:
+    """Whether roundings of its numbers change little: nothing is decided or rounded to an integer.
+
+    Where it is not plain that they do, it is not.
+    """
+    text = ANGLES.sub(" ", LOOP.sub(" ", _blank(text)))
+    numbers = [float(number) for number in NUMBERS.findall(text)]
+    far = any(number and not SMALLEST <= number <= GREATEST for number in numbers)
+    return not far and LEAPS.search(text) is None
 
 
 def _doubled(match: re.Match[str]) -> str:

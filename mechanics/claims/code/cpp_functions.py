@@ -8,13 +8,13 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
 
 from mechanics.claims.code import array_language
-from mechanics.claims.code.c_plain import ROUNDED, made_single
+from mechanics.claims.code.c_plain import ROUNDED, made_single, smooth
 from mechanics.claims.code.cpp_integers import (
     Kind,
     joined_kind,
@@ -80,6 +80,16 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFlLuU]*")
 WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
 CHANGES = ("assignment_expression", "update_expression")
+EIGEN = re.compile(r"\bEigen::|^(?:Row)?(?:Vector|Matrix)(?:[1-9]|X)[df]$")
+"""Types of Eigen."""
+DECOMPOSED = frozenset(
+    ("householderQr", "colPivHouseholderQr", "fullPivHouseholderQr", "partialPivLu", "fullPivLu",
+     "lu", "completeOrthogonalDecomposition")
+)  # fmt: skip
+"""By what it solves with a whole matrix: others read one half of it."""
+WHOLES = {"inverse": "inverse", "transpose": "transposed"}
+PARTS = {"segment": 2, "head": 1, "tail": 1}
+"""Parts of a vector, and how many numbers say which."""
 
 
 @dataclass
@@ -104,6 +114,10 @@ class Scope:
         The kind of integers that it returns.
     zeros : set of str
         Its arrays whose entries are 0 where nothing else is said.
+    eigen : set of str
+        Its matrices and vectors of Eigen.
+    granted : dict of str to None
+        Functions that are not here, and are called last: they may change what it has set.
     """
 
     arguments: list[str]
@@ -129,6 +143,8 @@ class Scope:
     whole: Kind | None = None
     numbers: bool = False
     zeros: set[str] = field(default_factory=set)
+    eigen: set[str] = field(default_factory=set)
+    granted: dict[str, None] = field(default_factory=dict)
 
 
 def language() -> object:
@@ -147,7 +163,25 @@ def with_plain_types(text: str) -> str:
     return text
 
 
-def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[..., Any], ...]:
+@dataclass(frozen=True)
+class Translated:
+    """What a file of C++ is in Python.
+
+    Attributes
+    ----------
+    functions : tuple of callable
+    rounded : str
+        What is rounded to single precision among doubles; empty for nothing.
+    granted : tuple of str
+        Functions that are not here, and may change what a method has set.
+    """
+
+    functions: tuple[Callable[..., Any], ...]
+    rounded: str = ""
+    granted: tuple[str, ...] = ()
+
+
+def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     """The functions of a file of C++ that no other one calls, or the one that is asked for.
 
     Raises
@@ -174,7 +208,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
     _refuse_constructors(root, used)
-    _refuse_single(root, used)
+    rounded = _single(root, used)
     bits = 16 if origin.endswith(SMALL) else 32
     constants, kinds = _numbers(root, used, bits)
     members = integer_members(root, unread)
@@ -190,12 +224,14 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
         _refuse_shadows(nodes[name], _meant_otherwise(root, nodes[name]))
         scope = _scope(nodes[name], structs, nodes, scopes, bits)
         scope.constants, scope.kinds = {**constants}, {**kinds, **scope.kinds}
+        if shared := {*scope.outputs} & scope.constants.keys():
+            raise refuse(nodes[name], f"{joined(sorted(shared))} of the file is changed: pass it")
         scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
         bodies[name] = Page()
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
         _learn_kind(nodes[name], scope)
-        if whole := sorted(members & scope.free.keys()):
+        if whole := sorted(members & {*scope.free, *scope.outputs}):
             raise refuse(
                 nodes[name],
                 f"{whole[0]} is an integer, or of a type that is not here: it is not read",
@@ -207,7 +243,8 @@ def in_python(text: str, origin: str, wanted: str | None) -> tuple[Callable[...,
     page.constants({n: s.constants for n, s in scopes.items()} or {"": constants})
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
-    return tuple(space[name] for name in chosen)
+    granted = dict.fromkeys(n for name in order for n in scopes[name].granted)
+    return Translated(tuple(space[name] for name in chosen), rounded, tuple(granted))
 
 
 def absent_headers(text: str) -> list[str]:
@@ -306,12 +343,13 @@ def _refuse_conditions(root: Any) -> None:
             raise refuse(node, "what is compiled depends on a condition: write one branch")
 
 
-def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
-    """Refuse numbers of single precision among doubles, in functions and what they use of the file.
+def _single(root: Any, nodes: Mapping[str, Any]) -> str:
+    """What is rounded to single precision among doubles, in functions and what they use.
 
     Raises
     ------
     Unread
+        Where something is decided as well, or rounded to an integer.
     """
     names = {words(one) for node in nodes.values() for one in within(node, "identifier")}
     outside = [
@@ -320,13 +358,26 @@ def _refuse_single(root: Any, nodes: Mapping[str, Any]) -> None:
             words(n) for n in within(one, "identifier", "field_identifier")
         }
     ]  # fmt: skip
-    parts = [*outside, *nodes.values()]
-    doubles = " double" * any(re.search(r"\bdouble\b", words(part)) for part in parts)
-    for part in parts:
-        if (found := made_single(words(part) + doubles)) is not None:
-            raise refuse(part, f"{found[0]} {ROUNDED}")
-    if parts and (found := made_single("\n".join(map(words, parts)))) is not None:  # of a call
-        raise refuse(parts[0], f"{found[0]} {ROUNDED}")
+    parts = [*((one, words(one)) for one in outside), *((f, _used_part(f)) for f in nodes.values())]
+    doubles = " double" * any(re.search(r"\bdouble\b", text) for _, text in parts)
+    whole = "\n".join(text for _, text in parts)
+    tried = [*((part, text + doubles) for part, text in parts), *((p, whole) for p, _ in parts[:1])]
+    for part, text in tried:  # the whole: of a call
+        if (found := made_single(text)) is not None:
+            if not smooth(whole):
+                raise refuse(part, f"{found[0]} {ROUNDED}")
+            return " ".join(found[0].split())
+    return ""
+
+
+def _used_part(node: Any) -> str:
+    """A function without arguments that it does not use."""
+    text, body = words(node), node.child_by_field_name("body")
+    used = {words(one) for one in within(body, "identifier")}
+    for one in within(_declarator(node), "parameter_declaration"):
+        names = {words(name) for name in within(one, "identifier")}
+        text = text if names & used else text.replace(words(one), "", 1)
+    return text
 
 
 def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str], dict[str, Kind]]:
@@ -500,6 +551,25 @@ def _declarator(node: Any) -> Any:
     return found
 
 
+def arguments_of(node: Any) -> list[str]:
+    """Names of what a function takes."""
+    parameters = named(_declarator(node).child_by_field_name("parameters"))
+    declarators = [one.child_by_field_name("declarator") for one in parameters]
+    return [_variable(one) if one is not None else "" for one in declarators]
+
+
+def shared_of(node: Any) -> set[str]:
+    """Arguments that its caller sees changed."""
+    parameters = named(_declarator(node).child_by_field_name("parameters"))
+    declarators = [one.child_by_field_name("declarator") for one in parameters]
+    return {
+        _variable(declarator)
+        for one, declarator in zip(parameters, declarators, strict=True)
+        if declarator is not None and declarator.type != "identifier"
+        and "const" not in words(one).split()
+    }  # fmt: skip
+
+
 def _title(node: Any) -> str:
     name = _declarator(node).child_by_field_name("declarator")
     return re.sub(r"\W", "", words(name).split("::")[-1])
@@ -541,6 +611,7 @@ def _scope(
     fields: dict[str, list[str]] = {}
     outputs, references, kinds = [], set(), {}
     open_ones, pointers, defaults = set(), set(), {}
+    eigen: set[str] = set()
     for one in named(parameters):
         declarator = one.child_by_field_name("declarator")
         if declarator is None:
@@ -551,6 +622,8 @@ def _scope(
         kind = words(one.child_by_field_name("type"))
         if kind in structs:
             fields[arguments[-1]] = _fields(structs[kind])
+        if EIGEN.search(kind):
+            eigen.add(arguments[-1])
         if is_integral(kind):
             kinds[arguments[-1]] = kind_of(kind, bits)
         if kind == "auto" or _is_type(one.child_by_field_name("type")):
@@ -562,7 +635,7 @@ def _scope(
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
     scope = Scope(arguments, fields, functions, printed, kinds=kinds, bits=bits)
-    scope.references = references
+    scope.references, scope.eigen = references, eigen
     scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
     kind = words(node.child_by_field_name("type") or node)
     changed = {
@@ -570,13 +643,33 @@ def _scope(
     } | {_root(one) for one in within(node, "update_expression")}
     scope.changed, scope.locals = changed, changed - {*arguments}
     scope.whole = kind_of(kind, bits) if is_integral(kind) else None
-    if kind in ("void", "int"):
+    members = [] if any(o in changed for o in outputs) else _members(node, arguments)
+    if members and kind in ("void", "bool"):
+        scope.returns, scope.whole, scope.outputs = False, None, members
+        scope.references, scope.arguments = references | {*members}, [*arguments, *members]
+    elif kind in ("void", "int"):
         scope.returns = False
         scope.outputs = [o for o in outputs if o in changed]
         scope.filled = dict.fromkeys(scope.outputs)
         scope.arguments = [a for a in arguments if a not in scope.filled]
         scope.locals |= scope.filled.keys()
     return scope
+
+
+def _members(node: Any, arguments: Iterable[str]) -> list[str]:
+    """Numbers of its object that a method changes, in the order in which it does first."""
+    name = _declarator(node).child_by_field_name("declarator")
+    if name.type not in ("qualified_identifier", "field_identifier"):
+        return []
+    own = {*arguments}
+    for one in within(node, "declaration"):
+        for declarator in one.children_by_field_name("declarator"):
+            own |= {safe(words(part)) for part in within(declarator, "identifier")[:1]}
+    found = [
+        one.child_by_field_name("left") for one in within(node, "assignment_expression")
+        if one.child_by_field_name("left").type == "identifier"
+    ]  # fmt: skip
+    return [n for n in dict.fromkeys(safe(words(one)) for one in found) if n not in own]
 
 
 def _root(target: Any) -> str:
@@ -659,6 +752,11 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                     line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
                 )
             else:
+                called = [_called(c.child_by_field_name("function"))
+                          for c in within(node, "call_expression")]  # fmt: skip
+                scope.granted |= dict.fromkeys(c for c in called if c not in scope.functions)
+                if known := [c for c in called if c in scope.functions]:
+                    raise refuse(node, f"{known[0]} is called where nothing is returned")
                 page.put(line, depth, _end(scope))
         case "if_statement":
             condition = node.child_by_field_name("condition").child_by_field_name("value")
@@ -728,6 +826,11 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         lasting = "static" in words(node).split()
         if lasting and (name in scope.changed or inner_names & {*scope.arguments, *scope.locals}):
             raise refuse(one, "a static variable keeps what a call leaves: pass it")
+        made = value is not None and _eigen(value, scope) is not None
+        if kind == "auto" and made and scope.changed & {name, *inner_names}:
+            raise refuse(one, "a second name of a variable is not read")
+        if EIGEN.search(kind) or (kind == "auto" and made):
+            scope.eigen.add(name)
         target = value and _pointed(value, scope)
         if target:
             scope.aliases[name] = target
@@ -826,12 +929,16 @@ def _changed(node: Any, scope: Scope) -> str:
             raise refuse(node, f"{name} is another array from here on: write its entries")
         scope.locals.add(name)
         return f"{name} = {value}"
-    name, indices = _entry(left, scope)
+    part = _part(left, scope)
+    name, indices = part if part is not None else _entry(left, scope)
     if name in scope.arguments or name in scope.fields:
         raise refuse(left)
     if name not in scope.locals or name not in scope.filled:
         scope.locals.add(name)
         scope.filled.setdefault(name)
+    if part is not None:
+        unset = ["0"] if name in scope.zeros else []
+        return f"{name} = laid({joined([name, value, *indices, *unset])})"
     put = "put" if name in scope.zeros else "lay"
     return f"{name} = {put}({joined([name, value, *(f'({i}) + 1' for i in indices)])})"
 
@@ -1053,13 +1160,78 @@ def _place(node: Any, scope: Scope) -> str:
     name, indices = _entry(node, scope)
     name = _read(name, scope)
     if name in scope.arguments or name in scope.free:
+        if node.type == "call_expression" and len(indices) == 2 and indices[1] == "0":
+            indices = indices[:1]  # a column
         return f"{name}[{joined(indices)}]"
     return f"get({joined([name, *(f'({i}) + 1' for i in indices)])})"
+
+
+def _method(node: Any) -> tuple[Any, str, list[Any]] | None:
+    """x.head<2>() as x, head and what says which; None for no call of a method."""
+    head = node.child_by_field_name("function") if node.type == "call_expression" else None
+    if head is None or head.type != "field_expression":
+        return None
+    field_of = head.child_by_field_name("field")
+    given = named(node.child_by_field_name("arguments"))
+    if field_of.type == "template_method":
+        name, *kinds = named(field_of)
+        given = [*given, *(part for kind in kinds for part in named(kind))]
+        field_of = name
+    return head.child_by_field_name("argument"), words(field_of), given
+
+
+def _part(node: Any, scope: Scope) -> tuple[str, list[str]] | None:
+    """x.segment(1, 2), which is set, as x, its first place and how many it has."""
+    found = _method(node)
+    if found is None or found[1] not in ("segment", "head"):
+        return None
+    owner, what, given = found
+    if safe(words(owner)) not in scope.eigen or len(given) != PARTS[what]:
+        raise refuse(node)
+    values = [_value(part, scope) for part in given]
+    return safe(words(owner)), values if what == "segment" else ["0", *values]
+
+
+def _eigen(node: Any, scope: Scope) -> str | None:
+    """What Eigen has of vectors and matrices; None for other things."""
+    found = _method(node)
+    if found is None:
+        return None
+    owner, what, given = found
+    if what == "solve" and len(given) == 1:
+        inner = _method(owner)
+        if inner is None or inner[1] not in DECOMPOSED or inner[2]:
+            return None
+        matrix = _of_eigen(inner[0], scope)
+        return None if matrix is None else f"under({matrix}, {_value(given[0], scope)})"
+    if (what not in PARTS and what not in WHOLES) or len(given) != PARTS.get(what, 0):
+        return None
+    array = _of_eigen(owner, scope)
+    if array is None or what in WHOLES:
+        return array and f"{WHOLES[what]}({array})"
+    texts = [words(part) for part in given]
+    values = [_value(part, scope) for part in given]
+    if array in scope.arguments and all(WHOLE.fullmatch(text) for text in texts):
+        first, count = (0, int(texts[0])) if what != "segment" else map(int, texts)
+        part = f"-{count}:" if what == "tail" else f"{first}:{first + count}"
+        return f"exactly({array}[{part}], {count})"
+    if what == "tail":
+        return f"segment({array}, size({array}, 0, 1) - {values[0]}, {values[0]})"
+    return f"segment({joined([array, *(['0'] if what == 'head' else []), *values])})"
+
+
+def _of_eigen(node: Any, scope: Scope) -> str | None:
+    """An array of Eigen, by its name or made of others."""
+    if node.type == "identifier" and safe(words(node)) in scope.eigen:
+        return _read(safe(words(node)), scope)
+    return _eigen(node, scope)
 
 
 def _call(node: Any, scope: Scope) -> str:
     head, given = (node.child_by_field_name(f) for f in ("function", "arguments"))
     name = _called(head)
+    if (found := _eigen(node, scope)) is not None:
+        return found
     if name in scope.printed and name not in scope.locals:
         return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":

@@ -22,8 +22,8 @@ STEP = Symbol("dt", positive=True)
 """By how much time a call advances the state."""
 
 NAMES = (
-    "dt", "DT", "dT", "Ts", "TS", "T_s", "delta_t", "deltat", "timestep", "time_step", "step_size",
-    "h",
+    "dt", "DT", "dT", "Ts", "TS", "T_s", "delta_t", "del_t", "deltat", "timestep", "time_step",
+    "step_size", "h",
 )  # fmt: skip
 """What code calls it."""
 
@@ -164,7 +164,7 @@ def _constant(halves: Halves, rates: Rates, state: State) -> State:
     after = _explicit(halves, rates, state)
     for q in halves.q:
         slope = sum((rates[q].diff(u) * rates[u] for u in halves.u), S.Zero)
-        after[q] += STEP**2 / 2 * slope
+        after[q] += STEP**2 / 2 * put(slope, state)
     return after
 
 

@@ -118,6 +118,12 @@ class Function:
         Numbers that it assigns once.
     free : dict of str to None
         Names that nothing gives a value.
+    known : dict of str to Function
+        Those that it may call, which are printed already.
+    records : dict of str to str
+        Fields, and the arguments that they are of.
+    passed : set of int
+        Places where it passes such an argument on, of which the other one takes fields alone.
     """
 
     node: Any
@@ -132,6 +138,9 @@ class Function:
     free: dict[str, None] = field(default_factory=dict)
     scalar: Callable[[str], bool] = bool
     others: frozenset[str] = frozenset()
+    known: dict[str, "Function"] = field(default_factory=dict)
+    records: dict[str, str] = field(default_factory=dict)
+    passed: set[int] = field(default_factory=set)
 
 
 def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translated:
@@ -157,7 +166,9 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         functions[name] = one
     if not functions:
         raise Unread("there is no function in it")
-    calls = {name: _names(one.node) & functions.keys() - {name} for name, one in functions.items()}
+    # A name of a type is no call of what its objects are called with.
+    known_ones = {n for n, one in functions.items() if named(one.call)[0].type == "identifier"}
+    calls = {name: _names(one.node) & known_ones - {name} for name, one in functions.items()}
     chosen = [n for n in functions if n in _solved(root)] or _uncalled(functions, calls)
     wanted = list(chosen)
     for name in wanted:
@@ -165,13 +176,18 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     page = Page()
     bodies = [(name, functions[name]) for name in functions if name in wanted]
     _own_names(root, [one.node for _, one in bodies])
-    for name, one in bodies:
+    printed: dict[str, tuple[Page, Page]] = {}
+    for name in _callees_first(wanted, calls):
+        one = functions[name]
         if name in twice:
             raise refuse(one.call, f"{name} has several methods: leave one")
         if (wrong := first_error(one.node)) is not None:
             raise refuse(wrong)
         _learn(one, known, frozenset(functions))
-        _function(page, name, one, name in chosen)
+        one.known = {other: functions[other] for other in printed}
+        printed[name] = _bodies(one, name in chosen)
+    for name, one in bodies:
+        _function(page, name, one, name in chosen, *printed[name])
     page.constants({name: one.constants for name, one in bodies})
     own = {name: getattr(array_language, name) for name in vars(array_language)
            if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
@@ -192,16 +208,41 @@ def language() -> object:
 
 
 def name_of(node: Any) -> str:
-    """A name in plain letters, dots above it as ``_dot``.
+    """A name in plain letters, dots above it as ``_dot``; of ``(s::Rod)`` that of the type.
 
     Raises
     ------
     Unread
     """
+    if _of_objects(node):
+        node = within(node, "identifier")[-1]
     letters, order = plain(words(node).replace("!", ""))
     if order not in DOTS or not letters.isidentifier():
         raise refuse(node)
     return safe(letters + DOTS[order])
+
+
+def _of_objects(head: Any) -> bool:
+    """Whether it is what objects of a type are called with: ``(s::Rod)(du, u, p, t)``."""
+    inner = named(head)[0] if named(head) else head
+    return head.type == "parenthesized_expression" and inner.type == "typed_expression" and (
+        [part.type for part in named(inner)] == ["identifier", "identifier"]
+    )  # fmt: skip
+
+
+def _callees_first(chosen: list[str], calls: dict[str, set[str]]) -> list[str]:
+    """Functions behind those that they call; one that calls itself as it comes."""
+    order: list[str] = []
+
+    def visit(name: str, above: tuple[str, ...]) -> None:
+        for other in sorted(calls[name] - {*above, *order}):
+            visit(other, (*above, name))
+        if name not in order:
+            order.append(name)
+
+    for name in chosen:
+        visit(name, ())
+    return order
 
 
 def functions_of(root: Any) -> Iterator[Function]:
@@ -212,7 +253,8 @@ def functions_of(root: Any) -> Iterator[Function]:
         head = parts[0]
         while head.type in ("signature", "where_expression", "typed_expression"):
             head = named(head)[0]
-        if head.type != "call_expression" or named(head)[0].type != "identifier":
+        first = named(head)[0] if head.type == "call_expression" else None
+        if first is None or not (first.type == "identifier" or _of_objects(first)):
             continue
         body = parts[1:] if node.type == "function_definition" else parts[-1:]
         if _makes(body) and not ours & {words(i) for i in within(named(head)[1], "identifier")}:
@@ -238,6 +280,11 @@ def _argument(one: Function, node: Any) -> None:
         node, default = parts[0], _number(parts[1]) if parts[1].type in NUMBERS else ""
     if node.type == "unary_typed_expression":
         return
+    if node.type == "splat_expression":
+        names = {words(i) for part in one.body for i in within(part, "identifier")}
+        if names & {words(i) for i in within(node, "identifier")}:
+            raise refuse(node)
+        return  # nothing uses it
     if node.type == "typed_expression":
         node = named(node)[0]
     if node.type != "identifier":
@@ -372,12 +419,15 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     one.scalar, one.others = known, others
     for part in named(named(one.call)[1]):
         _argument(one, part)
+    if (head := named(one.call)[0]).type != "identifier":
+        one.arguments.append(name_of(within(head, "identifier")[0]))
     for number in within(one.node, "float_literal"):
         if (text := words(number)) and re.search(r"\df-?\d", text) and not _is_single(text):
             raise refuse(number, f"{text} is rounded to single precision: write it as a double")
     for typed in within(one.node, "typed_expression"):
         inner, kind = named(typed)[0], words(named(typed)[-1])
         argument = typed.parent is not None and typed.parent.type == "argument_list"
+        argument = argument or typed.parent == named(one.call)[0]
         if WHOLE.fullmatch(kind) and not (argument and not known(words(inner))):
             raise refuse(typed, f"what is converted to {kind} is not read")
         reals = REALS - {"Float32"} | _open_kinds(one.node)
@@ -513,20 +563,25 @@ def _before(page: Page, one: Function) -> None:
         write(name)
 
 
-def _function(page: Page, name: str, one: Function, main: bool) -> None:
+def _bodies(one: Function, main: bool) -> tuple[Page, Page]:
+    """What a function does, and what is computed before around it."""
     body, before = Page(), Page()
     *first, last = one.body or [None]
     for part in first:
         _statement(body, part, 1, one)
     _last(body, last, one, main)
     _before(before, one)
+    return body, before
+
+
+def _function(page: Page, name: str, one: Function, main: bool, body: Page, before: Page) -> None:
     used = {name_of(i) for part in one.body for i in within(part, "identifier") if _is_name(i)}
     arguments = [a for a in one.arguments if a != one.filled and a not in one.defaults]
     if main:
         arguments = [a for a in arguments if a in used and _whole(a, one)]
     extra = [n for n in one.free if n not in one.arguments]
-    if not main and extra:
-        raise refuse(one.call, f"{joined(extra)} of {name}: nothing gives it a value")
+    if not main and (open_ones := [n for n in extra if n not in one.records]):
+        raise refuse(one.call, f"{joined(open_ones)} of {name}: nothing gives it a value")
     if main and _in_place(one) and not one.filled:
         raise refuse(one.call, f"{words(named(one.call)[0])} sets no entries of its argument")
     if not main and one.filled:
@@ -562,7 +617,7 @@ def _whole(argument: str, one: Function) -> bool:
     """Whether a function uses an argument, and not its fields alone."""
     uses = [i for part in one.body for i in within(part, "identifier")]
     return any(
-        name_of(i) == argument and not _is_field(i) and not _is_record(i)
+        name_of(i) == argument and not (_is_field(i) or _is_record(i) or i.id in one.passed)
         for i in uses
         if _is_name(i)
     )
@@ -691,7 +746,8 @@ def _assignment(page: Page, node: Any, depth: int, one: Function) -> None:
         if right.type != "identifier" or name_of(right) not in one.arguments:
             raise refuse(node)
         one.locals -= {*record}
-        one.free |= dict.fromkeys(record)
+        for name in record:
+            _of_record(name, name_of(right), node, one)
         page.put(line, depth, "pass")
         return
     if left.type == "typed_expression":
@@ -784,8 +840,46 @@ def _field(node: Any, one: Function) -> str:
         raise refuse(node)
     if name in one.arguments or (name in one.locals and not _only_field(name, node, one)):
         raise refuse(node, f"{name} is a field and another name: rename one")
-    one.free[name] = None
+    _of_record(name, owner, node, one)
     return name
+
+
+def _of_record(name: str, owner: str, node: Any, one: Function) -> None:
+    """Know a field of an argument.
+
+    Raises
+    ------
+    Unread
+        Where two have fields of that name.
+    """
+    if one.records.setdefault(name, owner) != owner:
+        raise refuse(node, f"{name} is a field of {one.records[name]} and of {owner}: rename one")
+    one.free[name] = None
+
+
+def _passed(callee: Function, parts: list[Any], given: list[str], one: Function) -> list[str]:
+    """What a call passes, with the fields that the other one takes of an argument.
+
+    Raises
+    ------
+    Unread
+        Where these are not those of an argument here.
+    """
+    fields = {n: owner for n, owner in callee.records.items() if n in callee.free}
+    for owner in dict.fromkeys(fields.values()):
+        place = callee.arguments.index(owner)
+        part = parts[min(place, len(parts) - 1)]
+        here = name_of(part) if part.type == "identifier" and place < len(parts) else ""
+        if here not in one.arguments or here in one.locals:
+            raise refuse(part, f"fields of {owner}: pass an argument")
+        if not _whole(owner, callee):
+            one.passed.add(part.id)
+            given[place] = "None"
+        for name in (n for n, of in fields.items() if of == owner):
+            if name in one.arguments or name in one.locals or name in one.constants:
+                raise refuse(part, f"{name} is a field of {here} and another name: rename one")
+            _of_record(name, here, part, one)
+    return [*given, *(f"{name}={name}" for name in fields)]
 
 
 def _only_field(name: str, node: Any, one: Function) -> bool:
@@ -982,6 +1076,8 @@ def _call(node: Any, one: Function) -> str:
         raise refuse(node, f"{words(node)} is rounded to single precision: write a double")
     given = [expression(part, one) for part in parts]
     if name in one.others and name not in one.locals:
+        if name in one.known:
+            given = _passed(one.known[name], parts, given, one)
         return f"{name}({joined(given)})"
     if name in one.arguments or name in one.locals:
         raise refuse(node)

@@ -71,6 +71,8 @@ class Scope:
         Names that nothing gives a value, and what they are fields of.
     flags : set of str
         Arguments that are asked whether they are true.
+    handles : frozenset of str
+        Its names of anonymous functions, which are nothing else.
     """
 
     arguments: list[str]
@@ -82,6 +84,7 @@ class Scope:
     main: bool = True
     free: dict[str, str | None] = field(default_factory=dict)
     flags: set[str] = field(default_factory=set)
+    handles: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -317,7 +320,8 @@ def outputs_of(node: Any) -> list[str]:
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
 
-def _arguments(node: Any) -> list[str]:
+def arguments_of(node: Any) -> list[str]:
+    """Names of what a function takes."""
     found = next((c for c in node.children if c.type == "function_arguments"), None)
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
@@ -346,7 +350,7 @@ def _base(target: Any) -> str:
 
 
 def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scope:
-    arguments, outputs = _arguments(node), outputs_of(node)
+    arguments, outputs = arguments_of(node), outputs_of(node)
     targets = list(_targets(node))
     names = [_base(target) for target, _ in targets]
     counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}
@@ -358,7 +362,13 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
         and names.count(_base(target)) == 1 and _base(target) not in (*arguments, *outputs)
     }  # fmt: skip
     inside = {*names, *counted} - {*constants}
-    return Scope(arguments, inside, functions, constants, outputs, known)
+    kinds: dict[str, set[str]] = {}
+    for target, value in targets:
+        kinds.setdefault(_base(target), set()).add(value.type)
+    handles = {n for n, kind in kinds.items() if kind == {"lambda"}} - {*arguments, *outputs}
+    return Scope(
+        arguments, inside, functions, constants, outputs, known, handles=frozenset(handles)
+    )
 
 
 def _uses(block: Any, target: Any) -> int:
@@ -524,6 +534,10 @@ def _last(function: Any) -> Any:
 
 
 def _assignment(left: Any, right: Any, scope: Scope) -> str:
+    if left.type == "identifier" and right.type == "lambda":
+        return f"{safe(words(left))} = {_handle(right, scope)}"
+    if right.type == "field_expression" and left.type == "identifier" and _idle(left, scope):
+        return "pass"
     value = expression(right, scope)
     if left.type == "identifier":
         name = safe(words(left))
@@ -540,6 +554,39 @@ def _assignment(left: Any, right: Any, scope: Scope) -> str:
         if all(part.type == "identifier" for part in named(left)):
             return f"{joined(targets)} = {value}"
     raise refuse(left)
+
+
+def _idle(target: Any, scope: Scope) -> bool:
+    """Whether nothing uses what is assigned."""
+    function = _around(target)
+    if function is None or safe(words(target)) in scope.outputs:
+        return False
+    same = [one for one in within(function, "identifier") if words(one) == words(target)]
+    fields = [one for one in same if one.parent.type == "field_expression"
+              and one.parent.child_by_field_name("object") != one]  # fmt: skip
+    return len(same) - len(fields) == 1
+
+
+def _handle(node: Any, scope: Scope) -> str:
+    """@(q) a*q, which keeps what its other names are when it is made."""
+    given = next((c for c in node.children if c.type == "arguments"), None)
+    parts = named(given) if given is not None else []
+    if any(part.type != "identifier" for part in parts):
+        raise refuse(node)
+    own = [safe(words(part)) for part in parts]
+    inner = replace(
+        scope,
+        arguments=[a for a in scope.arguments if a not in own],
+        locals=scope.locals | {*own},
+        constants={n: v for n, v in scope.constants.items() if n not in own},
+        handles=scope.handles - {*own},
+    )
+    value = expression(node.child_by_field_name("expression"), inner)
+    around = [n for n in (*scope.arguments, *sorted(scope.locals)) if n not in own]
+    kept = [n for n in dict.fromkeys(around) if re.search(rf"(?<![\w.]){n}\b", value)]
+    if wrong := [n for n in own if n in scope.free]:
+        raise refuse(node, f"{wrong[0]} means two things: rename one")
+    return f"(lambda {joined([*own, *(f'{n}={n}' for n in kept)])}: {value})"
 
 
 def _condition(node: Any, scope: Scope) -> str:
@@ -685,7 +732,8 @@ def _field(node: Any, scope: Scope) -> str:
     """p.m, where p is an argument: m, by the name that the code gives to it or its own."""
     base = _base(node)
     parts = [safe(words(part)) for part in named(node)]
-    if base not in scope.arguments or base in scope.locals:
+    elsewhere = base not in scope.arguments and base not in scope.functions
+    if base in scope.locals or base in scope.constants or (elsewhere and scope.scalar(base)):
         raise refuse(node)
     inner = node
     if any(part.type not in ("identifier",) for part in named(inner)[1:]):
@@ -716,10 +764,12 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "field_expression":
         return _entry(node, _field(head, scope), scope)
     name = safe(words(head))
-    if name in scope.locals or name in scope.arguments:
+    if (name in scope.locals or name in scope.arguments) and name not in scope.handles:
         return _entry(node, name, scope)
     arguments = [c for c in node.children if c.type == "arguments"]
     given = [expression(part, scope) for part in named(arguments[0])] if arguments else []
+    if name in scope.handles:
+        return f"{name}({joined(given)})"
     if name in scope.functions:
         return f"{name}({joined(given)})"
     if name in ELEMENTWISE:

@@ -7,11 +7,17 @@
 Plots, what is printed, solvers and numbers of parameters say nothing of the motion.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
+from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
+from mechanics.claims.code.machine_values import Judged, Own, Words
+from mechanics.claims.code.plain_statements import Term, term, with_names
 from mechanics.claims.code.python_page import named, safe, tree, within, words
+from mechanics.claims.code.uses import Uses
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import plain_symbol
@@ -31,12 +37,19 @@ JOINED = ("binary_operator", "binary_expression", "comparison_operator", "juxtap
           "compound_assignment_expression")  # fmt: skip
 """Where values are made into others."""
 NAMELESS = ("lambda", "arrow_function_expression", "lambda_expression")
+SENDS = frozenset(
+    ("push", "append", "fputs", "puts", "fwrite", "fflush", "fopen", "fclose", "write", "begin",
+     "delay", "millis", "micros", "println", "size", "length", "numel")
+)  # fmt: skip
+"""Calls that change nothing of what they take."""
 PROGRAM = frozenset(("main", "setup", "loop"))
 """Functions that only use others."""
 LONGEST = 60
 
 
-def not_judged(text: str, suffix: str, judged: Collection[str], naming: Naming) -> tuple[str, ...]:
+def not_judged(
+    text: str, suffix: str, found: Reading, naming: Naming, *, chosen: bool = False
+) -> tuple[str, ...]:
     """Functions and lines of a file that are neither judged nor a part of what is.
 
     Parameters
@@ -44,32 +57,53 @@ def not_judged(text: str, suffix: str, judged: Collection[str], naming: Naming) 
     text : str
     suffix : str
         Of the file: ``.m``, ``.jl``, or one of C or C++.
-    judged : collection of str
-        Names of the functions that are.
+    found : Reading
+        Of the functions that are judged.
     naming : Naming
         Tells what moves.
+    chosen : bool
+        Whether somebody said which function is meant: others that do not use it are left alone.
     """
+    judged = {s.source.partition(":")[0] for s in found.statements}
     language, title = LANGUAGES.get(suffix, (cpp_functions.language, str))
     grammar = {".m": "tree-sitter-matlab", ".jl": "tree-sitter-julia"}.get(suffix)
     root = tree(language, text, grammar or "tree-sitter-cpp")
     functions = dict(_functions(root, suffix))
-    parts = {name: {*_names(node, title)} & functions.keys() - {name}
-             for name, node in functions.items()}  # fmt: skip
+    every = {**dict(_idle(root, suffix)), **functions}
+    parts = {name: {*_names(node, title)} & every.keys() - {name} for name, node in every.items()}
     own = _reached(judged, parts)
-    users = {name for name in functions if _reached({name}, parts) & {*judged}}
-    found = []
+    users = {name for name in every if _reached({name}, parts) & {*judged}} - own
+    lines = [*_lines(root, every)]
+    others = {n: _own(node, suffix, title) for n, node in every.items()}
+    uses = Uses(
+        _seen(judged, found, others, lines, naming, title), others, users, Words(naming),
+        int(suffix in LANGUAGES), suffix == ".m", SHOWN | SENDS,
+    )  # fmt: skip
+    said: list[str] = []
+    known: dict[str, Any] = {}
+    for one in lines:
+        line = with_names(term(one), title)
+        concerned = suffix in LANGUAGES and uses.concerns(line, known)
+        quoted = uses.lines(line, known)
+        if concerned:
+            said += quoted
+        elif suffix in LANGUAGES and not chosen and _says(one, own, users, naming, title, judged):
+            said.append(line.text)
+    for one in within(root, "preproc_function_def", "preproc_def"):
+        value = one.child_by_field_name("value")
+        if value is not None and judged & {*re.findall(r"\w+", words(value))}:
+            said.append(words(one))
+    free = {n for name in own & others.keys() for n in others[name].free()}
+    for name in (n for n in every if n not in own):
+        if suffix not in LANGUAGES:
+            said += (f"{name}: {line}" for line in uses.changed(others[name], free))
+    for name in (n for n in every if n in users):
+        said += (f"{name}: {line}" for line in uses.function(name, known))
     for name, node in functions.items():
-        if _only_shows(node):
-            continue
-        changed = name in users and name not in own and _joins(node, own, title)
-        if changed or not (name in own or name in users or name in PROGRAM):
-            found.append(f"function {name}")
-    if suffix in LANGUAGES:
-        inert = own | users
-        for one in _lines(root, functions):
-            if _says(one, inert, own, naming, title, judged):
-                found.append(" ".join(words(one).split())[:LONGEST])
-    return tuple(dict.fromkeys(found))
+        apart = not (chosen or name in own | users | PROGRAM | uses.explained)
+        if apart and not _only_shows(node):
+            said.insert(0, f"function {name}")
+    return tuple(dict.fromkeys(one[:LONGEST] for one in said))
 
 
 def _plain(text: str) -> str:
@@ -95,6 +129,77 @@ def _functions(root: Any, suffix: str) -> Iterator[tuple[str, Any]]:
                 yield safe(words(node.child_by_field_name("name"))), node
     else:
         yield from cpp_functions.functions_of(root)[0].items()
+
+
+def _idle(root: Any, suffix: str) -> Iterator[tuple[str, Any]]:
+    """Functions of a file that only use others: they take or give nothing."""
+    if suffix == ".jl":
+        yield from ((julia.name_of(named(f.call)[0]), f.node) for f in julia.functions_of(root))
+    elif suffix == ".m":
+        for node in within(root, "function_definition"):
+            yield safe(words(node.child_by_field_name("name"))), node
+
+
+def _own(node: Any, suffix: str, title: Callable[[str], str]) -> Own:
+    """A function, as its callers see it."""
+    gives: tuple[str, ...] = ()
+    shared: set[str] = set()
+    if suffix == ".m":
+        takes, gives = matlab.arguments_of(node), tuple(matlab.outputs_of(node))
+        body = [c for c in node.children if c.type == "block"]
+    elif suffix == ".jl":
+        (one,) = (f for f in julia.functions_of(node) if f.node == node)
+        given = (within(part, "identifier")[:1] for part in named(named(one.call)[1]))
+        takes = [words(name) for names in given for name in names]
+        body = [c for part in one.body for c in (named(part) if part.type == "block" else [part])]
+    else:
+        takes = cpp_functions.arguments_of(node)
+        shared = cpp_functions.shared_of(node)
+        body = [node.child_by_field_name("body")]
+    made = Term("block", "", tuple(term(part) for part in body))
+    if suffix == ".jl" and made.parts:
+        last = made.parts[-1]
+        value = last.parts[0] if last.kind == "set" else last
+        if last.kind not in ("loop", "case", "return", "block"):
+            before = made.parts if last.kind == "set" else made.parts[:-1]
+            made = replace(made, parts=(*before, Term("return", "", (value,), last.text)))
+        entries = [t.parts[0] for t in made.all() if t.kind == "set" and t.parts[0].kind == "entry"]
+        shared = {words(i) for i in within(node, "identifier")} & {t.parts[0].name for t in entries}
+        shared |= {*takes[:1]} if words(named(one.call)[0]).endswith("!") else set()
+    own = Own(tuple(map(title, takes)), gives, with_names(made, title))
+    return replace(own, shared=frozenset(map(title, shared & {*takes})))
+
+
+def _seen(
+    judged: Collection[str], found: Reading, functions: Mapping[str, Own], lines: Iterable[Any],
+    naming: Naming, title: Callable[[str], str],
+) -> Judged:  # fmt: skip
+    """The judged function, as its callers see it."""
+    name = next(iter(judged), "")
+    takes: tuple[str, ...] = ()
+    fills: Collection[str] = ()
+    if name in functions:
+        takes, fills = functions[name].takes, functions[name].shared
+    for line in (with_names(term(one), title) for one in lines if name not in functions):
+        if line.kind == "set" and line.parts[0].name == name and line.parts[1].kind == "handle":
+            takes = tuple(line.parts[1].name.split())
+    meanings = {m.name: tuple(m.meaning.split()) for m in found.names if m.name in takes}
+    scene = naming.vocabulary.scene
+    rates = dict(zip(map(str, scene.u), map(str, scene.q), strict=False))
+    rates |= dict(zip(map(str, scene.ud), map(str, scene.u), strict=True))
+    tags = [s.tag for s in found.statements]
+    gives = tuple(rates[t] for t in tags) if all(t in rates for t in tags) else ()
+    filled = tuple(
+        n for n in takes if n in fills and n not in meanings and _is_set(functions[name], n)
+    )
+    return Judged(name, takes, meanings, filled, gives)
+
+
+def _is_set(function: Own, name: str) -> bool:
+    return name in function.fills or any(
+        one.kind == "call" and any(part.name == name for part in one.parts)
+        for one in function.body.all()
+    )  # fmt: skip
 
 
 def _reached(starts: Collection[str], parts: Mapping[str, Collection[str]]) -> set[str]:
@@ -142,41 +247,20 @@ def _only_shows(node: Any) -> bool:
     return bool(shown) and all(one.id in shown | inside for one in within(node, *CALLS))
 
 
-def _is_call(node: Any, functions: Collection[str], title: Callable[[str], str]) -> bool:
-    """Whether it is a plain call of one of some functions, with nothing computed beside it."""
-    return (
-        node.type in CALLS
-        and title(_called(node)) in functions
-        and not any(within(part, *NAMELESS) for part in named(node))
-    )
-
-
-def _joins(node: Any, functions: Collection[str], title: Callable[[str], str]) -> bool:
-    """Whether what a function returns is made into something else: -rate(t, y)."""
-    calls = (one for one in within(node, *CALLS) if title(_called(one)) in functions)
-    return any(one.parent is not None and one.parent.type in JOINED for one in calls)
-
-
 def _says(
-    line: Any, plain: Collection[str], own: Collection[str], naming: Naming,
+    line: Any, own: Collection[str], users: Collection[str], naming: Naming,
     title: Callable[[str], str], judged: Collection[str],
 ) -> bool:  # fmt: skip
-    """Whether a line outside of functions says something of the motion."""
-    target, value = _target(line)
+    """Whether a line outside of functions that does not use the judged one speaks of the motion."""
+    target, _ = _target(line)
     if target is not None and _names(target, title) & {*judged}:
         return False  # the function without a name that is judged
-    for one in within(line, *NAMELESS):
-        body = named(one)[-1] if named(one) else one
-        while body.type in ("parenthesized_expression", "parenthesis") and len(named(body)) == 1:
-            (body,) = named(body)
-        if not _is_call(body, plain, title):
-            return True
+    if within(line, *NAMELESS):
+        return True
     if line.type in CALLS and _called(line) in SHOWN:
         return bool(within(line, "assignment"))
-    if _joins(line, own, title):
-        return True
     if target is not None and any(_order(n, naming) == 2 for n in _names(target, title)):
-        return not (value is not None and _is_call(value, plain, title))
+        return True
     return any(
         _order(name, naming) is not None
         for one in within(line, *JOINED)

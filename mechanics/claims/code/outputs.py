@@ -428,6 +428,7 @@ def state_of_scalars(
 def statement(
     claim: Claim, title: str, outputs: Outputs, naming: Naming,
     others: Sequence[tuple[str, Claim]] = (), unsure: tuple[str, ...] = (),
+    anyhow: Claim | None = None,
 ) -> Statement:  # fmt: skip
     """A claim as a statement, with what else it may be; constants stand in its notes."""
     tag, _, sides = claim
@@ -440,6 +441,7 @@ def statement(
         written=written_of(known, naming) if known else None, ways=ways,
         taken=tuple((words, _row(other, title)) for words, other in others),
         demands=_demands(entries, outputs), unsure=unsure,
+        anyhow=anyhow and _row(anyhow, title),
     )  # fmt: skip
 
 

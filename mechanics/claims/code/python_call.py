@@ -5,12 +5,13 @@ def f(t, z, m=2.0, g=9.81, tol=1e-9)    ->    t, z, m, g        m and g are name
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import isfinite
+from types import CodeType
 from typing import Any
 
 import numpy as np
-from sympy import Expr
+from sympy import Expr, Rational
 
 from mechanics.claims.code.arguments import named_entries
 from mechanics.claims.code.changed_numbers import changed
@@ -70,6 +71,9 @@ class Signature:
     remarks : tuple of str
     text : str
         Of the function, where it is at hand.
+    own : dict of Expr to Rational
+        Its numbers for parameters, where others of its names stay numbers: these may be made of
+        them.
     """
 
     wanted: tuple[str, ...]
@@ -79,6 +83,7 @@ class Signature:
     steps: dict[str, Expr]
     remarks: tuple[str, ...]
     text: str
+    own: dict[Expr, Rational] = field(default_factory=dict)
 
 
 def signature_of(
@@ -119,7 +124,7 @@ def signature_of(
             freed.append(name if name in ("t", "time") else f"{name} = {default}")
         elif is_number(default) or isinstance(default, str | bool):
             kept.append(f"{name} = {default!r}")
-    standing, numbers, others = _standing(function, naming, names)
+    standing, numbers, others, values = _standing(function, naming, names)
     if others and any(isinstance(v, Unsaid) for v in attributes(owner_of(function)[1]).values()):
         asked = [other.split(" = ")[0] for other in others]
         options = " ".join(f"--name '{name}=...'" for name in asked)
@@ -138,9 +143,10 @@ def signature_of(
            " them as the scene's"] if others else []),
         *([f"{title}: {', '.join(starred)}: read as nothing"] if starred else []),
     ]  # fmt: skip
-    held_ones = (other.split(" = ")[0] for other in others)
+    held_ones = [other.split(" = ")[0] for other in others]
     steps: dict[str, Expr] = {name: STEP for name in held_ones if name in STEPS}
-    return Signature(tuple(wanted), apart, returned, standing, steps, tuple(remarks), text)
+    own = values if {*held_ones} - {*STEPS} else {}
+    return Signature(tuple(wanted), apart, returned, standing, steps, tuple(remarks), text, own)
 
 
 def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> bool:
@@ -160,8 +166,11 @@ def _of_scene(naming: Naming, name: str, default: Any, apart: Apart | None) -> b
 
 def _standing(
     function: Callable[..., Any], naming: Naming, names: Mapping[str, str]
-) -> tuple[dict[str, Expr], list[str], list[str]]:
-    """What numbers that a function holds stand for, these in words, and those that stay numbers."""
+) -> tuple[dict[str, Expr], list[str], list[str], dict[Expr, Rational]]:
+    """What numbers that a function holds stand for, these in words, and those that stay numbers.
+
+    And the numbers of parameters.
+    """
     constants = naming.vocabulary.constants
     own = held(function, constants).numbers
     # Beside what is named, the file may compute from numbers that only it uses.
@@ -188,13 +197,17 @@ def _standing(
             for n, v in numbers.items()]  # fmt: skip
     others = [f"{n} = {v}" for n, v in held(function, _used(function)).numbers.items()
               if n not in known]  # fmt: skip
-    return {name: known[name] for name in numbers}, told, others[:MOST]
+    values = {known[n]: Rational(str(v)) for n, v in numbers.items()
+              if known[n].is_Symbol and isfinite(v) and not isinstance(v, Unsaid)}  # fmt: skip
+    return {name: known[name] for name in numbers}, told, others[:MOST], values
 
 
 def _used(function: Callable[..., Any]) -> list[str]:
     """Names that a function and what it calls use."""
     inner, bound = owner_of(function)
     codes = [f.__code__ for f in called_by(inner, bound)] if inner is not None else []
+    for code in codes:
+        codes += [part for part in code.co_consts if isinstance(part, CodeType)]
     return [name for code in codes for name in (*code.co_names, *code.co_freevars)]
 
 

@@ -28,6 +28,7 @@ from mechanics.claims.code.arguments import (
 )
 from mechanics.claims.code.c_constants import with_constants
 from mechanics.claims.code.c_flat import flat
+from mechanics.claims.code.c_globals import with_globals
 from mechanics.claims.code.c_library import with_library
 from mechanics.claims.code.c_macros import without_macros
 from mechanics.claims.code.c_parameters import with_parameters
@@ -38,6 +39,8 @@ from mechanics.claims.code.c_target import Instructions
 from mechanics.claims.code.c_untyped import with_types
 from mechanics.claims.code.c_whole import refuse_integer_quotients
 from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
+from mechanics.claims.code.casadi_symbols import function_of
+from mechanics.claims.code.columns import with_columns
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
 from mechanics.claims.code.execution_paths import ways_of
@@ -69,10 +72,10 @@ from mechanics.claims.code.outputs import (
 from mechanics.claims.code.python_call import beside, signature_of
 from mechanics.claims.code.sympy_expressions import Constants, expressions
 from mechanics.claims.code.tracing import Outputs, trace
-from mechanics.claims.code.unpacking import Apart, in_c
+from mechanics.claims.code.unpacking import Apart, in_c, in_python
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
-from mechanics.claims.guess import guess
+from mechanics.claims.guess import at_one_step, guess
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
@@ -87,6 +90,7 @@ from mechanics.program.casadi_reader import Instruction as Node
 from mechanics.program.casadi_reader import single_assignment
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols
+from mechanics.scene.quantities import MassMatrix
 
 LARGEST_C = 30_000
 """Characters of a C file."""
@@ -127,11 +131,13 @@ def read_function(
     InputError
         When an argument is unexplained, or the code hides a formula.
     """
+    if (made := function_of(function)) is not None:
+        return read_casadi(scene, made, names, about, function)
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
     held = {*vocabulary.constants, *(names or {}), *STEPS}
     function = with_local_numbers(unwrapped(function), held)
-    function = returning(function, size, names or {})
+    function = returning(with_columns(function), size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(vocabulary), names or {}, title)
     refuse_unsettled(function, {n for n, symbol in called.standing.items() if symbol.is_Symbol})
@@ -155,7 +161,9 @@ def read_function(
         scene, title, called.wanted, sizes, run, names, about, called.apart, text or called.text,
         called.standing.values(),
     )  # fmt: skip
-    return replace(found, remarks=(*found.remarks, *called.remarks))
+    own = tuple(called.own.items())
+    statements = tuple(replace(s, own=own) for s in found.statements)
+    return replace(found, statements=statements, remarks=(*found.remarks, *called.remarks))
 
 
 def _expanded(function: casadi.Function) -> casadi.Function:
@@ -173,8 +181,15 @@ def read_casadi(
     function: casadi.Function,
     names: Mapping[str, str] | None = None,
     about: str | None = None,
+    maker: Callable[..., Any] | None = None,
 ) -> Reading:
-    """Statements of a CasADi function; arguments as for `read_function`, by their names."""
+    """Statements of a CasADi function; arguments as for `read_function`, by their names.
+
+    Parameters
+    ----------
+    maker : callable, optional
+        That makes it, and takes its arguments apart.
+    """
     function = function if function.is_a("SXFunction") else _expanded(function)
     wanted = [function.name_in(i) for i in range(function.n_in())]
     sizes = {name: function.numel_in(i) for i, name in enumerate(wanted)}
@@ -205,7 +220,8 @@ def read_casadi(
         own = [*nodes, Node(casadi.OP_CONST, (), Fraction(0))]
         return replace(outputs, doubt=doubt_as_doubles(own, last, held, outputs))
 
-    return _read(scene, function.name(), wanted, sizes, run, names, about)
+    apart, _, text = in_python(maker) if maker else ({}, (), "")
+    return _read(scene, function.name(), wanted, sizes, run, names, about, apart, text)
 
 
 def _in_rows(
@@ -256,11 +272,11 @@ def read_c(
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = of_the_header(without_macros(text, origin))
-        text = with_constants(text, origin, passed.integers)
+        text = with_globals(with_constants(text, origin, passed.integers))
         source = known_meaning(parse(text, origin), text)
         refuse_integer_quotients(source, function, passed.integers)
         taken = defaults(source, text)
-        written = plain(text, origin)
+        written = plain(text, origin, whole)
         text = written.text
         call = wrapped(flat(parse(text, origin)), text, function)
         coord, wanted = call.coord, list(call.inputs)
@@ -272,7 +288,8 @@ def read_c(
             return replace(outputs, names=call.outputs, notes=notes)
 
         apart = {**in_c(without_comments(text)), **written.apart}
-        return _read(scene, call.name, wanted, call.inputs, run, names, about, apart, whole)
+        found = _read(scene, call.name, wanted, call.inputs, run, names, about, apart, whole)
+        return found.rounded(written.rounded)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:
@@ -364,7 +381,9 @@ def _read(
     open_names = [Name(0, n) for n in scalars if n not in STEPS]
     # A number of the code that stands for a parameter leaves it to no other name.
     open_names += [Name(0, str(s)) for e in standing for s in sorted(e.free_symbols, key=str)]
-    naming = replace(naming, guessed=guess(naming, open_names, ()))
+    stepped = at_one_step(naming, scalars)
+    naming = replace(naming, guessed=stepped)
+    naming = replace(naming, guessed=(*stepped, *guess(naming, open_names, ())))
     first: Arguments | None = None
     try:
         arguments = first = arguments_of(naming, wanted, sizes, given, apart=apart)
@@ -397,9 +416,17 @@ def _read(
                 continue
             others += [(words, other)] if len(other) == len(found) else []
     unsure = _unsure(scene, outputs, passed, about, title)
+    parts = about is None and manipulator(scene, outputs)
+    mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
         statement(
-            claim, title, outputs, naming, [(words, other[k]) for words, other in others], unsure
+            claim,
+            title,
+            outputs,
+            naming,
+            [(words, other[k]) for words, other in others],
+            unsure,
+            mass,
         )
         for k, claim in enumerate(found)
     )

@@ -75,8 +75,9 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     keeps_keywords(text, origin)
     with located(origin):
-        functions = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
-    found = _together([read_function(scene, one, names, about, text) for one in functions])
+        translated = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
+    readings = [read_function(scene, one, names, about, text) for one in translated.functions]
+    found = _together(readings).rounded(translated.rounded)
     doubt = ""
     if absent := cpp_functions.absent_headers(text):
         doubt = (
@@ -86,8 +87,11 @@ def read_cpp(
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
+    names_of = ", ".join(f"{name}()" for name in translated.granted)
+    granted = f"{names_of}, not here, changes nothing of the object" if names_of else ""
     statements = (
-        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt) for s in found.statements
+        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt, granted=granted)
+        for s in found.statements
     )
     return replace(found, statements=tuple(statements))
 

@@ -184,6 +184,8 @@ def _plain(value: ast.expr) -> ast.expr:
         case ast.Call(func=ast.Attribute(value=inner, attr="item" | "copy" | "flatten" | "ravel"),
                       args=[]):  # fmt: skip
             return _plain(inner)
+        case ast.Call(func=ast.Name(id="exactly"), args=[inner, _]):  # x.segment(0, 2) of Eigen
+            return _plain(inner)
     return value
 
 

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 
 from mechanics.claims.latex.comments import blank, without_hidden
+from mechanics.claims.latex.crossed_out import without_crossings
 from mechanics.claims.latex.over_lines import on_one_line
 from mechanics.claims.place import Refused
 
@@ -68,7 +69,7 @@ def prepared(text: str) -> str:
         Where it is not known what is printed.
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
-    text = LEADER.sub(lambda m: " " * len(m[0]), text)
+    text = without_crossings(LEADER.sub(lambda m: " " * len(m[0]), text))
     if ".. math::" in text:
         text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))

@@ -199,6 +199,7 @@ SMALL_ANGLE = re.compile(
     r"(?:1(?:-\\?[dt]?frac\{?[^=]{1,30}\}?)?|\{?\\?[\w{}]+\}?|0)|"
     r"\{?\\dot\{?\\?\w+\}?\}?(?:_\{?\w\}?)?\^\{?2\}?(?:\\approx|\\simeq|\u2248)0"
 )
+OF_TIME = re.compile(r"\s|\(t\)|\(\s+t\s+\)")
 GENERAL = re.compile(
     r"[^=(]{1,60}=\s*(?P<name>(?:\\(?:mathbf|boldsymbol|bm|vec|mathcal)\s?)?\{?(?:[A-Za-z]|\\[a-z]{2,8})"
     r"\}?(?:_\s?(?:\w|\{[^{}]*\}|\\\w+))?)\s*(?:\\left)?\s*"
@@ -304,7 +305,7 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     if len(kept) < count and not any(is_kind(piece, "REL") for piece in kept):
         return value(source, offset + start)
     if any(isinstance(piece, Token) and piece.type == "ORDER" for piece in kept):
-        if SMALL_ANGLE.fullmatch(source.replace(" ", "")):
+        if SMALL_ANGLE.fullmatch(OF_TIME.sub("", source)):
             return Aside(f"{source[:60]}: approximations in the text are not used", offset + start)
         if _moves(source, naming):
             raise Refused(_span(kept)[0], "an inequality or approximation cannot be judged")

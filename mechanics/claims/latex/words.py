@@ -26,6 +26,8 @@ SINES = ("sin", "cos", "tan")
 """Functions that people write without a backslash behind a factor: gsin(theta)."""
 
 SUM = r"\sum"
+LAGRANGIAN = "Lagr"
+"""What pages call the script L that they define elsewhere."""
 
 
 def summed(items: list[Item]) -> list[Item]:
@@ -80,6 +82,9 @@ class Words:
         if command in FUNCTIONS and not sub:
             return [Item("function", at, text=command)]
         letter = letter_of(command)
+        if command == LAGRANGIAN and not sub:
+            length = self.naming.is_function("L") is False
+            return [named("Lagrangian" if length else "L", sub, at)]
         if text == SUM and not sub:
             return [Item("sum", at)]
         if letter not in GREEK and letter not in ("l", DETERMINANT):

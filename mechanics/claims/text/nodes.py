@@ -299,6 +299,14 @@ class Nodes:
         name, order = plain(above[second.end() if second else 1 :])
         return Name(at, name, order + (2 if second else 1))
 
+    def partial(self, tree: Tree, at: int) -> Node:
+        """A quotient of partial differentials: \u2202L/\u2202q'."""
+        above, below = (part.strip() for part in str(tree.children[0]).split("/"))
+        of, order = plain(above[1:].strip())
+        name, dots = plain(below[1:].strip().rstrip("'"))
+        by = Name(at, name, dots + below.count("'"))
+        return partial_of(self.naming, Name(at, of, order), by, at)
+
     def bracket(self, tree: Tree, at: int) -> Node:
         """A bracket around one expression."""
         if len(tree.children) != 1:

@@ -44,14 +44,26 @@ def solve_symmetric(matrix: ca.SX, rhs: ca.SX, exact: ExactGraphs) -> ca.SX:
     return rows.graph(x)
 
 
-def solve_general(matrix: ca.SX, rhs: ca.SX, pivots: Pivots, exact: ExactGraphs) -> ca.SX:
-    """Solve A X = B, n x n, eliminating along `pivots`, (row, column) in turn; B is n x m."""
+def solve_general(
+    matrix: ca.SX, rhs: ca.SX, pivots: Pivots, exact: ExactGraphs, minors: Sequence[ca.SX] = ()
+) -> ca.SX:
+    """Solve A X = B, n x n, eliminating along `pivots`, (row, column) in turn; B is n x m.
+
+    Parameters
+    ----------
+    minors : sequence of ca.SX
+        m_i = det A[i:, i:] where they are known, m_n = 1: eliminating from the last unknown, the
+        pivot of step i is m_i / m_(i+1). What they spell out need not be found by subtraction.
+    """
     n, rows = matrix.shape[0], _Rows(exact)
     a, b = rows.of(matrix), rows.of(rhs)
+    m = [exact.value(minor) for minor in minors]
     left, columns = set(range(n)), set(range(n))
     for row, column in pivots:
         left.remove(row)
         columns.remove(column)
+        if m:
+            a[row][column] = rows.divide(m[row], m[row + 1])
         for i in left:
             factor = rows.divide(a[i][column], a[row][column])
             for j in columns:
@@ -65,34 +77,6 @@ def solve_general(matrix: ca.SX, rhs: ca.SX, pivots: Pivots, exact: ExactGraphs)
             total = rows.row_less(total, a[row][j], x[j])
         x[column] = [rows.divide(entry, a[row][column]) for entry in total]
         known.append(column)
-    return rows.graph(x)
-
-
-def solve_with_pivots(
-    matrix: ca.SX, rhs: ca.SX, minors: Sequence[ca.SX], exact: ExactGraphs
-) -> ca.SX:
-    """Solve A X = B, n x n, where the minors m_i = det A[i:, i:] are known, m_n = 1.
-
-    Eliminating from the last unknown, the pivot of step i is m_i / m_(i+1): what the minors spell
-    out need not be found by subtraction.
-    """
-    n, rows = matrix.shape[0], _Rows(exact)
-    a, b = rows.of(matrix), rows.of(rhs)
-    m = [exact.value(minor) for minor in minors]
-    for k in reversed(range(n)):
-        a[k][k] = rows.divide(m[k], m[k + 1])
-        for i in range(k):
-            factor = rows.divide(a[i][k], a[k][k])
-            for j in range(k):
-                if j != i:
-                    a[i][j] = rows.less(a[i][j], factor, a[k][j])
-            b[i] = rows.row_less(b[i], factor, b[k])
-    x: list[list[Any]] = []
-    for k in range(n):
-        total = b[k]
-        for i in range(k):
-            total = rows.row_less(total, a[k][i], x[i])
-        x.append([rows.divide(entry, a[k][k]) for entry in total])
     return rows.graph(x)
 
 

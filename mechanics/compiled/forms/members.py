@@ -22,7 +22,7 @@ from sympy import Matrix
 
 from mechanics.compiled.forms.bodies import no_joint_tree, no_loops, no_spanning_tree, no_tree
 from mechanics.compiled.forms.entries import entry_polynomials, nested_entries
-from mechanics.compiled.forms.factor import solve_general, solve_with_pivots
+from mechanics.compiled.forms.factor import Pivots, solve_general
 from mechanics.compiled.forms.fewest import nested_quotients
 from mechanics.compiled.forms.leading_minors import MOST, trailing_minors
 from mechanics.compiled.forms.operations import operations
@@ -131,9 +131,7 @@ def _roundest(system: System, graphs: list[ca.SX]) -> ca.SX:
 
 def _primitive(system: System) -> ca.SX:
     left, right, scale = _scaled(system)
-    n = left.shape[0]
-    along = tuple((i, i) for i in reversed(range(n)))
-    pivots = along if system.symmetric else system.choose(left, right)
+    pivots = _along(left) if system.symmetric else system.choose(left, right)
     return solve_general(left, right, pivots, system.translate.exact) / scale
 
 
@@ -141,7 +139,12 @@ def _rearranged(system: System) -> ca.SX:
     left, right, scale = _scaled(system)
     minors = system.translate.column(trailing_minors(system.primitive.left))
     exact = system.translate.exact
-    return solve_with_pivots(left, right, ca.vertsplit(minors), exact) / scale
+    return solve_general(left, right, _along(left), exact, ca.vertsplit(minors)) / scale
+
+
+def _along(matrix: ca.SX) -> Pivots:
+    """Pivots along the diagonal, from the last unknown to the first."""
+    return [(i, i) for i in reversed(range(matrix.shape[0]))]
 
 
 def _fewest(system: System) -> ca.SX:

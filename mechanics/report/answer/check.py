@@ -35,6 +35,10 @@ class Check:
         Sentences around the statements that nothing was compared with, and what is beside.
     beside : tuple of str
         Functions and lines of a file of code that are no part of what was judged.
+    aside : tuple of str
+        Lines and sentences that were set aside, as the person asked.
+    suggested : tuple of str
+        Which option would give a verdict of what is shown.
 
     Examples
     --------
@@ -55,6 +59,8 @@ class Check:
     derived: Equations | None = None
     unjudged: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
+    aside: tuple[str, ...] = ()
+    suggested: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -77,7 +83,8 @@ class Check:
         return numbered([once(spelled(entry, self.scene)) for entry in self.judged])
 
     def __rich__(self) -> Group:
-        return answer(self.told, self.names, self.remarks, self.scene, self.unjudged)
+        remarks = (*self.remarks, *self.suggested)
+        return answer(self.told, self.names, remarks, self.scene, self.unjudged, self.aside)
 
     def __str__(self) -> str:
         return plain(self.__rich__())

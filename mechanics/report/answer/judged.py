@@ -41,7 +41,7 @@ class Judged:
     @property
     def of_dimension(self) -> bool:
         """Whether its dimension alone refutes it; then no state does."""
-        return self.finding.evidence.startswith(BY_DIMENSION)
+        return of_dimension(self.finding)
 
     @property
     def says_why(self) -> bool:
@@ -49,3 +49,14 @@ class Judged:
         finding = self.finding
         plain = finding.verdict in (Verdict.PROVED, Verdict.REFUTED)
         return self.of_dimension or finding.undefined or not plain
+
+
+def of_dimension(finding: Finding) -> bool:
+    """Whether a dimension alone refutes; then no state does."""
+    return finding.evidence.startswith(BY_DIMENSION)
+
+
+def differs(finding: Finding) -> bool:
+    """Whether the sides differ at a state where both have values."""
+    wrong = finding.verdict is Verdict.REFUTED and not finding.undefined
+    return wrong and not of_dimension(finding)

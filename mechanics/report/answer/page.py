@@ -69,7 +69,9 @@ def check_html(found: Check) -> str:
         symbols=_symbols(found, state),
         form=form,
         missing=_missing(found),
-        alone=formulas_alone([entry.verdict for entry in found.judged], len(found.unjudged)),
+        alone=formulas_alone(
+            [entry.verdict for entry in found.judged], len(found.unjudged), len(found.aside)
+        ),
         derived_steps=_derivation(found, form, state),
     )
 

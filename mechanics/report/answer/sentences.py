@@ -102,17 +102,35 @@ QUANTITY = re.compile(
 """Numbers, formulas, letters and what denies: what is likely to say something of a motion."""
 
 
-def formulas_alone(verdicts: Sequence[Verdict], unjudged: int) -> str:
-    """That formulas are shown and sentences are not; empty where there is nothing to be said."""
+def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -> str:
+    """That formulas are shown and sentences are not; empty where there is nothing to be said.
+
+    Parameters
+    ----------
+    verdicts : sequence of Verdict
+    unjudged : int
+        How many sentences were not judged.
+    aside : int
+        How many lines and sentences were set aside, as the person asked.
+    """
     shown = (Verdict.CERTIFIED, Verdict.PROVED)
-    if not unjudged or not verdicts or not {*verdicts} <= {*shown}:
+    if not (unjudged or aside) or not verdicts or not {*verdicts} <= {*shown}:
         return ""
     verdict = next(v.name for v in shown if v in verdicts)
-    words = "sentence around them was" if unjudged == 1 else "sentences around them were"
-    return f"The formulas are {verdict}. {unjudged} {words} not judged."
+    what = "What you chose is" if aside else "The formulas are"
+    parts = [f"{aside} set aside, as you asked"] if aside else []
+    if unjudged:
+        words = "sentence around them was" if unjudged == 1 else "sentences around them were"
+        parts.insert(0, f"{unjudged} {words} not judged")
+    return f"{what} {verdict}. {', '.join(parts)}."
 
 
-def quoted(sentences: Sequence[str], scene: Scene | None = None) -> tuple[str, ...]:
+AS_ASKED = "not judged, as you asked"
+
+
+def quoted(
+    sentences: Sequence[str], scene: Scene | None = None, why: str = "not judged"
+) -> tuple[str, ...]:
     """Sentences that were not judged, and how many there are beside, as one line.
 
     Where they are more than `MOST_QUOTED`, those with quantities or names come first.
@@ -121,6 +139,8 @@ def quoted(sentences: Sequence[str], scene: Scene | None = None) -> tuple[str, .
     ----------
     sentences : sequence of str
     scene : Scene, optional
+    why : str
+        What the line begins with.
     """
     if not sentences:
         return ()
@@ -131,7 +151,7 @@ def quoted(sentences: Sequence[str], scene: Scene | None = None) -> tuple[str, .
         shown.sort(key=lambda words: not (QUANTITY.search(words) or _words(words) & names))
     first = ", ".join(f"'{words[:LONGEST]}'" for words in shown[:MOST_QUOTED])
     more = len(sentences) - MOST_QUOTED
-    return (f"not judged: {first}{f' and {more} more' if more > 0 else ''}",)
+    return (f"{why}: {first}{f' and {more} more' if more > 0 else ''}",)
 
 
 def _words(sentence: str) -> set[str]:

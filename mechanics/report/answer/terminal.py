@@ -25,6 +25,7 @@ from mechanics.report.answer.marks import pieces, printable, shortened
 from mechanics.report.answer.meaning import difference, headline, meaning
 from mechanics.report.answer.segments import spoken
 from mechanics.report.answer.sentences import (
+    AS_ASKED,
     COUNTED,
     about,
     counted,
@@ -65,7 +66,7 @@ def plain(answer: RenderableType, width: int = PLAIN_WIDTH) -> str:
 
 def answer(
     judged: Sequence[Judged], names: Sequence[Match] = (), remarks: Sequence[str] = (),
-    scene: Scene | None = None, unjudged: Sequence[str] = (),
+    scene: Scene | None = None, unjudged: Sequence[str] = (), aside: Sequence[str] = (),
 ) -> Group:  # fmt: skip
     """What became of statements, for `rich.console.Console.print`.
 
@@ -79,9 +80,11 @@ def answer(
         What follows from the state of a witness is told as far as it places the scene.
     unjudged : sequence of str
         Sentences beside the statements; the first line counts them where the rest is shown.
+    aside : sequence of str
+        What was set aside, as the person asked.
     """
     parts: list[RenderableType] = []
-    if words := formulas_alone([entry.verdict for entry in judged], len(unjudged)):
+    if words := formulas_alone([e.verdict for e in judged], len(unjudged), len(aside)):
         parts += [Hanging(line(words)), ""]
     apart = False
     told, notes = shared_notes(judged)
@@ -96,6 +99,7 @@ def answer(
         *(Hanging(line(words, "dim")) for words in notes),
         *(Hanging(line(spoken(words, hand), "dim")) for words in remarks),
         *(Hanging(line(words, "dim")) for words in quoted(unjudged, scene)),
+        *(Hanging(line(words)) for words in quoted(aside, scene, AS_ASKED)),
     ]
     if len(judged) > 1:
         last.insert(0, Hanging(_counted(judged)))

@@ -16,7 +16,7 @@ from mechanics.claims.statement import Statement
 from mechanics.crosscheck.routes import derive_textbook
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, MechanicsError, SceneError
-from mechanics.judge.convention_filter import glance
+from mechanics.judge.convention_filter import may_hold
 from mechanics.judge.converted_rows import in_plain_symbols, moved, moves_more
 from mechanics.kernel import Finding
 from mechanics.routes import free_body
@@ -25,7 +25,7 @@ from mechanics.scene import RigidBody, Scene
 from mechanics.scene.published import Published
 
 
-def right_if(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
+def helpful_changes(truth: Equations, statements: Sequence[Statement]) -> list[Change]:
     """Every change of convention that makes all statements right.
 
     The simplest comes first; none holds another with more besides. Several are the same change seen
@@ -95,7 +95,7 @@ def _likely(truth: Equations, rows: Sequence[Published], changes: list[Change]) 
     few = [row for row in rows if not moves_more(truth.scene, row)]
     quick = [in_plain_symbols(truth.kinematics, row) for row in few]
     tables = [combined_table(change) for change in changes]
-    looked = glance(truth, quick, tables) if quick else [True] * len(tables)
+    looked = may_hold(truth, quick, tables) if quick else [True] * len(tables)
     for change, table, possible in zip(changes, tables, looked, strict=True):
         if possible and all(_possible(truth, row, table) for row in more):
             yield change
@@ -107,7 +107,7 @@ def _possible(truth: Equations, row: Published, table: Table) -> bool:
         plain = in_plain_symbols(truth.kinematics, moved(truth.scene, row, table))
     except (InputError, SceneError, ExpressionError):
         return False
-    return all(glance(truth, [plain], [{}]))
+    return all(may_hold(truth, [plain], [{}]))
 
 
 def _changes(scene: Scene) -> list[Change]:

@@ -33,7 +33,7 @@ from mechanics.claims.text.elements import BY_KIND, WHY
 from mechanics.compiled.fixed import fix
 from mechanics.equations import Equations
 from mechanics.judge.at_values import Values, put
-from mechanics.judge.convention_filter import Table, glance
+from mechanics.judge.convention_filter import Table, may_hold
 from mechanics.judge.converted_rows import each_side, in_plain_symbols
 from mechanics.judge.other_names import other_choices
 from mechanics.judge.other_reading import OtherReading, is_wrong
@@ -69,7 +69,7 @@ class Guess:
     of: str = ""
 
 
-def unsaid(
+def other_guesses(
     truth: Equations, judged: Sequence[Judged], readings: Sequence[Reading],
     statements: Sequence[Statement], values: Values, tries: bool,
 ) -> Iterator[OtherReading]:  # fmt: skip
@@ -103,7 +103,13 @@ def unsaid(
             held = used_names(judged[k].statement.written)
             rests = [g for g in shared if not g.of or key(g.of) in held]
             words += [g.words for g in rests if g.ways is None or not tries]
-            yield from (OtherReading(one, {k: None}) for one in words)
+            statement = judged[k].statement
+            left = None
+            if statement.anyhow is not None:
+                left = replace(statement, row=statement.anyhow, taken=(), ways={}, written=None)
+            yield from (
+                OtherReading(one, {k: left if one in statement.unsure else None}) for one in words
+            )
             for guess in shared if tries and not words else ():
                 for one, table in trial.living(_row(judged[k]), guess.ways or (), right):
                     yield OtherReading(one, {k: _meant(truth.scene, statements[k], table)})
@@ -133,8 +139,8 @@ class _Trial:
         names = {s.name for p in momenta for s in (p, rate_symbol(p))}
         if any(s.name in names for table in tables for s in table):
             # A momentum is written out before a look.
-            return [glance(self.target, [self._there(row, t)], [{}]) == [True] for t in tables]
-        return glance(self.target, [self._there(row, {})], tables) if tables else []
+            return [may_hold(self.target, [self._there(row, t)], [{}]) == [True] for t in tables]
+        return may_hold(self.target, [self._there(row, {})], tables) if tables else []
 
     def _there(self, row: Published, table: Table) -> Published:
         meant = _put(self.target.scene, row, table)

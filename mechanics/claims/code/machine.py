@@ -1,0 +1,679 @@
+"""Statements of another language, run on random numbers, with a random map for the judged function.
+
+    y = y + h*rate(t, y, p)         every name that nothing gives a value has a random one,
+                                    rate is a random affine map of the state
+
+What is not followed is unknown, and what is made of it. An argument that is not what the function
+takes at its place is a misuse.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from sympy import Expr
+
+from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.machine_values import (
+    UNKNOWN,
+    Given,
+    Handle,
+    Judged,
+    NotPlainError,
+    Own,
+    Table,
+    Unknown,
+    Words,
+    number,
+    rational,
+    root_of,
+    targets_of,
+)
+from mechanics.claims.code.plain_statements import Term
+
+FAR = 1000
+"""From here on, indices count steps of time."""
+TURNS = 12
+"""Of a loop over entries."""
+DEPTH = 6
+"""Of calls."""
+
+
+class Machine:
+    """Runs what stands around a judged function.
+
+    Parameters
+    ----------
+    judged : Judged
+    own : mapping of str to Own
+        Other functions of the file.
+    users : collection of str
+        Those that call it, or call what does.
+    words : Words
+    first : int
+        The first index of an array.
+    brackets : bool
+        Whether y(1) may be an entry.
+    shows : collection of str
+        Calls that only show something.
+    """
+
+    stepping = False
+    """Whether a step is followed: the state then is any."""
+
+    def __init__(
+        self, judged: Judged, own: Mapping[str, Own], users: Collection[str], words: Words,
+        first: int, brackets: bool, shows: Collection[str],
+    ) -> None:  # fmt: skip
+        self.judged, self.own, self.users, self.words = judged, own, users, words
+        self.first, self.brackets, self.shows = first, brackets, shows
+        self.explained: set[str] = set()
+        self._count = 0
+        self._start()
+
+    def _start(self) -> None:
+        self.initial: dict[Fraction, tuple[str, tuple[Any, ...]]] = {}
+        self.called: list[dict[str, Fraction]] = []
+        self.misused = False
+        self.scalars: set[Fraction] = set()
+        self.vectors: set[str] = set()
+        self.places: set[str] = set()
+        self.depth = 0
+
+    def _functions(self, env: Mapping[str, Any]) -> set[str]:
+        handles = {n for n, v in env.items() if isinstance(v, Handle)}
+        return {self.judged.name, *self.users, *handles}
+
+    def _handle(self, term: Term, env: dict[str, Any]) -> Any:
+        if term.kind == "handle":
+            return Handle(tuple(term.name.split()), term.parts[0], dict(env))
+        return self._value(term, env)
+
+    def _orders(self) -> list[tuple[str, ...]]:
+        q, u = self.words.coordinates, self.words.speeds
+        vectors = [m for m in self.judged.meanings.values() if {*m} >= {*q, *u}]
+        if vectors:
+            return vectors
+        pairs = tuple(w for pair in zip(q, u, strict=False) for w in pair)
+        return [*dict.fromkeys(((*q, *u), pairs, (*u, *q)))]
+
+    @property
+    def copies(self) -> bool:
+        """Whether arrays are copied when they are passed."""
+        return self.first == 1
+
+    def _taken_words(self) -> tuple[str, ...]:
+        return tuple(w for m in self.judged.meanings.values() for w in m)
+
+    def _rate(self, word: str) -> Expr:
+        """The rate of an entry of the state, as a formula of the state."""
+        symbols = self.words.symbols
+        coordinates, speeds = self.words.coordinates, self.words.speeds
+        if word in coordinates and len(coordinates) == len(speeds):
+            return symbols[speeds[coordinates.index(word)]]
+        taken = self._taken_words()
+        made: Expr = rational(number("rate", word))
+        for other in self.words.state:
+            if other in taken:
+                made += rational(number("rate", word, other)) * symbols[other]
+        return made
+
+    def _all_rates(self, at: Mapping[str, Fraction]) -> dict[str, Fraction | None]:
+        symbols = self.words.symbols
+        table = {symbols[w]: rational(v) for w, v in at.items()}
+        found: dict[str, Fraction | None] = {}
+        for word in self.words.state:
+            value = self._rate(word).xreplace(table)
+            found[word] = Fraction(int(value.p), int(value.q)) if value.is_Rational else None
+        return found
+
+    def _judged(self, call: Term, env: dict[str, Any]) -> Any:
+        """A call of the judged function."""
+        takes = self.judged.takes
+        if len(call.parts) > len(takes):
+            self.misused = True
+            return UNKNOWN
+        at: dict[str, Any] = {}
+        entries: dict[str, list[tuple[int, Any]]] = {}
+        out: list[Term] = []
+        for name, part in zip(takes, call.parts, strict=False):
+            if part.kind == "set":  # by its name: accel(x; l=1)
+                self.misused = True
+                continue
+            if name in self.judged.fills:
+                out.append(part)
+                continue
+            value = self._value(part, env)
+            words = self.judged.meanings.get(name, ())
+            if not self._accepted(name, words, part, value):
+                self.misused = True
+            if len(words) == 1 and part.kind in ("entry", "call") and isinstance(value, Fraction):
+                places = part.parts[1:] if part.kind == "entry" else part.parts
+                if words[0] in self.words.state or part.kind == "entry":
+                    keys = [self._value(p, env) for p in places]
+                    entries.setdefault(root_of(part), []).append(
+                        (takes.index(name), (words[0], keys))
+                    )
+            if len(words) > 1 and {*words} & {*self.words.state}:
+                dense = self._dense(value)
+                if dense is None:
+                    at |= dict.fromkeys(words, UNKNOWN)
+                else:
+                    at |= dict(zip(words, dense, strict=False))
+            elif len(words) == 1 and words[0] in self.words.state:
+                at[words[0]] = value
+        if not self.stepping and any(not self._ordered(one) for one in entries.values()):
+            self.misused = True
+        result: Any = UNKNOWN
+        if all(isinstance(v, Fraction) for v in at.values()) and self.judged.gives:
+            self.called.append({w: Fraction(v) for w, v in at.items()})
+            needed = {w: at.get(w, number("missing", w)) for w in self.words.state}
+            rates = self._all_rates(needed)
+            values = [rates[w] if w in at or w not in self.words.coordinates else UNKNOWN
+                      for w in self.judged.gives]  # fmt: skip
+            if any(w in self.words.coordinates and self._speed_of(w) not in at
+                   for w in self.judged.gives):  # fmt: skip
+                values = [UNKNOWN if w in self.words.coordinates else v
+                          for w, v in zip(self.judged.gives, values, strict=True)]  # fmt: skip
+            result = values[0] if len(values) == 1 else Table(
+                entries={(k + self.first,): v for k, v in enumerate(values)}, size=len(values)
+            )  # fmt: skip
+        elif self.stepping:
+            self.misused = True
+        for k, part in enumerate(out):
+            value = result
+            if len(out) > 1 and isinstance(result, Table):
+                value = result.entries.get((k + self.first,), UNKNOWN)
+            self._store(part, value, env)
+        return result
+
+    def _speed_of(self, word: str) -> str:
+        q, u = self.words.coordinates, self.words.speeds
+        return u[q.index(word)] if len(q) == len(u) else word
+
+    def _ordered(self, entries: Sequence[tuple[int, tuple[str, list[Any]]]]) -> bool:
+        """Whether entries of one array that are passed stand in one of the usual orders."""
+        keys = [[k for k in key if isinstance(k, Fraction)] for _, (_, key) in entries]
+        if any(len(key) != 1 for key in keys):
+            return True
+        places = {
+            word: int(key[0]) - self.first
+            for (_, (word, _)), key in zip(entries, keys, strict=True)
+        }
+        if all(word in self.words.state for word in places):
+            return any(
+                all(0 <= k < len(order) and order[k] == word for word, k in places.items())
+                for order in self._orders()
+            )
+        numbers = [*places.values()]
+        return numbers == sorted(numbers)
+
+    def _meaning(self, name: str) -> str:
+        """What a name is, by what the judged function calls so, else by the scene."""
+        if name in self.judged.meanings:
+            words = self.judged.meanings[name]
+            return words[0] if len(words) == 1 else ""
+        return self.words.meaning(name)
+
+    def _accepted(self, name: str, words: Sequence[str], part: Term, value: Any) -> bool:
+        """Whether an argument is what the function takes at its place."""
+        own = part.name if part.kind in ("name", "field") else ""
+        if own != name and own in self.judged.takes and own:
+            return False
+        if isinstance(value, Table) and any(isinstance(k[0], str) for k in value.entries):
+            pairs = ((self._meaning(str(k[0])), v) for k, v in value.entries.items())
+            return all(self._fits(m, v, m) for m, v in pairs if m and m not in self.words.state)
+        if not words:
+            return own == name or (
+                not (own and self._meaning(own)) and not isinstance(value, Handle)
+            )
+        made = part.kind in ("call", "binary", "minus", "other", "list")
+        if isinstance(value, Unknown) and made and any(p.names() for p in part.parts):
+            return words[0] in self.words.inputs and part.kind == "call"
+        if len(words) > 1:
+            if isinstance(value, Unknown):
+                return True
+            if not isinstance(value, Table):
+                return False
+            if {*words} & {*self.words.state}:
+                return value.name != "parameters"
+            if not value.entries:
+                return True
+            dense = [value.entries.get((k + self.first,), UNKNOWN) for k in range(len(words))]
+            return (value.size or len(words)) == len(words) and all(
+                self._fits(w, v, "") for w, v in zip(words, dense, strict=True)
+            )
+        (word,) = words
+        meaning = self._meaning(own) if own else ""
+        if meaning and meaning != word:
+            return False
+        if word in self.words.state:
+            return isinstance(value, Unknown) or (
+                isinstance(value, Fraction)
+                and (self.stepping or isinstance(value, Given)
+                     or part.kind in ("entry", "field", "call", "name"))
+            )  # fmt: skip
+        if word in self.words.inputs and (part.kind == "call" or meaning == word):
+            return True
+        return self._fits(word, value, meaning) or (
+            part.kind in ("entry", "name", "field") and value in self.initial and not meaning
+            if isinstance(value, Fraction) else False
+        )  # fmt: skip
+
+    def _fits(self, word: str, value: Any, meaning: str) -> bool:
+        if isinstance(value, Given):
+            return value >= 0 or word in self.words.inputs
+        if isinstance(value, Unknown):
+            return True
+        return isinstance(value, Fraction) and value == number("word", word)
+
+    def _vectors(self, block: Term) -> None:
+        """Names that are arrays: those with entries, and those that are passed for one."""
+        known = self.judged
+        for one in block.all():
+            if one.kind in ("entry", "field"):
+                self.vectors.add(root_of(one))
+            if one.kind == "call" and one.name == known.name:
+                for name, part in zip(known.takes, one.parts, strict=False):
+                    if part.kind == "name" and (len(known.meanings.get(name, ())) > 1):
+                        self.vectors.add(part.name)
+            if one.kind == "call" and self.brackets and one.name not in self.own:
+                self.vectors.add(one.name)
+
+    def _forget(self, block: Term, env: dict[str, Any], value: Any = None) -> None:
+        """Take away what a block changes."""
+        for one in block.all():
+            roots: set[str] = set()
+            if one.kind == "set":
+                roots = {root_of(t) for t in targets_of(one.parts[0])}
+            if one.kind == "call" and one.name == self.judged.name:
+                roots = {root_of(p) for n, p in zip(self.judged.takes, one.parts, strict=False)
+                         if n in self.judged.fills}  # fmt: skip
+            if one.kind == "call" and one.name in self.own:
+                other = self.own[one.name]
+                if not other.gives:
+                    roots = {root_of(p) for n, p in zip(other.takes, one.parts, strict=False)
+                             if n in other.shared}  # fmt: skip
+                    roots |= other.fills & env.keys()
+            for root in roots:
+                if isinstance(env.get(root), Table):
+                    self.vectors.add(root)
+                if value is not None:
+                    env[root] = value
+                else:
+                    env.pop(root, None)
+
+    def _row(self, values: Sequence[Any]) -> Table:
+        """A vector of some values."""
+        return Table("", {(k + self.first,): v for k, v in enumerate(values)}, len(values))
+
+    def _dense(self, value: Any) -> list[Any] | None:
+        """Entries of a vector."""
+        if isinstance(value, Fraction):
+            return [value]
+        if not isinstance(value, Table) or value.name == "parameters":
+            return None
+        size = value.size or len(self.words.state)
+        return [self._entry(value, (k + self.first,)) for k in range(size)]
+
+    def _entry(self, table: Table, key: tuple[Any, ...]) -> Any:
+        if key not in table.entries:
+            if not table.name:
+                return UNKNOWN
+            word = self._meaning(key[-1]) if isinstance(key[-1], str) else ""
+            if word and word not in self.words.state:
+                return number("word", word)
+            new = number(self._count, table.name, key)
+            new += sum(2 * (k - FAR) for k in key if isinstance(k, int) and k >= FAR)  # times grow
+            table.entries[key] = new
+            self.initial[new] = (table.name, key)
+        return table.entries[key]
+
+    def _read(self, root: str, key: tuple[Any, ...], env: dict[str, Any]) -> Any:
+        if root not in env:
+            word = self._meaning(root)
+            if not key and (root == self.judged.name or root in self.own):
+                return Handle((), None, {"": root})
+            if key or root in self.vectors:
+                env[root] = Table(root)
+            elif root in ("pi", "M_PI"):
+                env[root] = Given(355, 113)
+            elif word and word not in self.words.state:
+                env[root] = number("word", word)
+            else:
+                new = Fraction(FAR + 7) if root in self.places else number(self._count, root)
+                env[root] = new
+                self.initial[new] = (root, ())
+        value = env[root]
+        if not key:
+            return value
+        if not isinstance(value, Table):
+            return UNKNOWN
+        axes = [k for k, place in enumerate(key) if place is None]
+        if len(axes) > 1 or any(isinstance(place, Unknown) for place in key):
+            return UNKNOWN
+        if not axes:
+            return self._entry(value, key)
+        (axis,) = axes
+        if key == (None,):
+            return value
+        size = len(self.words.state)
+        keys = [(*key[:axis], k + self.first, *key[axis + 1 :]) for k in range(size)]
+        return Table(
+            "", {(k + self.first,): self._entry(value, one) for k, one in enumerate(keys)}, size
+        )
+
+    def _path(self, term: Term, env: dict[str, Any]) -> tuple[str, tuple[Any, ...]]:
+        if term.kind == "name":
+            return term.name, ()
+        if term.kind == "call":
+            return term.name, tuple(self._place(p, env) for p in term.parts)
+        if term.kind == "field":
+            root, key = self._path(term.parts[0], env)
+            return root, (*key, term.name)
+        if term.kind == "entry":
+            root, key = self._path(term.parts[0], env)
+            return root, (*key, *(self._place(p, env) for p in term.parts[1:]))
+        raise NotPlainError
+
+    def _place(self, term: Term, env: dict[str, Any]) -> Any:
+        if term.kind == "whole":
+            return None
+        value = self._value(term, env)
+        if isinstance(value, Fraction) and value.denominator == 1:
+            return int(value)
+        return UNKNOWN
+
+    def _store(self, target: Term, value: Any, env: dict[str, Any]) -> None:
+        root, key = self._path(target, env)
+        if not key:
+            if isinstance(value, Table):
+                self._dense(value) if value.name and not value.entries else None
+                value = Table("" if value.name != "parameters" else value.name,
+                              dict(value.entries), value.size)  # fmt: skip
+            env[root] = value
+            word = self._meaning(root)
+            if word and isinstance(value, Given) and value > 0 and not self.stepping:
+                env[root] = Given(value) if word in self.words.state else number("word", word)
+            return
+        table = env.get(root)
+        if not isinstance(table, Table):
+            table = env[root] = Table(root)
+        if any(isinstance(place, Unknown) for place in key):
+            env[root] = UNKNOWN
+            return
+        if None in key:
+            axis, dense = key.index(None), self._dense(value)
+            if dense is None:
+                env[root] = UNKNOWN
+                return
+            for k, entry in enumerate(dense):
+                table.entries[(*key[:axis], k + self.first, *key[axis + 1 :])] = entry
+            return
+        table.entries[key] = value
+
+    def _try(self, line: Term, env: dict[str, Any]) -> bool:
+        """Run a line; whether it uses the function as it is."""
+        self.misused = False
+        try:
+            self._run(line, env)
+        except (NotPlainError, RecursionError, ZeroDivisionError):
+            self._forget(line, env, UNKNOWN)
+        return not self.misused
+
+    def _run(self, term: Term, env: dict[str, Any]) -> Any:
+        """Run statements; what they return."""
+        match term.kind:
+            case "block":
+                for part in term.parts:
+                    result = self._run(part, env)
+                    if result is not None and part.kind in ("return", "block", "loop"):
+                        return result
+                return None
+            case "return":
+                return self._value(term.parts[0], env) if term.parts else UNKNOWN
+            case "set":
+                self._assign(term, env)
+                return None
+            case "loop":
+                self._turns(term, env)
+                return None
+            case "case":
+                if self.stepping and any(
+                    (t.kind == "call" and t.name in self._functions(env))
+                    or t.text.startswith("continue")
+                    for t in term.all()
+                ):
+                    raise NotPlainError
+                self._forget(term, env, UNKNOWN)
+                return None
+            case "other":
+                if term.names() and self.stepping:
+                    self._poison(term, env)
+                return None
+            case _:
+                self._value(term, env)
+                return None
+
+    def _poison(self, term: Term, env: dict[str, Any]) -> None:
+        """Take what a call may change as unknown."""
+        for name in term.names() & env.keys():
+            if isinstance(env[name], Table):
+                env[name] = UNKNOWN
+        for part in (p for p in term.parts if p.text.startswith("&")):
+            env[root_of(part)] = UNKNOWN
+
+    def _assign(self, term: Term, env: dict[str, Any]) -> None:
+        target, value = term.parts
+        if target.kind == "list":
+            self._several(target.parts, value, env)
+            return
+        if value.kind == "handle":
+            env[root_of(target)] = self._handle(value, env)
+            return
+        made = self._value(value, env)
+        if term.name:
+            made = self._operation(term.name, self._value(target, env), made)
+        self._store(target, made, env)
+
+    def _several(self, targets: Sequence[Term], value: Term, env: dict[str, Any]) -> None:
+        made = self._value(value, env)
+        entries = self._dense(made) if isinstance(made, Table) else None
+        for k, one in enumerate(targets):
+            known = entries is not None and k < len(entries)
+            self._store(one, entries[k] if known and entries is not None else UNKNOWN, env)
+
+    def _turns(self, term: Term, env: dict[str, Any]) -> None:
+        limits, body = term.parts
+        ends = [self._value(one, env) for one in limits.parts]
+        if len(ends) != 2 or not all(isinstance(e, Fraction) for e in ends) or not term.name:
+            raise NotPlainError
+        first, last = (int(e) for e in ends)
+        if last - first > TURNS:
+            raise NotPlainError
+        for turn in range(first, last + 1):
+            env[term.name] = Fraction(turn)
+            self._run(body, env)
+
+    def _value(self, term: Term, env: dict[str, Any]) -> Any:
+        value = self._evaluated(term, env)
+        if isinstance(value, Fraction) and self._may_be_a_step(term, value):
+            self.scalars.add(Fraction(value))
+        return value
+
+    def _may_be_a_step(self, term: Term, value: Fraction) -> bool:
+        match term.kind:
+            case "name" | "field":
+                counts = value.denominator == 1 and not isinstance(value, Given)
+                small = not isinstance(value, Given) or value < 1 or term.name in STEPS
+                return small and not counts and not self._meaning(term.name)
+            case "number":
+                return value < 1
+            case "binary":
+                return term.name == "-" and not isinstance(value, Given)
+        return False
+
+    def _evaluated(self, term: Term, env: dict[str, Any]) -> Any:
+        match term.kind:
+            case "number":
+                try:
+                    return Given(term.name)
+                except ValueError:
+                    return UNKNOWN
+            case "name":
+                return self._read(term.name, (), env)
+            case "entry" | "field":
+                try:
+                    return self._read(*self._path(term, env), env)
+                except NotPlainError:
+                    return UNKNOWN
+            case "minus":
+                return self._operation("*", Given(-1), self._value(term.parts[0], env))
+            case "binary":
+                left, right = (self._value(part, env) for part in term.parts)
+                if term.name == "/" and not self.first and self._whole(term.parts[0]):
+                    return self._whole_quotient(term.parts[1], left, right)
+                return self._operation(term.name, left, right)
+            case "list":
+                return self._list(term, env)
+            case "handle":
+                return self._handle(term, env)
+            case "block":
+                return self._run_last(term, env)
+            case "call":
+                return self._call(term, env)
+        return UNKNOWN
+
+    def _whole(self, term: Term) -> bool:
+        """Whether a number is an integer as it is written."""
+        return term.kind == "number" and term.name.isdigit()
+
+    def _whole_quotient(self, divisor: Term, left: Any, right: Any) -> Any:
+        """1/6 is 0 in C, and 1/n where n is an integer."""
+        if self._whole(divisor) and right:
+            return Given(int(left) // int(right))
+        if isinstance(right, Given) and right.denominator == 1:
+            return UNKNOWN
+        return self._operation("/", left, right)
+
+    def _run_last(self, term: Term, env: dict[str, Any]) -> Any:
+        """The value of a block is what it returns, or that of its last line."""
+        for part in term.parts[:-1]:
+            self._run(part, env)
+        last = term.parts[-1] if term.parts else Term("other")
+        if last.kind == "return":
+            return self._run(last, env)
+        if last.kind == "set":
+            self._run(last, env)
+            return self._value(last.parts[0], env)
+        return self._value(last, env)
+
+    def _list(self, term: Term, env: dict[str, Any]) -> Any:
+        if any(part.kind == "set" for part in term.parts):
+            record = Table()
+            for part in term.parts:
+                inner = part.parts[0] if part.kind == "set" else part
+                value = self._value(part.parts[1] if part.kind == "set" else part, env)
+                record.entries[(inner.name,)] = value
+            return record
+        values: list[Any] = []
+        for part in term.parts:
+            value = self._value(part, env)
+            values += (self._dense(value) or [UNKNOWN]) if isinstance(value, Table) else [value]
+        return Table("", {(k + self.first,): v for k, v in enumerate(values)}, len(values))
+
+    def _operation(self, sign: str, left: Any, right: Any) -> Any:
+        if isinstance(left, Fraction) and isinstance(right, Fraction):
+            kind = Given if isinstance(left, Given) and isinstance(right, Given) else Fraction
+            match sign:
+                case "+":
+                    return kind(Fraction(left) + Fraction(right))
+                case "-":
+                    return kind(Fraction(left) - Fraction(right))
+                case "*":
+                    return kind(Fraction(left) * Fraction(right))
+                case "/" if right:
+                    return kind(Fraction(left) / Fraction(right))
+                case "^" if right in (1, 2, 3):
+                    return kind(Fraction(left) ** int(right))
+            return UNKNOWN
+        a, b = self._dense(left), self._dense(right)
+        if a is None or b is None:
+            return UNKNOWN
+        if isinstance(left, Table) and isinstance(right, Table):
+            if len(a) != len(b) or sign not in "+-":
+                return UNKNOWN
+            pairs = zip(a, b, strict=True)
+        elif isinstance(left, Table) and sign in "*/":
+            pairs = ((one, right) for one in a)  # type: ignore[assignment]
+        elif isinstance(right, Table) and sign == "*":
+            pairs = ((left, one) for one in b)  # type: ignore[assignment]
+        else:
+            return UNKNOWN
+        made = [self._operation(sign, one, other) for one, other in pairs]
+        return self._row(made)
+
+    def _call(self, term: Term, env: dict[str, Any]) -> Any:
+        known = env.get(term.name)
+        if isinstance(known, Handle):
+            return self._of_handle(known, term, env)
+        if term.name == self.judged.name:
+            return self._judged(term, env)
+        array = self.brackets and term.name in self.vectors and term.name not in self.own
+        if term.parts and (isinstance(known, Table) or (array and known is None)):
+            return self._read(*self._path(term, env), env)
+        if term.name in self.own:
+            return self._inlined(term, env)
+        if term.name == "memcpy" and len(term.parts) == 3:
+            self._store(term.parts[0], self._value(term.parts[1], env), env)
+            return UNKNOWN
+        values = [self._value(part, env) for part in term.parts]
+        if not self.copies and term.name not in self.shows:
+            self._poison(term, env)
+        if values and all(isinstance(v, Given) for v in values):
+            return Given(number("call", term.name, *values))
+        if not values and self.stepping:  # micros()
+            return 2 + number(self._count, term.name)
+        return UNKNOWN
+
+    def _of_handle(self, handle: Handle, term: Term, env: dict[str, Any]) -> Any:
+        if handle.body is None:
+            return self._named(handle.inside[""], term, env)
+        inside = dict(handle.inside)
+        inside |= {n: self._value(p, env) for n, p in zip(handle.takes, term.parts, strict=False)}
+        return self._value(handle.body, inside)
+
+    def _named(self, name: str, term: Term, env: dict[str, Any]) -> Any:
+        other = replace(term, name=name)
+        return self._judged(other, env) if name == self.judged.name else self._inlined(other, env)
+
+    def _inlined(self, term: Term, env: dict[str, Any]) -> Any:
+        if self.depth > DEPTH:
+            raise NotPlainError
+        one = self.own[term.name]
+        inside: dict[str, Any] = {}
+        for name, part in zip(one.takes, term.parts, strict=False):
+            value = self._value(part, env)
+            if isinstance(value, Table) and self.copies and one.gives:
+                self._dense(value) if value.name and not value.entries else None
+                value = Table("", dict(value.entries), value.size)
+            inside[name] = value
+        shared = {} if one.gives else {n: v for n, v in env.items() if n not in inside}
+        inside = {**shared, **inside}
+        self.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
+        self.depth += 1
+        result = self._run(one.body, inside)
+        self.depth -= 1
+        for name in one.fills & shared.keys():
+            env[name] = inside.get(name, UNKNOWN)
+        for name, part in zip(one.takes, term.parts, strict=False):
+            if name in one.shared and not isinstance(inside[name], Table):
+                self._store(part, inside[name], env)
+        self.explained.add(term.name)
+        if one.gives:
+            given = [self._read(n, (), inside) for n in one.gives]
+            return given[0] if len(given) == 1 else Table(
+                "", {(k + self.first,): v for k, v in enumerate(given)}, len(given)
+            )  # fmt: skip
+        return UNKNOWN if result is None else result

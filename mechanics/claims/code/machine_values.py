@@ -1,0 +1,182 @@
+"""What statements of another language are run on: random numbers, arrays, functions."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from random import Random
+from typing import Any
+
+from sympy import Expr, Rational
+
+from mechanics.claims.code.plain_statements import Term
+from mechanics.claims.names import Naming
+from mechanics.errors import InputError
+from mechanics.scene import Scene
+from mechanics.scene.symbols import DOTS
+
+
+class NotPlainError(Exception):
+    """What is not followed."""
+
+
+class Unknown:
+    """A value that nothing here says."""
+
+
+UNKNOWN = Unknown()
+
+
+class Given(Fraction):
+    """A number that is written out: it stands for any."""
+
+
+@dataclass
+class Table:
+    """An array or a record, by places; entries that nobody has set are random.
+
+    Attributes
+    ----------
+    name : str
+    entries : dict of tuple to value
+    size : int or None
+        None where nothing says it.
+    """
+
+    name: str = ""
+    entries: dict[tuple[Any, ...], Any] = field(default_factory=dict)
+    size: int | None = None
+
+
+@dataclass(frozen=True)
+class Handle:
+    """A function without a name, or the judged one under another."""
+
+    takes: tuple[str, ...]
+    body: Term | None
+    inside: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Own:
+    """A function of the file.
+
+    Attributes
+    ----------
+    takes, gives : tuple of str
+        Names of arguments, and of what it returns where these have names.
+    body : Term
+    shared : frozenset of str
+        Arguments that its caller sees changed.
+    """
+
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    body: Term
+    shared: frozenset[str] = frozenset()
+
+    @cached_property
+    def fills(self) -> frozenset[str]:
+        """Roots of what it assigns."""
+        return frozenset(root_of(one.parts[0]) for one in self.body.all() if one.kind == "set")
+
+    def free(self) -> set[str]:
+        """Names of what is around it that it uses."""
+        return {n for n in self.body.names() if n not in self.takes and n not in self.fills}
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The judged function, as its callers see it.
+
+    Attributes
+    ----------
+    name : str
+    takes : tuple of str
+    meanings : mapping of str to tuple of str
+        What arguments are, in words of the scene.
+    fills : tuple of str
+        Arguments that it sets.
+    gives : tuple of str
+        Whose rates it gives, in order; empty where it gives something else.
+    """
+
+    name: str
+    takes: tuple[str, ...]
+    meanings: Mapping[str, tuple[str, ...]]
+    fills: tuple[str, ...]
+    gives: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Words:
+    """Names of the scene.
+
+    Attributes
+    ----------
+    naming : Naming
+    """
+
+    naming: Naming
+
+    @property
+    def scene(self) -> Scene:
+        """The scene."""
+        return self.naming.vocabulary.scene
+
+    def meaning(self, name: str) -> str:
+        """The word of the scene that a name is; empty for none."""
+        try:
+            found = self.naming.lookup(name)
+        except (InputError, KeyError):
+            return ""
+        return "" if found is None or found[0] == "t" else found[0] + DOTS[found[1]]
+
+    @cached_property
+    def symbols(self) -> dict[str, Expr]:
+        """Of the state, by their words."""
+        return {str(s): s for s in (*self.scene.q, *self.scene.u)}
+
+    @cached_property
+    def coordinates(self) -> tuple[str, ...]:
+        """Words of the coordinates."""
+        return tuple(map(str, self.scene.q))
+
+    @cached_property
+    def speeds(self) -> tuple[str, ...]:
+        """Words of the speeds."""
+        return tuple(map(str, self.scene.u))
+
+    @cached_property
+    def inputs(self) -> frozenset[str]:
+        """Words of the inputs."""
+        return frozenset(map(str, self.scene.input_symbols))
+
+    @property
+    def state(self) -> tuple[str, ...]:
+        """Words of coordinates and speeds."""
+        return (*self.coordinates, *self.speeds)
+
+
+def number(*seed: object) -> Fraction:
+    """A random number between 0 and 1, always the same for the same seed."""
+    return Fraction(Random(repr(seed)).randint(1, 10**6), 1_000_003)
+
+
+def root_of(target: Term) -> str:
+    """The name of which something is a part; empty for none."""
+    while target.kind in ("entry", "field", "call"):
+        if target.kind == "call":
+            return target.name
+        target = target.parts[0]
+    return target.name if target.kind == "name" else ""
+
+
+def targets_of(term: Term) -> Iterator[Term]:
+    """What an assignment sets, one by one."""
+    yield from term.parts if term.kind == "list" else (term,)
+
+
+def rational(value: Fraction) -> Rational:
+    """The same number for SymPy."""
+    return Rational(value.numerator, value.denominator)

@@ -1,0 +1,224 @@
+"""Statements of C, C++, MATLAB and Julia in one form, as far as they move numbers about.
+
+    y[0] += h*k[1];   y(1) = y(1) + h*k(2)        set(entry(y, 1), ...)
+    @(t, y) rate(t, y)                            handle(t y, call(rate, t, y))
+
+What has no such form is `other`, with its parts, so that the names in it are still seen.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from mechanics.claims.code import matlab
+from mechanics.claims.code.python_page import named, tree, words
+
+BLOCKS = ("block", "compound_statement", "expression_statement", "source_file", "else_clause",
+          "elseif_clause", "macro_argument_list", "let_statement", "argument",
+          "translation_unit")  # fmt: skip
+LISTS = ("matrix", "row", "vector_expression", "matrix_expression", "matrix_row",
+         "initializer_list", "tuple_expression", "open_tuple", "multioutput_variable")  # fmt: skip
+BRACKETS = ("parenthesis", "parenthesized_expression", "condition_clause", "postfix_operator",
+            "adjoint_expression", "typed_expression")  # fmt: skip
+COMMAND = re.compile(r"([^\W\d]\w*)\s*([-+*/])=\s*(.+)", re.DOTALL)
+"""``x += 2``, which the grammar of MATLAB takes for a command."""
+CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
+"""Calls that leave a value as it is."""
+
+
+@dataclass(frozen=True)
+class Term:
+    """A statement or a formula.
+
+    Attributes
+    ----------
+    kind : str
+        number, name, entry, field, call, minus, binary, list, handle, whole, other; set, loop,
+        case, block, return.
+    name : str
+        Or the operation, or names of what a handle takes.
+    parts : tuple of Term
+    text : str
+        As its author wrote it.
+    """
+
+    kind: str
+    name: str = ""
+    parts: tuple["Term", ...] = ()
+    text: str = ""
+
+    def all(self) -> Iterator["Term"]:
+        """It and all that it is made of."""
+        yield self
+        for part in self.parts:
+            yield from part.all()
+
+    def names(self) -> set[str]:
+        """Names of what it uses, calls included."""
+        return {one.name for one in self.all() if one.kind in ("name", "call", "field")}
+
+
+def term(node: Any) -> Term:
+    """A node of one of the three grammars."""
+    text = " ".join(words(node).split())
+    return replace(_term(node, text), text=text)
+
+
+def with_names(one: Term, title: Callable[[str], str]) -> Term:
+    """A term with its names as Python has them."""
+    parts = tuple(with_names(part, title) for part in one.parts)
+    if one.kind in ("name", "call", "field", "loop"):
+        return replace(one, name=title(one.name), parts=parts)
+    if one.kind == "handle":
+        return replace(one, name=" ".join(map(title, one.name.split())), parts=parts)
+    return replace(one, parts=parts)
+
+
+def _parts(nodes: list[Any]) -> tuple[Term, ...]:
+    return tuple(map(term, nodes))
+
+
+def _term(node: Any, text: str) -> Term:
+    parts = [p for p in named(node) if p.type != "operator"]
+    match node.type:
+        case "identifier" | "field_identifier":
+            return Term("name", text)
+        case "number" | "number_literal" | "integer_literal" | "float_literal":
+            return Term("number", text.rstrip("fFlL"))
+        case "spread_operator":
+            return Term("whole")
+        case kind if kind in BLOCKS:
+            return Term("block", "", _parts(parts))
+        case kind if kind in BRACKETS and len(parts) == 1:
+            return term(parts[0])
+        case kind if kind in BRACKETS:
+            return Term("block", "", _parts(parts))
+        case "cast_expression":
+            return term(parts[-1])
+        case kind if kind in LISTS:
+            flat: list[Term] = []
+            for part in parts:
+                one = Term("whole") if words(part) == ":" else term(part)
+                flat += one.parts if part.type in ("row", "matrix_row") else [one]
+            return Term("list", "", tuple(flat))
+        case "unary_operator" | "unary_expression" if text[0] in "+-" and len(parts) == 1:
+            return Term("minus", "", _parts(parts)) if text[0] == "-" else term(parts[0])
+        case "binary_operator" | "binary_expression" if len(parts) == 2:
+            sign = next((words(c) for c in node.children if not c.is_named), "")
+            sign = next((words(c) for c in named(node) if c.type == "operator"), sign)
+            return Term("binary", sign.strip("."), _parts(parts))
+        case "juxtaposition_expression" if len(parts) == 2:
+            return Term("binary", "*", _parts(parts))
+        case "function_call" | "call_expression" | "broadcast_call_expression" if parts:
+            return _call(parts)
+        case "index_expression" | "subscript_expression" if len(parts) == 2:
+            places = [Term("whole") if words(p) == ":" else term(p) for p in _inside(parts[1])]
+            base = term(parts[0])
+            if base.kind == "entry":
+                return Term("entry", "", (*base.parts, *places))
+            return Term("entry", "", (base, *places))
+        case "field_expression" if len(parts) == 2:
+            return Term("field", words(parts[1]), (term(parts[0]),))
+        case "handle_operator":
+            return term(parts[0])
+        case "pointer_expression" if parts[0].type == "identifier":
+            return term(parts[0])
+        case "lambda" | "arrow_function_expression" if parts:
+            taken = " ".join(re.findall(r"[^\W\d]\w*|~", words(parts[0]))) if parts[1:] else ""
+            return Term("handle", taken, (term(parts[-1]),))
+        case "lambda_expression":
+            lists = [p for p in parts if p.type == "abstract_function_declarator"]
+            taken = " ".join(re.findall(r"([^\W\d]\w*)\s*(?:\[\w*\]\s*)?[,)]",
+                                        words(lists[0]))) if lists else ""  # fmt: skip
+            return Term("handle", taken, (term(parts[-1]),))
+        case "assignment" | "assignment_expression" | "compound_assignment_expression":
+            return _set(node, parts)
+        case "command" if (found := COMMAND.fullmatch(words(node))) is not None:
+            name, sign, value = found.groups()
+            root = tree(matlab.language, f"{name} = {name} {sign} ({value});", "tree-sitter-matlab")
+            return term(named(root)[0])
+        case "update_expression":
+            sign = "+" if "++" in text else "-"
+            return Term("set", sign, (term(parts[0]), Term("number", "1")))
+        case "declaration":
+            return Term("block", "", tuple(_declared(node)))
+        case "named_field" | "initializer_pair" | "named_argument" if len(parts) == 2:
+            return Term("set", "", (Term("name", words(parts[0]).strip(".")), term(parts[1])))
+        case "for_statement" | "while_statement":
+            return _loop(node, parts)
+        case "if_statement" | "switch_statement" | "try_statement":
+            return Term("case", "", _parts(parts))
+        case "return_statement":
+            return Term("return", "", _parts(parts))
+        case "macrocall_expression" if words(parts[0]) in ("@test", "@assert"):
+            return Term("call", words(parts[0])[1:], _parts(parts[1:]))
+        case "macrocall_expression":
+            return Term("block", "", _parts(parts[1:]))
+        case "preproc_def" if len(parts) == 2:
+            return Term("set", "", (Term("name", words(parts[0])), Term("number", words(parts[1]))))
+        case "string" if re.fullmatch(r"'[^\W\d]\w*'", text):  # ode45('rate', ...)
+            return Term("name", text[1:-1])
+        case "function_definition" | "string" | "string_literal" | "comment" | "line_comment":
+            return Term("other")
+        case _:
+            return Term("other", "", _parts(named(node)))
+
+
+def _inside(node: Any) -> list[Any]:
+    return [p for p in named(node) if p.type not in ("operator",) or words(p) == ":"]
+
+
+def _call(parts: list[Any]) -> Term:
+    head, *rest = parts
+    inside = [p for one in rest for p in (_inside(one) if "argument" in one.type else [one])]
+    name = words(head)
+    given = _parts(inside)
+    if name in CHANGES and len(given) == 1:
+        return given[0]
+    if head.type == "identifier" or "::" in name or "." in name:
+        return Term("call", re.split(r"::", name)[-1], given)
+    return Term("other", "", (term(head), *given))
+
+
+def _set(node: Any, parts: list[Any]) -> Term:
+    sign = next((words(c) for c in node.children if words(c).endswith("=")), "=")
+    right = term(parts[-1])
+    if right.kind == "set":  # a = b = c
+        return Term("other", "", (term(parts[0]), right))
+    return Term("set", sign.strip(".").rstrip("="), (term(parts[0]), right))
+
+
+def _declared(node: Any) -> Iterator[Term]:
+    for one in node.children_by_field_name("declarator"):
+        if one.type != "init_declarator":
+            continue
+        target, value = (one.child_by_field_name(f) for f in ("declarator", "value"))
+        while target.type != "identifier" and named(target):
+            target = named(target)[0]
+        yield Term("set", "", (term(target), term(value)), " ".join(words(node).split()))
+
+
+def _loop(node: Any, parts: list[Any]) -> Term:
+    body = node.child_by_field_name("body")
+    blocks = [body] if body is not None else [p for p in parts if p.type == "block"]
+    heads = [p for p in parts if p.type in ("iterator", "for_binding")]
+    counter = ""
+    limits: tuple[Term, ...] = ()
+    if heads:
+        pair = [p for p in named(heads[0]) if p.type != "operator"]
+        counter, limits = words(pair[0]), _parts(_inside(pair[-1]))
+        blocks = blocks or [p for p in parts if p not in heads]
+    elif body is not None and node.type == "for_statement":
+        fields = ("initializer", "condition", "update")
+        start, stop, step = (node.child_by_field_name(f) for f in fields)
+        sets = [one for one in term(start).all() if one.kind == "set"] if start else []
+        ends = named(stop) if stop is not None and stop.type == "binary_expression" else []
+        counter = sets[0].parts[0].name if sets else ""
+        if sets and len(ends) == 2 and step is not None and "++" in words(step):
+            last = Term("binary", "-", (term(ends[1]), Term("number", "1")))
+            last = {"<": last, "<=": term(ends[1])}.get(words(stop.children[1]), Term("other"))
+            limits = (sets[0].parts[1], last)
+    elif not blocks:
+        blocks = parts[1:]
+    return Term("loop", counter, (Term("list", "", limits), Term("block", "", _parts(blocks))))

@@ -1,0 +1,353 @@
+"""Lines around a judged function that use it: what is known to be innocent, and what is not.
+
+    ode45(@(t, y) rate(t, y, p), ...)           the function itself, handed to a solver
+    k = rate(t, y, p)                           a plain call, its result as it is
+    y = y + h*rate(t, y, p), in a loop          a step of an integrator that is known
+
+All else is quoted.
+"""
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from mechanics.claims.code.integrators import NAMES as STEPS
+from mechanics.claims.code.machine import FAR
+from mechanics.claims.code.machine_values import (
+    UNKNOWN,
+    Given,
+    NotPlainError,
+    Own,
+    Table,
+    number,
+    root_of,
+    targets_of,
+)
+from mechanics.claims.code.plain_statements import Term
+from mechanics.claims.code.steps import Steps
+
+SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian", re.IGNORECASE)
+"""In the names of what takes a function by its name."""
+TIMES = frozenset(("t", "time", "tt", "~", "_"))
+TESTS = frozenset(("assert", "assert_", "test"))
+"""Calls that compare."""
+
+
+class Uses(Steps):
+    """Tells which lines around a judged function are innocent.
+
+    Attributes
+    ----------
+    made : set of str
+        Names of the file that hold what the function returned.
+    """
+
+    def __init__(self, *parts: Any) -> None:
+        super().__init__(*parts)
+        self.parts = parts
+        self.made: set[str] = set()
+
+    def lines(self, block: Term, env: dict[str, Any]) -> list[str]:
+        """Lines of a block that are not innocent; it is run in `env`.
+
+        Parameters
+        ----------
+        block : Term
+        env : dict of str to value
+        """
+        return self._lines(block, env, self.made)
+
+    def concerns(self, line: Term, env: Mapping[str, Any]) -> bool:
+        """Whether a line uses the judged function, or what it returned."""
+        return bool(self._concerned(line, env, self.made))
+
+    def _lines(
+        self, block: Term, env: dict[str, Any], made: set[str], moving: frozenset[str] = frozenset()
+    ) -> list[str]:
+        """`made` are names that hold what the function returned, `moving` those of states."""
+        found: list[str] = []
+        for one in block.parts if block.kind == "block" else (block,):
+            if one.kind in ("block", "case"):
+                for part in one.parts if one.kind == "case" else (one,):
+                    found += self._lines(part, env, made, moving)
+                continue
+            own = one.kind == "set" and one.parts[0].name == self.judged.name
+            if own and self.judged.name not in self.own:
+                continue  # the function without a name that is judged
+            concerned = bool(self._concerned(one, env, made))
+            if one.kind == "loop" and concerned:
+                if not self.steps(one.parts[1], env, one.name):
+                    self._forget(one, env)
+                    self._vectors(one)
+                    if one.name:
+                        env[one.name] = Fraction(FAR + 7)
+                    body = one.parts[1]
+                    found += self._lines(body, env, made, moving | self._moving(body, env))
+                self._forget(one, env, UNKNOWN)
+                continue
+            if self._changes(one, moving) or (concerned and not self._innocent(one, env, made)):
+                found.append(one.text)
+            elif not concerned:
+                self._try(one, env)
+            if concerned:
+                made |= self._filled(one)
+                if one.kind == "set" and self._holds(one, env):
+                    made |= {root_of(t) for t in targets_of(one.parts[0])}
+        return found
+
+    def function(self, name: str, around: Mapping[str, Any]) -> list[str]:
+        """Lines of one of the other functions that are not innocent."""
+        one = self.own[name]
+        if self.steps(one.body, dict(around), "", one):
+            return []
+        self._start()
+        self._vectors(one.body)
+        env = {n: v for n, v in around.items() if n not in one.takes}
+        return self._lines(one.body, env, set())
+
+    def changed(self, function: Own, free: Collection[str]) -> list[str]:
+        """Lines of a function that change a number of the file which the judged one uses.
+
+        Parameters
+        ----------
+        function : Own
+        free : collection of str
+            Names that the judged function uses, and that are none of its own.
+        """
+        found = []
+        parameters = {*map(str, self.words.scene.parameters)}
+        for one in (t for t in function.body.all() if t.kind == "set"):
+            root = root_of(one.parts[0])
+            if root not in free or self._meaning(root) not in parameters:
+                continue
+            value = one.parts[1]
+            if one.name or value.kind != "number" or value.name.startswith("-"):
+                found.append(one.text)
+        return found
+
+    def _moving(self, body: Term, env: dict[str, Any]) -> frozenset[str]:
+        """Names of states that a loop, or what it calls, advances or asks the function about."""
+        found: set[str] = set()
+        for one in body.all():
+            if one.kind == "call" and one.name == self.judged.name:
+                state = {n for n, m in self.judged.meanings.items() if {*m} & {*self.words.state}}
+                pairs = zip(self.judged.takes, one.parts, strict=False)
+                found |= {root_of(part) for name, part in pairs if name in state}
+            if one.kind == "call" and one.name in self.users:
+                pairs = zip(self.own[one.name].takes, one.parts, strict=False)
+                found |= {root_of(p) for name, p in pairs if name in self.own[one.name].shared}
+            if one.kind == "set" and one.parts[1].name in self.users:
+                found |= {root_of(target) for target in targets_of(one.parts[0])}
+            if one.kind == "loop" and self.steps(one.parts[1], env, one.name):
+                found |= {root for root, _ in self.advanced}
+        return frozenset(found - {""})
+
+    def _changes(self, line: Term, moving: frozenset[str]) -> bool:
+        """Whether a line makes a state, or a number that the function uses, into another."""
+        if line.kind != "set":
+            return False
+        target, value = line.parts
+        root = root_of(target)
+        if value.kind == "call" and value.name in self.users:
+            return False
+        return root in moving and bool(line.name or root in value.names())
+
+    def _holds(self, line: Term, env: Mapping[str, Any]) -> bool:
+        """Whether the value is what the function returns, no function and no solution."""
+        value = line.parts[1]
+        return value.kind in ("call", "entry", "name") and not (
+            value.kind == "call" and self._by_name(value, env)
+        )
+
+    def _filled(self, line: Term) -> set[str]:
+        """What calls of the function in a line set."""
+        return {
+            root_of(part)
+            for call in line.all() if call.kind == "call" and call.name == self.judged.name
+            for name, part in zip(self.judged.takes, call.parts, strict=False)
+            if name in self.judged.fills
+        }  # fmt: skip
+
+    def _concerned(self, line: Term, env: Mapping[str, Any], made: set[str]) -> set[str]:
+        names = self._functions(env) | made - {""}
+        names |= {t.name for t in line.all() if t.kind == "call" and self._by_name(t, env)}
+        return line.names() & names
+
+    def _by_name(self, call: Term, env: Mapping[str, Any]) -> list[int]:
+        """Places of a call at which it takes the function itself."""
+        functions = self._functions(env)
+        return [
+            k for k, part in enumerate(call.parts)
+            if (part.kind == "handle" and part.names() & functions)
+            or (part.kind == "name" and part.name in functions)
+        ]  # fmt: skip
+
+    def _innocent(self, line: Term, env: dict[str, Any], made: set[str]) -> bool:
+        functions = self._functions(env)
+        if any(not self._plain_handle(h, env) for h in line.all() if h.kind == "handle"):
+            return False
+        if self._computes(line, functions, made) or self._unseen(line, functions):
+            return False
+        for call in line.all():
+            if call.kind != "call":
+                continue
+            handed = self._by_name(call, env)
+            if handed and call.name in self.own and not self._taken(call, handed, env):
+                return False
+            if handed and call.name not in self.own and not self._solved(call, env):
+                return False
+            if call.name in self.users and not self._called_plainly(call, env):
+                return False
+        return self._try(line, env)
+
+    def _unseen(self, line: Term, functions: set[str]) -> bool:
+        """Whether the function is used where nothing is followed."""
+        if line.kind == "other":
+            return bool(line.names() & functions)
+        return any(self._unseen(part, functions) for part in line.parts)
+
+    def _called_plainly(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether another function, which uses the judged one, is called with what it takes."""
+        for name, part in zip(self.own[call.name].takes, call.parts, strict=False):
+            if part.kind == "name" and part.name in self.own[call.name].takes:
+                if part.name != name:
+                    return False
+            elif part.kind in ("minus", "binary"):
+                value = self._value(part, env)
+                if not isinstance(value, Given) or (value <= 0 and name in STEPS):
+                    return False
+            elif part.kind == "other" and part.names():
+                return False
+        return True
+
+    def _solved(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether it hands the function to a solver, and parameters in their order."""
+        takes, handed = self.judged.takes, [*call.parts]
+        if not SOLVERS.search(call.name):
+            return False
+        beside = zip(takes[2:], handed[4:], strict=False)  # ode45(@f, span, start, options, m, l)
+        if self.judged.takes[-1:] == ("t",) and len(takes) > 2:
+            beside = zip(takes[-2:-1], handed[3:4], strict=False)  # ODEProblem(f, start, span, p)
+        return all(
+            self._accepted(name, self.judged.meanings.get(name, ()), part, self._value(part, env))
+            for name, part in beside
+        )
+
+    def _computes(self, line: Term, functions: set[str], made: set[str]) -> bool:
+        """Whether something is made of what the function returned."""
+        if line.kind == "handle" or (line.kind == "call" and line.name in TESTS):
+            return False
+        inner = line.parts
+        if line.kind in ("binary", "minus") and self._results(line, functions, made):
+            return True
+        if line.kind == "set":
+            target, value = line.parts
+            if line.name and (self._results(value, functions, made) or root_of(target) in made):
+                return True
+            if value.kind == "list" and self._results(value, functions, made):
+                return True
+            if value.kind == "call" and value.name == self.judged.name:
+                given = {root_of(p) for p in value.parts}
+                if {root_of(t) for t in targets_of(target)} & given - {""}:
+                    return True
+            if self._results(value, functions, made) and self._moved(target, value):
+                return True
+        return any(self._computes(part, functions, made) for part in inner)
+
+    def _moved(self, target: Term, value: Term) -> bool:
+        """Whether an entry becomes another one: y(1) = d(2)."""
+        ones, others = (
+            [p.name for p in (t.parts[1:] if t.kind == "entry" else t.parts) if p.kind == "number"]
+            if t.kind == "entry" or (t.kind == "call" and self.brackets) else []
+            for t in (target, value)
+        )  # fmt: skip
+        return bool(ones and others) and ones != others
+
+    def _results(self, value: Term, functions: set[str], made: set[str]) -> bool:
+        if value.kind == "handle":
+            return False
+        own = value.kind == "call" and value.name in functions
+        return own or (value.kind in ("name", "call") and value.name in made) or any(
+            self._results(part, functions, made) for part in value.parts
+        )  # fmt: skip
+
+    def _taken(self, call: Term, handed: Sequence[int], env: dict[str, Any]) -> bool:
+        """Whether a function of the file uses the one that it is handed innocently."""
+        one = self.own[call.name]
+        given = {
+            name: self._handle(part, env)
+            for k, (name, part) in enumerate(zip(one.takes, call.parts, strict=False))
+            if k in handed
+        }
+        other = Uses(
+            self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
+        )
+        if not other.steps(one.body, dict(given), "", one):
+            other = Uses(
+                self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
+            )
+            other._vectors(one.body)
+            if other._lines(one.body, dict(given), set()):
+                return False
+        self.explained |= {call.name} | other.explained
+        return True
+
+    def _plain_handle(self, handle: Term, env: dict[str, Any]) -> bool:
+        """Whether a function without a name is the judged one, or gives the rates made of it."""
+        takes = tuple(handle.name.split())
+        inside = dict(env)
+        places: dict[str, str] = {}
+        if len(takes) == 1:
+            places = {"state": takes[0]}
+        elif self.brackets and len(takes) == 2:
+            order = ("state", "time") if takes[1] in TIMES else ("time", "state")
+            places = dict(zip(order, takes, strict=True))
+        elif len(takes) == 3:
+            places = dict(zip(("state", "parameters", "time"), takes, strict=True))
+        elif len(takes) == 4:
+            places = dict(zip(("out", "state", "parameters", "time"), takes, strict=True))
+        if "state" not in places:
+            return self._renamed(handle, takes, env)
+        saved = self.misused, self.initial, self.called, self.vectors
+        self.misused, self.initial, self.called = False, {}, []
+        size = len(self.words.state)
+        state = Table(places["state"], size=size)
+        for place, name in places.items():
+            inside[name] = {"state": state, "time": Given(number("time")), "out": Table(name),
+                            "parameters": Table("parameters")}[place]  # fmt: skip
+        try:
+            result = self._value(handle.parts[0], inside)
+            filled = inside.get(places.get("out", ""))
+            fits = not self.misused and (
+                self._rates_at(state, result, filled) if self.judged.gives
+                else handle.parts[0].kind == "call" and handle.parts[0].name == self.judged.name
+            )  # fmt: skip
+        except NotPlainError:
+            fits = False
+        self.misused, self.initial, self.called, self.vectors = saved
+        return fits
+
+    def _renamed(self, handle: Term, takes: Sequence[str], env: dict[str, Any]) -> bool:
+        """Whether a function without a name calls the judged one, with its own arguments."""
+        body = handle.parts[0]
+        while body.kind in ("block", "return") and len(body.parts) == 1:
+            (body,) = body.parts
+        if body.kind != "call" or body.name != self.judged.name:
+            return False
+        return self._try(body, {n: v for n, v in env.items() if n not in takes})
+
+    def _rates_at(self, state: Table, result: Any, filled: Any) -> bool:
+        """Whether some values are the rates of a state, or what the function gives at it."""
+        values = self._dense(filled if filled is not None else result)
+        if values is None:
+            return False
+        entries = self._dense(state) or []
+        for order in self._orders():
+            at = dict(zip(order, entries, strict=False))
+            rates = self._all_rates(at)
+            if [*values] == [rates[w] for w in order]:
+                return True
+            if self.judged.gives and [*values] == [rates[w] for w in self.judged.gives]:
+                return True
+        return False

@@ -1,0 +1,62 @@
+r"""A factor that is crossed out in every term of an equation: it may as well stand there.
+
+\cancel{m}\ddot q - \cancel{m} a = \cancel{m} g    ->    {m}\ddot q - {m} a = {m} g
+
+Anything else that is crossed out may be left out, or be zero: that is not read.
+"""
+
+import re
+from itertools import pairwise
+
+CROSSED = re.compile(r"\\cancel(?=\s*\{(?P<what>[^{}]*)\}(?!\s*[\^_']))")
+ROW = re.compile(
+    r"\\\\|\$+|\\[\[\]()]|\\(?:begin|end)\s*\{[^{}]*\}|\n[ \t]*\n"
+    r"|\\(?:implies|iff|Rightarrow|Leftrightarrow|therefore|quad|qquad)(?![A-Za-z])"
+)
+SIGN = re.compile(r"[-+=\u2212]")
+EMPTY = re.compile(r"[\s&.,;]*")
+
+
+def without_crossings(text: str) -> str:
+    r"""The text with blanks for ``\cancel`` where that is a factor of all terms of a row."""
+    if "\\cancel" not in text:
+        return text
+    bounds = [0, *(at for m in ROW.finditer(text) for at in m.span()), len(text)]
+    parts = [text[start:end] for start, end in pairwise(bounds)]
+    return "".join(CROSSED.sub(_blank, part) if _is_common(part) else part for part in parts)
+
+
+def _blank(match: re.Match[str]) -> str:
+    return " " * len(match[0])
+
+
+def _is_common(row: str) -> bool:
+    """Whether one factor is crossed out in each term, but for a zero alone on its side."""
+    if "\\over" in row:
+        return False
+    found = [_factors(term) for term in _terms(row)]
+    return bool(found) and len({*found}) == 1 and len(found[0]) == 1
+
+
+def _factors(term: str) -> tuple[str, ...]:
+    """What is crossed out as a factor of a whole term; nothing where an argument or divisor is."""
+    found = []
+    for match in CROSSED.finditer(term):
+        before = term[: match.start()]
+        inside = sum(map(before.count, "({[")) > sum(map(before.count, ")}]"))
+        if inside or before.rstrip().endswith("/"):
+            return ()
+        found.append(match["what"])
+    return tuple(found)
+
+
+def _terms(row: str) -> list[str]:
+    """What stands between signs outside of all brackets."""
+    found, depth, start = [], 0, 0
+    for at, character in enumerate(row):
+        depth += (character in "({[") - (character in ")}]")
+        if depth == 0 and SIGN.match(character):
+            found.append(row[start:at])
+            start = at + 1
+    found.append(row[start:])
+    return [term for term in found if not EMPTY.fullmatch(term) and term.strip(" &.,\n\t") != "0"]

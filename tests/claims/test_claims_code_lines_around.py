@@ -1,0 +1,277 @@
+"""Lines around a judged function: plain calls and known integrators are innocent, others quoted."""
+
+from pathlib import Path
+
+import pytest
+
+import mechanics
+from mechanics.kernel import Verdict
+from systems import rod_pendulum
+
+ROD = rod_pendulum.scene()
+GIVEN = "m = 1; l = 0.5; g = 9.81; u = 0;\n"
+MATLAB = """
+function dydt = rate(t, y, m, l, g, u)
+dydt = [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];
+end
+"""
+ACCELERATION = """
+function a = accel(theta, w, u, m, l, g)
+a = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);
+end
+"""
+JULIA = """function rate!(du, y, p, t)
+    theta, w = y
+    m, l, g, u = p
+    du[1] = w
+    du[2] = 3g/(2l)*sin(theta) + 3u/(m*l^2)
+end
+"""
+C = """#include <math.h>
+#include <stdio.h>
+void rate(double t, const double *y, double *dydt, double m, double l, double g, double u)
+{
+  dydt[0] = y[1];
+  dydt[1] = 3*g/(2*l)*sin(y[0]) + 3*u/(m*l*l);
+}
+double accel(double theta, double w, double u, double m, double l, double g)
+{
+  return 3*g/(2*l)*sin(theta) + 3*u/(m*l*l);
+}
+"""
+EULER = "y = [0.1; 0]; dt = 0.01; t = 0;\nfor k = 1:100\n  d = rate(t, y, m, l, g, u);\n  {}\nend"
+COLUMNS = """h = 0.01; N = 100; t = 0:h:N*h; y = zeros(2, N+1); y(:,1) = [0.1; 0];
+for i = 1:N
+    k1 = rate(t(i), y(:,i), m, l, g, u);
+    k2 = rate(t(i) + h/2, y(:,i) + h/2*k1, m, l, g, u);
+    k3 = rate(t(i) + h/2, y(:,i) + h/2*k2, m, l, g, u);
+    k4 = rate(t(i) + h, y(:,i) + h*k3, m, l, g, u);
+    y(:,i+1) = y(:,i) + h/6*(k1 + 2*k2 + 2*k3 + k4);
+end"""
+SCALARS = """dt = 0.01; theta = 0.1; w = 0;
+for k = 1:100
+  a = accel(theta, w, u, m, l, g);
+  w = w + dt*a;
+  theta = theta + dt*w;
+end"""
+SOLVED = "[t, y] = ode45(@(t, y) {}, [0 1], [0.1; 0]);"
+RK4 = """void step(double t, double *y, double dt, double m, double l, double g, double u)
+{
+  double k1[2], k2[2], k3[2], k4[2], tmp[2];
+  rate(t, y, k1, m, l, g, u);
+  for (int j = 0; j < 2; j++) tmp[j] = y[j] + 0.5*dt*k1[j];
+  rate(t + 0.5*dt, tmp, k2, m, l, g, u);
+  for (int j = 0; j < 2; j++) tmp[j] = y[j] + 0.5*dt*k2[j];
+  rate(t + 0.5*dt, tmp, k3, m, l, g, u);
+  for (int j = 0; j < 2; j++) tmp[j] = y[j] + dt*k3[j];
+  rate(t + dt, tmp, k4, m, l, g, u);
+  for (int j = 0; j < 2; j++) y[j] += dt/6*(k1[j] + 2*k2[j] + 2*k3[j] + k4[j]);
+}
+"""
+MAIN = """int main(void)
+{{
+  double y[2] = {{0.1, 0}}, k[2], t = 0, dt = 0.01, m = 1, l = 1, g = 9.81, u = 0;
+  FILE *out = fopen("motion.csv", "w");
+  for (int i = 0; i < 1000; i++) {{
+    {}
+    t += dt;
+    fprintf(out, "%g,%g\\n", t, y[0]);
+  }}
+  fclose(out);
+  return 0;
+}}
+"""
+ONE = "double th = 0.1, om = 0, h = 0.01;\n  for (int i = 0; i < 9; i++) {{\n    {}\n  }}"
+SMALL = "int main(void)\n{{\n  {}\n  return 0;\n}}\n"
+PENDULUM = "p = (1.0, 0.5, 9.81, 0.0)\n"
+LOOP = f"{PENDULUM}y = [0.1, 0.0]\ndu = zeros(2)\ndt = 0.01\nfor k in 1:100\n  {{}}\nend\n"
+
+
+def beside(folder: Path, suffix: str, text: str, function: str | None = None) -> tuple[str, ...]:
+    path = folder / f"page{suffix}"
+    path.write_text(text)
+    options = {"function": function} if function else {}
+    found = mechanics.check(ROD, path, blame=False, **options)
+    assert found.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
+    return found.beside
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "rate(y, t, m, l, g, u)", "rate(t, flipud(y), m, l, g, u)", "rate(t, -y, m, l, g, u)",
+        "rate(t, y, l, m, g, u)", "rate(t, y, m, l, -g, u)", "rate(t, y, m, 2*l, g, u)",
+        "rate(t, [y(2); y(1)], m, l, g, u)", "rate(t, y, 1, 1, -9.81, 0)",
+        "-rate(t, y, m, l, g, u)", "flipud(rate(t, y, m, l, g, u))",
+        "rate(t, y, m, l, g, u) + [0; y(2)]",
+    ],
+)  # fmt: skip
+def test_a_handle_with_other_arguments_is_quoted(tmp_path: Path, call: str) -> None:
+    solved = SOLVED.format(call)
+    assert beside(tmp_path, ".m", GIVEN + solved + MATLAB) == (solved[:60],)
+    assert beside(tmp_path, ".m", f"{GIVEN}f = @(t, y) {call};{MATLAB}")
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        EULER.format("y(1) = y(1) - dt*d(1);\n  y(2) = y(2) + dt*d(2);"),
+        EULER.format("y(1) = y(1) + dt*d(2);\n  y(2) = y(2) + dt*d(1);"),
+        EULER.format("y(2) = y(2) + dt*d(2);"), EULER.format("y = y + d;"),
+        EULER.format("y = y - dt*d;"), EULER.format("y = y + m*d;"), EULER.format("y = dt*d;"),
+        EULER.format("y = y + dt*d;\n  y = -y;"), EULER.format("y = y + dt*d;\n  g = -g;"),
+        EULER.replace("dt = 0.01", "dt = -0.01").format("y = y + dt*d;"),
+        COLUMNS.replace("2*k3 + k4", "k3 + k4"), COLUMNS.replace("h/2*k1, m", "h*k1, m"),
+        COLUMNS.replace("h/2*k2, m, l", "h/2*k2, l, m"),
+        COLUMNS.replace("i+1) = y(:,i)", "i+1) = y(:,1)"),
+    ],
+)  # fmt: skip
+def test_a_loop_that_is_no_integrator_is_quoted(tmp_path: Path, lines: str) -> None:
+    assert beside(tmp_path, ".m", GIVEN + lines + MATLAB)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        SCALARS.replace("accel(theta, w", "accel(w, theta"),
+        SCALARS.replace("w + dt*a", "w - dt*a"),
+        SCALARS.replace("a = ", "a = -"), "theta = 0.1; w = 0;\na = accel(w, theta, u, m, l, g);",
+        "a = accel(0.1, 0, u, m, l, g);\nb = -a;",
+        SOLVED.format("[y(2); -accel(y(1), y(2), u, m, l, g)]"),
+        SOLVED.format("[accel(y(1), y(2), u, m, l, g); y(2)]"),
+    ],
+)  # fmt: skip
+def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
+    assert beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (l, m, g, u))\n",
+        "p = [m, l, -g, u]\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), p)\n",
+        "f = (du, y, p, t) -> rate!(du, p, y, t)\n",
+        "function back!(du, y, p, t)\n  rate!(du, y, p, t)\n  du .*= -1\nend\n"
+        "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\n",
+        "function next!(y, p, t)\n  du = zeros(2)\n  rate!(du, y, p, t)\n  y .-= du\nend\n"
+        "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\n",
+        LOOP.format("rate!(du, y, p, 0.0)\n  y .-= dt .* du"),
+        LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* reverse(du)"),
+    ],
+)  # fmt: skip
+def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
+    given = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n"
+    assert beside(tmp_path, ".jl", JULIA + given + text)
+
+
+@pytest.mark.parametrize(
+    ("function", "text"),
+    [
+        ("rate", MAIN.format("rate(t, y, k, m, l, g, u); y[0] += dt*k[1]; y[1] += dt*k[0];")),
+        ("rate", MAIN.format("rate(t, y, k, m, g, l, u); y[0] += dt*k[0]; y[1] += dt*k[1];")),
+        ("rate", RK4.replace("y[j] += dt/6", "y[1 - j] += dt/6")),
+        ("rate", RK4.replace("y[j] + dt*k3", "y[j] - dt*k3")),
+        ("rate", RK4 + MAIN.format("step(t, y, -dt, m, l, g, u);")),
+        ("rate", RK4 + MAIN.format("step(t, y, dt, m, l, g, u); y[1] = -y[1];")),
+        ("rate", "void step(double *y, double dt)\n{\n  double k[2];\n"
+         "  rate(0, y, k, 1, 1, 9.81, 0);\n  y[0] += dt*k[1];\n  y[1] += dt*k[0];\n}\n"),
+        ("rate", "#define BACK(y, k) rate(0, y, k, 1, 1, -9.81, 0)\n"),
+        ("accel", SMALL.format(ONE.format(
+            "double a = -accel(th, om, 0, 1, 1, 9.81); om += h*a; th += h*om;"))),
+        ("accel", SMALL.format(ONE.format(
+            "double a = accel(th, om, 0, 1, 1, 9.81); om += h*a; th -= h*om;"))),
+        ("accel", SMALL.format(ONE.format(
+            "double a = accel(th, om, 0, 1, 1, 9.81); om += h*th; th += h*om;"))),
+        ("accel", SMALL.format(
+            "auto f = [&](double theta, double w) { return -accel(theta, w, 0, 1, 1, 9.81); };")),
+    ],
+)  # fmt: skip
+def test_c_plus_plus_is_quoted_though_a_function_is_named(
+    tmp_path: Path, function: str, text: str
+) -> None:
+    assert beside(tmp_path, ".cpp", C + text, function)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        SOLVED.format("rate(t, y, m, l, g, u)"), SOLVED.format("rate(t, y, 1, 0.5, 9.81, 0)"),
+        "[t, y] = ode45(@rate, [0 1], [0.1; 0], [], m, l, g, u);",
+        "x = lsode(@(x, t) rate(t, x, m, l, g, u), [0.1; 0], linspace(0, 1));",
+        "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(@(t, y) f(t, y), [0 1], [0.1; 0]);",
+        EULER.format("y = y + dt*d;\n  t = t + dt;"),
+        EULER.format("y(1) = y(1) + dt*d(1);\n  y(2) = y(2) + dt*d(2);\n  Y(:, k) = y;"), COLUMNS,
+        "dx = rate(0, [pi/2; 0], 1, 1, 9.81, 0);\nassert(abs(dx(2) - 14.715) < 1e-9)",
+    ],
+)  # fmt: skip
+def test_matlab_is_innocent(tmp_path: Path, lines: str) -> None:
+    assert not beside(tmp_path, ".m", GIVEN + lines + MATLAB)
+
+
+@pytest.mark.parametrize(
+    "lines", [SCALARS, SOLVED.format("[y(2); accel(y(1), y(2), u, m, l, g)]"),
+              "theta = pi/6; w = 0;\na = accel(theta, w, u, m, l, g)"],
+)  # fmt: skip
+def test_an_acceleration_is_used_innocently(tmp_path: Path, lines: str) -> None:
+    assert not beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\nsol = solve(prob)\n",
+        LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* du\n  push!(ys, copy(y))"),
+        "function run()\n  y = [0.1, 0.0]; du = similar(y); h = 0.01; t = 0.0\n  while t < 10\n"
+        "    rate!(du, y, (1.0, 0.5, 9.81, 0.0), t)\n    y[1] += h*du[1]\n    y[2] += h*du[2]\n"
+        "    t += h\n  end\nend\n",
+    ],
+)  # fmt: skip
+def test_julia_is_innocent(tmp_path: Path, text: str) -> None:
+    given = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n"
+    assert not beside(tmp_path, ".jl", JULIA + given + text)
+
+
+@pytest.mark.parametrize(
+    ("function", "text"),
+    [
+        ("rate", MAIN.format("rate(t, y, k, m, l, g, u); y[0] += dt*k[0]; y[1] += dt*k[1];")),
+        ("rate", RK4), ("rate", RK4 + MAIN.format("step(t, y, dt, m, l, g, u);")),
+        ("accel", SMALL.format(ONE.format(
+            "double a = accel(th, om, 0, 1, 1, 9.81); om += h*a; th += h*om;"))),
+        ("accel", SMALL.format('printf("%g\\n", accel(0.1, 0, 0, 1, 1, 9.81));')),
+    ],
+)  # fmt: skip
+def test_c_plus_plus_is_innocent(tmp_path: Path, function: str, text: str) -> None:
+    assert not beside(tmp_path, ".cpp", C + text, function)
+
+
+UNDRIVEN = MATLAB.replace(", u)", ")").replace(" + 3*u/(m*l^2)", "")
+HANDLE = """f = @(t, y) [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];
+[t, y] = ode45(f, [0 1], [0.1; 0]);
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        GIVEN + SOLVED.format("rate(t, y, m, l, g)") + UNDRIVEN,
+        GIVEN + HANDLE,
+        SOLVED.replace("@(t, y) {}", "@rate") + MATLAB.replace("(t, y, m, l, g, u)",
+            f"(t, y)\n{GIVEN.strip()}"),
+    ],
+)  # fmt: skip
+def test_a_value_of_an_input_that_the_script_gives_is_no_mistake(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "page.m"
+    path.write_text(text)
+    found = mechanics.check(ROD, path, blame=False)
+    assert found.verdict is Verdict.UNDECIDED
+    assert [e.right_if for e in found.judged] == [(), ("u = 0, as the code says",)]
+    path.write_text(text.replace("sin", "cos"))
+    assert mechanics.check(ROD, path, blame=False).verdict is Verdict.REFUTED
+
+
+def test_a_function_that_leaves_out_an_input_which_it_takes_is_wrong(tmp_path: Path) -> None:
+    path = tmp_path / "page.m"
+    path.write_text(GIVEN + SOLVED.format("rate(t, y, m, l, g, u)")
+                    + MATLAB.replace(" + 3*u/(m*l^2)", " + 0*u"))  # fmt: skip
+    assert mechanics.check(ROD, path, blame=False).verdict is Verdict.REFUTED

@@ -1,0 +1,95 @@
+"""Parts of vectors of Eigen, and what it solves."""
+
+from pathlib import Path
+
+import pytest
+
+from mechanics import check
+from mechanics.errors import InputError
+from systems import rod_pendulum
+
+SCENE = rod_pendulum.scene()
+ROD = """#include <Eigen/Dense>
+Eigen::Vector2d rates(const Eigen::Vector2d& x, double u, double m, double l, double g) {
+  auto q = x.segment(0, 1);
+  Eigen::Vector<double, 1> v = x.tail(1);
+  Eigen::Matrix<double, 2, 2> M{{1, 0}, {0, m*l*l/3}};
+  Eigen::Vector2d f{{v[0]}, {m*g*l/2*std::sin(q[0]) + u}};
+  Eigen::Vector2d dx;
+  dx.segment(0, 2) = M.partialPivLu().solve(f);
+  return dx;
+}
+"""
+SOLVED = "dx.segment(0, 2) = M.partialPivLu().solve(f);"
+
+
+def _verdict(text: str, folder: Path) -> str:
+    path = folder / "rod.cpp"
+    path.write_text(text)
+    try:
+        return check(SCENE, path, blame=False).verdict.name
+    except InputError:
+        return "not read"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("", ""),
+        ("partialPivLu", "colPivHouseholderQr"),
+        ("M.partialPivLu().solve(f)", "M.inverse()*f"),
+        ("M.partialPivLu().solve(f)", "M.transpose().lu().solve(f)"),
+        ("x.segment(0, 1)", "x.head(1)"),
+        ("x.segment(0, 1)", "x.head<1>()"),
+        ("x.tail(1)", "x.segment(1, 1)"),
+        ("dx.segment(0, 2) =", "dx ="),
+        (SOLVED, "dx.head(1) = v; dx.segment(1, 1) = M.lu().solve(f).tail(1);"),
+    ],
+)
+def test_what_is_right_is_proved(old: str, new: str, tmp_path: Path) -> None:
+    assert _verdict(ROD.replace(old, new) if old else ROD, tmp_path) == "PROVED"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("m*l*l/3", "m*l*l"),
+        ("+ u", "- u/2"),
+        ("x.segment(0, 1)", "x.segment(1, 1)"),
+        ("x.segment(0, 1)", "x.segment(0, 3)"),
+        ("x.segment(0, 1)", "x.segment(2, 1)"),
+        ("x.segment(0, 1)", "x.segment<1>(0)"),
+        ("x.tail(1)", "x.head(1)"),
+        ("x.tail(1)", "x.tail(2)"),
+        ("partialPivLu", "llt"),
+        ("partialPivLu", "ldlt"),
+        ("partialPivLu", "diagonal"),
+        ("M.partialPivLu()", "f.partialPivLu()"),
+        ("solve(f)", "solve(x)"),
+        ("M.partialPivLu().solve(f)", "M*f"),
+        (SOLVED, "dx.segment(0, 1) = M.lu().solve(f);"),
+        (SOLVED, "dx.segment(1, 1) = v; dx.head(1) = M.lu().solve(f).tail(1);"),
+        (SOLVED, "dx.head(1) = v;"),
+        (SOLVED, f"q[0] = 0; {SOLVED}"),
+        (SOLVED, f"auto w = dx.segment(0, 1); {SOLVED} w[0] = 0;"),
+        (SOLVED, f"{SOLVED} dx.tail(1) = 2*dx.tail(1);"),
+        (SOLVED, f"M(1, 1) = m*l*l; {SOLVED}"),
+        ("Eigen::Matrix<double, 2, 2> M", "Own M"),
+        ("#include", "struct Own { double a; Own head(int) { return *this; } };\n#include"),
+        ("std::sin", "sin"),
+    ],
+)
+def test_what_is_wrong_is_not_proved(old: str, new: str, tmp_path: Path) -> None:
+    assert old in ROD
+    text = ROD.replace(old, new)
+    if new == "sin":
+        text = text.replace("Eigen::Vector2d rates", "double sin(double t) { return t; }\n"
+                            "Eigen::Vector2d rates", 1)  # fmt: skip
+    elif new.startswith("struct"):
+        text = text.replace("const Eigen::Vector2d& x", "const Own& x")
+    assert _verdict(text, tmp_path) in ("REFUTED", "UNDECIDED", "not read")
+
+
+def test_a_wrong_term_is_refuted(tmp_path: Path) -> None:
+    assert _verdict(ROD.replace("m*l*l/3", "m*l*l"), tmp_path) == "REFUTED"
+    assert _verdict(ROD.replace("x.segment(0, 1)", "x.segment(1, 1)"), tmp_path) == "REFUTED"
