@@ -13,7 +13,7 @@ from mechanics.blame.reference import Reference
 from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
-from mechanics.claims.names import Naming, Vocabulary
+from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.statement import Reading, Statement
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
@@ -216,11 +216,8 @@ def check(
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
     remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
     remarks = (*remarks, *dict.fromkeys(bounds), *untried)
-    words = Vocabulary(truth.scene)
-    # What code calls a vector, or means by a word, is no name of the lines around it.
-    single = {n: m for n, m in (names or {}).items() if m == "t" or words.target(m) is not None}
-    naming = Naming(words, single, tuple(known))
-    around = [_around(part, naming) for part in parts if isinstance(part, Around)]
+    files = [part for part in parts if isinstance(part, Around)]
+    around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
@@ -260,8 +257,14 @@ def _plain(things: Sequence[Any], **asked: Any) -> None:
             )
 
 
-def _around(thing: Around, naming: Naming) -> tuple[str, ...]:
+def _around(
+    thing: Around, scene: Scene, names: Mapping[str, str], known: Sequence[Match]
+) -> tuple[str, ...]:
     """What of a file of Python says something and is not judged."""
+    words = Vocabulary(scene)
+    single = {n: m for n, m in names.items() if m == "t" or words.target(m) is not None}
+    columns = (Match(n, m, "as given") for n, m in names.items() if " " in m)
+    naming = Naming(words, single, (*columns, *known))
     return (*thing.others, *lines_around(thing.code, thing.judged, naming))
 
 

@@ -80,6 +80,8 @@ STEPS = (
     "class Sim:\n    def step(self):\n        self.y = self.y - dt*rate(0, self.y, *p)",
     "for i in range(9):\n    np.add(y, -dt*rate(t, y, *p), out=y)",
     "for i in range(9):\n    y = np.subtract(y, np.multiply(dt, rate(t, y, *p)))",
+    "for i in range(9):\n    ws.append(ws[i] + accel(ths[i], ws[i], *p)*dt)\n"
+    "    ths.append(ths[i] - ws[i+1]*dt)",
     "def push(y):\n    y -= dt*rate(0, y, *p)",
 )
 CHANGED = (
@@ -143,6 +145,8 @@ NOTHING = (
     "    return y + h/6*(k1 + 2*k2 + 2*k3 + k4)",
     "def euler(f, y, t):\n    for n in range(len(t) - 1):\n        h = t[n+1] - t[n]\n"
     "        Y[n+1] = Y[n] + h*f(t[n], Y[n])\n    return Y",
+    "for i in range(9):\n    ws.append(ws[i] + accel(ths[i], ws[i], *p)*dt)\n"
+    "    ths.append(ths[i] + ws[i+1]*dt)",
     "class Sim:\n    def step(self, dt):\n        self.y = self.y + dt*rate(self.t, self.y, *p)\n"
     "        self.t += dt",
     "n = 0\nwhile n < 5:\n    n += 1",

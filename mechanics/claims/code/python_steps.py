@@ -221,6 +221,9 @@ class _Turn:
         if name in self.values:
             return self.values[name]
         known = self.fixed.get(name)
+        last = f"{_root(name)}[-1]"
+        if last in self.values and any(_next(used) == name != used for used in self.used):
+            return self.values[last]  # what was appended
         inner = [*map(ast.unparse, ast.walk(known))] if isinstance(known, ast.BinOp) else []
         if known is not None and self.step in inner and name not in self.followed:
             self.followed.add(name)
@@ -281,6 +284,8 @@ class _Turn:
                 yield name, name
             elif (after := _next(name)) in self.written:
                 yield name, after
+            elif after != name and f"{_root(name)}[-1]" in self.written:
+                yield name, f"{_root(name)}[-1]"
 
     def found(self) -> set[str] | None:
         """Roots of the places that are advanced as by an integrator.
