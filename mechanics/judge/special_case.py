@@ -84,10 +84,7 @@ def _needed(
     """The values with which a row is right; None where it is not, or there are none."""
     if not some or not _right_with(truth, row, some):
         return None
-    for symbol in list(some):
-        fewer = {s: v for s, v in some.items() if s != symbol}
-        some = fewer if fewer and _right_with(truth, row, fewer) else some
-    return some
+    return fewest(some, lambda values: _right_with(truth, row, values))
 
 
 def _right_with(truth: Equations, row: Published, table: Mapping[Symbol, Expr]) -> bool:
