@@ -136,10 +136,12 @@ class _Fit:
                 return None
             slope = self.slope(logs, places)
             normal = slope.T @ slope
-            step = np.linalg.solve(
+            # Singular where nothing depends on a value but by less than a double keeps.
+            step = np.linalg.lstsq(
                 normal + damping * (np.diag(np.diag(normal)) + 1e-12 * np.eye(len(places))),
                 -slope.T @ left,
-            )
+                rcond=None,
+            )[0]
             new = np.array(logs)
             new[list(places)] = np.clip(new[list(places)] + np.clip(step, -2, 2), -15, 15)
             there = self.left(new)

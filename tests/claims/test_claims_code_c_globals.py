@@ -97,6 +97,26 @@ def test_what_hides_a_change_is_not_proved(text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "more",
+    [
+        "double get(void) { return theta; }\n",
+        "void reset(void) { theta = 0.1; theta_dot = 0; }\n",
+        "void set(double v) { theta = v; }\n",
+    ],
+)
+def test_of_several_functions_of_a_state_somebody_says_which(more: str) -> None:
+    with pytest.raises(InputError, match="--function"):
+        _checked(STATE + STEP + more)
+    text = f"#include <math.h>\n{STATE}{STEP}{more}"
+    assert check(SCENE, text, notation="c", function="step", blame=False).verdict.name == "PROVED"
+
+
+def test_a_step_that_forgets_its_state_is_refuted() -> None:
+    text = "void reset(double *theta, double *theta_dot) { theta[0] = 0.1; theta_dot[0] = 0; }\n"
+    assert _verdict(text) == "REFUTED"
+
+
+@pytest.mark.parametrize(
     "new", ["double a = 2*acc(u);", "double a = acc(u) + theta;", "double a = acc(2*u);"]
 )
 def test_what_calls_another_is_refuted(new: str) -> None:

@@ -112,10 +112,22 @@ def test_fields_of_a_struct_of_elsewhere_are_parameters_of_their_names(tmp_path:
         ("  dx", "  config = other;\n  dx"),
         ("  m =", "  config.g = 2*config.g;\n  m ="),
         ("config.g", "config.rod_mass"),
+        ("config.rod_length", "config.second.m"),
     ):
         wrong = FIELDS.replace(old, new)
         assert wrong != FIELDS
         assert _verdict(wrong, tmp_path) in ("REFUTED", "UNDECIDED", "not read"), new
+
+
+def test_a_handle_keeps_a_field_of_elsewhere_as_it_was(tmp_path: Path) -> None:
+    text = """function dx = model(x, u)
+  m = config.m; l = config.l; f = @(q) 3*config.g/(2*l)*sin(q) + 3*u/(m*l^2);
+  m = 2*m; dx = [x(2); f(x(1))];
+end
+"""
+    assert _verdict(text, tmp_path) == "PROVED"
+    late = text.replace(" f = @", " m = 2*m; f = @").replace("  m = 2*m; dx", "  m = m/2; dx")
+    assert _verdict(late, tmp_path) == "REFUTED"
 
 
 def test_names_of_a_step_are_the_state_where_all_entries_have_them(tmp_path: Path) -> None:

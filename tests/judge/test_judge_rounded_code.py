@@ -83,6 +83,36 @@ def test_what_a_rounding_may_make_another_one_is_not_read(
         _checked(body, ending, tmp_path, before, convention=EXACT)
 
 
+@pytest.mark.parametrize(
+    ("before", "body", "endings"),
+    [
+        ("#define real float", "real s = sin(theta); return 1.5*g/l*s + 3*u/(m*l*l);", "c cpp"),
+        ("typedef float real;", "const real s = sin(theta); return 1.5*g/l*s + 3*u/(m*l*l);",
+         "cpp"),
+        ("using real = float;", "real s = sin(theta); return 1.5*g/l*s + 3*u/(m*l*l);", "cpp"),
+        ("", "float const s = sin(theta); return 1.5*g/l*s + 3*u/(m*l*l);", "c cpp"),
+        ("", "auto s = 0.5f; s = sin(theta); return 1.5*g/l*s + 3*u/(m*l*l);", "cpp"),
+        ("", "return 4.5*(1.0f/3.0f)*g/l*sin(theta) + 3*u/(m*l*l);", "c cpp"),
+        ("", "return 4.5*(1/3.0f)*g/l*sin(theta) + 3*u/(m*l*l);", "c cpp"),
+        ("", "return 1.5*((4096.0f*4096.0f + 1.0f) - 4096.0f*4096.0f)*g/l*sin(theta)"
+         " + 3*u/(m*l*l);", "c cpp"),
+        ("", "return 1.5*g/l*sin(theta) + 3*u/(m*l*fmaxf(l, -l));", "c cpp"),
+        ("", "double c = cbrtf(l); return 1.5*g/l*sin(theta) + 3*u/(m*c*c*c*l);", "c"),
+        ("", "return fmaf(1.5*g/l, sin(theta), 3*u/(m*l*l));", "c"),
+        ("", "std::array<float, 1> s; s[0] = sin(theta); return 1.5*g/l*s[0] + 3*u/(m*l*l);",
+         "cpp"),
+        ("", "Eigen::Vector2f s; s << sin(theta), 0; return 1.5*g/l*s(0) + 3*u/(m*l*l);", "cpp"),
+        ("", "Eigen::Matrix<float, 2, 1> s; s(0) = sin(theta); return 1.5*g/l*s(0) + 3*u/(m*l*l);",
+         "cpp"),
+    ],
+)  # fmt: skip
+def test_single_precision_by_other_words_is_single_precision(
+    before: str, body: str, endings: str, tmp_path: Path
+) -> None:
+    for ending in endings.split():
+        assert _checked(body, ending, tmp_path, before).verdict.name == "UNDECIDED"
+
+
 def test_it_stands_beside_another_option(tmp_path: Path) -> None:
     how = {"convention": EXACT, "values": {"g": 9.81}}
     assert _checked(BODIES[0], "c", tmp_path, **how).verdict.name == "PROVED"

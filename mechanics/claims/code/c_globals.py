@@ -10,6 +10,7 @@ Those that no function changes are numbers, all others arrays of one entry.
 import re
 from dataclasses import dataclass
 
+from mechanics.errors import InputError
 from mechanics.program.c.tokens import blanked
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
@@ -30,12 +31,20 @@ class _Function:
     body: tuple[int, int]
 
 
-def with_globals(text: str) -> str:
+def with_globals(text: str, function: str | None = None) -> str:
     """The text, without comments, with its variables as arguments; as it is where it is not plain.
 
     Parameters
     ----------
     text : str
+    function : str, optional
+        Which is asked for.
+
+    Raises
+    ------
+    InputError
+        Where none is, and several are called by no other one: what only reads a variable or sets
+        it to a number looks like a wrong formula.
     """
     functions = _functions(text)
     outside = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
@@ -59,6 +68,12 @@ def with_globals(text: str) -> str:
         f.name: {o.name for o in functions if _calls(text[slice(*f.body)], o.name)}
         for f in functions
     }
+    tops = [f.name for f in functions if all(f.name not in calls[o.name] for o in functions)]
+    if function is None and len(tops) > 1:
+        raise InputError(
+            f"{', '.join(tops)} share variables of the file: --function (function=) says which"
+            " is meant"
+        )
     for _ in functions:
         for name, others in calls.items():
             uses[name] |= {n for other in others for n in uses[other]}

@@ -52,13 +52,25 @@ STRUCT = re.compile(
     r"(?P<typedef>\btypedef\s+)?\bstruct\s*(?P<tag>\w*)\s*\{(?P<fields>[^{}]*)\}\s*(?P<name>\w*)\s*;"
 )
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
+SINGLE_CALLS = sorted(name for name in SINGLE if name.endswith("f") and name not in NAMES)
+LITERAL = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 TO_SINGLE = re.compile(
-    r"\b(?:a?(?:sin|cos|tan)h?|atan2|sqrt|exp|log|pow|fabs|hypot|fmod)f\s*\("
-    r"|\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+\w+\s*(?:=(?!=)|\{)|\bstatic_cast\s*<\s*float\s*>"
-    r"|(?<![\w.])[\d.]+[fF]\s*/\s*\d+(?![\w.])"
+    rf"\b(?:{'|'.join(SINGLE_CALLS)})\s*\("
+    r"|\(\s*float\s*\)|\bfloat\s*\(|\bfloat\s+(?:const\s+)?\w+\s*(?:=(?!=)|\{)"
+    r"|<\s*(?:const\s+)?float\b|\b(?:Row)?(?:Vector|Matrix|Array)\w*[\dX]f\b"
+    rf"|\b(?:auto|decltype)\b[^;]*?{LITERAL}[fF]\b"
+    rf"|{LITERAL}[fF][\s()]*[-+*/][\s()]*(?:{LITERAL}[fF]|\d+(?![\w.]))"
+    rf"|(?<![\w.])\d+[\s()]*[-+*/][\s()]*{LITERAL}[fF]\b"
     r"|(?<![\w.])(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b"
 )
 """What makes a number one of single precision."""
+ALIAS = re.compile(
+    r"(?:\btypedef\s+(?:const\s+)?float\s+(?:const\s+)?(?P<typedef>\w+)\s*;"
+    r"|^[ \t]*#[ \t]*define[ \t]+(?P<macro>\w+)[ \t]+(?:const[ \t]+)?float\b"
+    r"|\busing\s+(?P<using>\w+)\s*=\s*float\s*;)",
+    re.MULTILINE,
+)
+"""Other words for float."""
 SINGLE_NAMES = re.compile(r"\bfloat\b((?:[\s*&]*\w+(?:\s*\[[^][]*\])*\s*(?:,|(?=[;)=({])))+)")
 """Names that are declared so."""
 TAKES = re.compile(
@@ -143,7 +155,7 @@ def in_doubles(text: str) -> tuple[str, tuple[str, ...]]:
 
 def made_single(text: str) -> re.Match[str] | None:
     """What is no number of single precision, and made one beside doubles: ``0.1f``, a cast."""
-    text = _blank(text)
+    text = with_float(_blank(text))
     if not re.search(r"\bdouble\b", text):
         return None
     for one in TO_SINGLE.finditer(text):
@@ -157,6 +169,15 @@ def made_single(text: str) -> re.Match[str] | None:
             if (change := re.search(CHANGE.format(name), text)) is not None:
                 return change
     return None
+
+
+def with_float(text: str, whole: str = "") -> str:
+    """The text, where words that a file has for float are that."""
+    for alias in ALIAS.finditer(_blank(whole or text)):
+        word = alias[alias.lastgroup or 0]
+        text = ALIAS.sub(lambda m: blanked(m[0]), text)
+        text = re.sub(rf"\b{word}\b", "float", text)
+    return text
 
 
 def smooth(text: str) -> bool:

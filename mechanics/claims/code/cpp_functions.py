@@ -14,7 +14,7 @@ from functools import reduce
 from typing import Any
 
 from mechanics.claims.code import array_language
-from mechanics.claims.code.c_plain import ROUNDED, made_single, smooth
+from mechanics.claims.code.c_plain import ROUNDED, made_single, smooth, with_float
 from mechanics.claims.code.cpp_integers import (
     Kind,
     joined_kind,
@@ -378,6 +378,7 @@ def _single(root: Any, nodes: Mapping[str, Any]) -> str:
     ]  # fmt: skip
     parts = [*((one, words(one)) for one in outside), *((f, _used_part(f)) for f in nodes.values())]
     doubles = " double" * any(re.search(r"\bdouble\b", text) for _, text in parts)
+    parts = [(part, with_float(text, words(root))) for part, text in parts]
     whole = "\n".join(text for _, text in parts)
     tried = [*((part, text + doubles) for part, text in parts), *((p, whole) for p, _ in parts[:1])]
     for part, text in tried:  # the whole: of a call

@@ -582,7 +582,8 @@ def _handle(node: Any, scope: Scope) -> str:
         handles=scope.handles - {*own},
     )
     value = expression(node.child_by_field_name("expression"), inner)
-    around = [n for n in (*scope.arguments, *sorted(scope.locals)) if n not in own]
+    held = (*scope.arguments, *sorted(scope.locals), *scope.free)
+    around = [n for n in held if n not in own]
     kept = [n for n in dict.fromkeys(around) if re.search(rf"(?<![\w.]){n}\b", value)]
     if wrong := [n for n in own if n in scope.free]:
         raise refuse(node, f"{wrong[0]} means two things: rename one")
@@ -744,7 +745,9 @@ def _field(node: Any, scope: Scope) -> str:
         left = parent.child_by_field_name("left")
         if left.type == "identifier" and left != node:
             local = safe(words(left))
-            one = len(parts) == 2 or f".{local}" in words(_around(node))
+            # m1 = p.first.m is one of several; l = p.first.m is not.
+            several = len(parts) > 2 and local.startswith(name)
+            one = not several or f".{local}" in words(_around(node))
             if local != name and one and scope.scalar(local) and scope.scalar(name):
                 raise refuse(node, f"{local} has the value of {name}: write {name} itself")
             if scope.scalar(local) or not scope.scalar(name):

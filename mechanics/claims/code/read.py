@@ -272,7 +272,7 @@ def read_c(
         if re.search(r"\bvoid\b", text):
             text = with_types(without_comments(text).replace("GSL_SUCCESS", "0"), origin)
         text = of_the_header(without_macros(text, origin))
-        text = with_globals(with_constants(text, origin, passed.integers))
+        text = with_globals(with_constants(text, origin, passed.integers), function)
         source = known_meaning(parse(text, origin), text)
         refuse_integer_quotients(source, function, passed.integers)
         taken = defaults(source, text)
