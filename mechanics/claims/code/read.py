@@ -63,6 +63,7 @@ from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     claims,
     in_order,
+    is_settled,
     manipulator,
     named_by_title,
     state_of_scalars,
@@ -457,6 +458,8 @@ def _unsure(
 ) -> tuple[str, ...]:
     """Under what else outputs may be right that are taken for accelerations."""
     if about is None and manipulator(scene, outputs):
+        if is_settled(scene):
+            return ()
         return (f"the parts that {title} returns are put together otherwise than M u' + C + G",)
     moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
     if about or len(_all(outputs)) != len(scene.u) or len(scene.u) < 2:
