@@ -131,12 +131,15 @@ def _unasked(
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
         driven = _driven(scene, outputs, title, passed)
+        # Rates of coordinates are speeds by name: f(t, y, yp) says that again, in as many rows.
+        kinematic = len(entries) == 2 * size == 2 * sum(bool(e.is_zero) for e in entries)
         return (
             driven
             if driven
             else [
                 (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
                 for i, entry in enumerate(entries, 1)
+                if not (kinematic and entry.is_zero)
             ]
         )
     momenta = [p for p in momentum_symbols(scene) if p in passed]
