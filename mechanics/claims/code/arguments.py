@@ -29,6 +29,8 @@ POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
 SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "velocity", "speeds", "w")
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
+OF_TIME = "_of_time"
+"""Ends the name of a function that is called with the time: an input."""
 PARAMETERS = ("p", "params", "parameters", "args", "constants")
 
 SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
@@ -370,7 +372,8 @@ def _group(
     """The vector that an argument's name stands for, if that group is not taken already."""
     for k, (words, symbols) in enumerate(groups):
         fits = size is None or size == len(symbols)
-        if name in words and symbols and fits and k not in used:
+        usual = name in words or (words is INPUTS and name.endswith(OF_TIME))
+        if usual and symbols and fits and k not in used:
             scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
             value: Value = symbols[0] if scalar else tuple(symbols)
             why = USUAL
