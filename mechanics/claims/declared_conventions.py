@@ -29,7 +29,9 @@ SIZES = ("half-length", "twice the length")
 OPEN = ("from the horizontal", "above the horizontal", "below the horizontal")
 DEFINITE = tuple(f"{way} {sense}" for way in DIRECTIONS for sense in SENSES.values())
 EXACT = "single precision as exact"
-NAMES = ("other vertical", *SIGNS, *JOINTS, *SIZES, "point mass", *OPEN, *DEFINITE, EXACT)
+HARMLESS = "what is not here changes nothing"
+NAMES = ("other vertical", *SIGNS, *JOINTS, *SIZES, "point mass", *OPEN, *DEFINITE, EXACT,
+         HARMLESS)  # fmt: skip
 """What may be declared; several are parted by a comma."""
 
 Places = frozenset[tuple[int | None, int]]

@@ -81,6 +81,8 @@ class Statement:
         What is rounded to single precision among doubles, as it is written; read as exact, too.
     granted : str
         What has to be so for it to be right, in words, where nothing here says it.
+    elsewhere : str
+        What is not here, in words, and may give any name that it uses another meaning.
     anyhow : Published or None
         What it claims under all that is in `unsure`, too: where that is REFUTED, so is it.
     own : tuple of (Expr, Expr)
@@ -107,6 +109,7 @@ class Statement:
     defines: str = ""
     rounded: str = ""
     granted: str = ""
+    elsewhere: str = ""
     anyhow: Published | None = None
     own: tuple[tuple[Expr, Expr], ...] = ()
     given: tuple[tuple[Symbol, Expr], ...] = ()

@@ -44,7 +44,7 @@ from mechanics.judge.other_reading import left_open, of_one_dimension, other_rea
 from mechanics.judge.polar_radius import with_positive_radii
 from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
-from mechanics.judge.rounded_code import as_rounded, exact_said
+from mechanics.judge.rounded_code import SAID, as_rounded, said_of_code
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
@@ -158,7 +158,7 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
-    told_exact, convention = exact_said([convention] if isinstance(convention, str) else convention)
+    of_code, convention = said_of_code([convention] if isinstance(convention, str) else convention)
     picked = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
@@ -194,7 +194,7 @@ def check(
         other_readings(truth, statements, not held),
     )
     judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
-    judged = as_rounded(judged, bool(told_exact))
+    judged = as_rounded(judged, of_code)
     judged = as_meant(judged)
     if written_out and not (counted or held or region):
         judged = in_special_case(truth, judged)
@@ -214,7 +214,7 @@ def check(
         remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
     twice = redundancy(truth, judged)
     bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
-    remarks = (*remarks, *told_exact, *told, *([twice] if twice else []))
+    remarks = (*remarks, *(SAID[name] for name in of_code), *told, *([twice] if twice else []))
     remarks = (*remarks, *dict.fromkeys(bounds), *untried)
     files = [part for part in parts if isinstance(part, Around)]
     around = [_around(part, truth.scene, names or {}, known) for part in files]

@@ -1,16 +1,18 @@
-"""Code that rounds to single precision among doubles, read in exact numbers.
+"""Code that rounds to single precision among doubles, or rests on code that is not here.
 
 REFUTED by far more than roundings make            REFUTED
 REFUTED by a difference that may be a rounding     UNDECIDED
 shown                                              UNDECIDED: "right if single precision counts
                                                    as exact", and shown where that is declared
+shown, if check() changes nothing                  UNDECIDED: "right if check() changes nothing"
+anything, if own.h gives no name a meaning         UNDECIDED; and as it is where that is declared
 """
 
 import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mechanics.claims.declared_conventions import EXACT
+from mechanics.claims.declared_conventions import EXACT, HARMLESS
 from mechanics.judge.other_reading import is_wrong
 from mechanics.kernel import Witness, undecided
 from mechanics.report.answer.judged import Judged
@@ -18,41 +20,51 @@ from mechanics.report.answer.judged import Judged
 FAR = 1e-3
 """Of the larger side: single precision has 24 bits, 6e-8, and few roundings are made of it."""
 NUMBER = re.compile(r"[-+]?\d[\d_]*\.?\d*(?:e[-+]?\d+)?")
-SAID = "convention: single precision counts as exact"
+SAID = {
+    EXACT: "convention: single precision counts as exact",
+    HARMLESS: "convention: what is not here changes nothing",
+}
 
 
-def exact_said(convention: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """What is to be told where single precision is declared as exact, and the other conventions.
+def said_of_code(convention: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Which of `SAID` are declared, and the other conventions.
 
     Parameters
     ----------
     convention : sequence of str
     """
     parts = [part.strip() for told in convention for part in told.split(",")]
-    if EXACT not in map(str.lower, parts):
+    declared = tuple(name for name in SAID if name in map(str.lower, parts))
+    if not declared:
         return (), tuple(convention)
-    others = ", ".join(part for part in parts if part.lower() != EXACT)
-    return (SAID,), (others,) if others else ()
+    others = ", ".join(part for part in parts if part.lower() not in SAID)
+    return declared, (others,) if others else ()
 
 
-def as_rounded(judged: Sequence[Judged], declared: bool) -> tuple[Judged, ...]:
-    """The entries; open where they rest on numbers of single precision that count as exact.
+def as_rounded(judged: Sequence[Judged], declared: Sequence[str]) -> tuple[Judged, ...]:
+    """The entries; open where they rest on what nothing here says.
 
     Parameters
     ----------
     judged : sequence of Judged
-    declared : bool
-        Whether somebody says that they do.
+    declared : sequence of str
+        Which of `SAID` somebody says.
     """
-    return tuple(_granted(entry if declared else _open(entry)) for entry in judged)
+    found = judged if EXACT in declared else [*map(_open, judged)]
+    return tuple(found if HARMLESS in declared else map(_granted, found))
 
 
 def _granted(entry: Judged) -> Judged:
     """An entry; open where it is right only if something is so that nothing here says."""
-    words, finding = entry.statement.granted, entry.finding
-    if not words or not finding.shown:
+    statement, finding = entry.statement, entry.finding
+    if statement.elsewhere and (finding.shown or is_wrong(entry)):
+        words = f"{statement.elsewhere}: put what it declares into the file"
+        why = undecided(finding.subject, f"{words}, or --convention '{HARMLESS}'")
+        return replace(entry, finding=why, right_if=(), open=False)
+    if not statement.granted or not finding.shown:
         return entry
-    return replace(entry, finding=undecided(finding.subject, f"right if {words}: put it in"))
+    words = f"right if {statement.granted}: put it in, or --convention '{HARMLESS}' says so"
+    return replace(entry, finding=undecided(finding.subject, words))
 
 
 def _open(entry: Judged) -> Judged:

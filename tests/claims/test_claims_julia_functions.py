@@ -10,6 +10,7 @@ import mechanics
 from benchmarks.corpus.builders import P, pendulum
 from mechanics.claims.code.julia import in_python
 from mechanics.claims.code.python_page import Unread
+from mechanics.errors import InputError
 from systems import rod_pendulum
 
 PENDULUM = """using DifferentialEquations, Plots
@@ -190,3 +191,29 @@ def test_a_file_that_is_not_here_may_say_what_names_are(
     assert verdict("theta, theta_dot, u, m, l, g") == "PROVED"
     assert verdict("theta, theta_dot, u") == "UNDECIDED"
     assert verdict("theta, theta_dot, u", names={"m": "m", "l": "l", "g": "g"}) == "PROVED"
+
+
+INPUT = """function pendulum!(du, u, p, t)
+    du[1] = u[2]
+    du[2] = -3g/(2l)*sin(u[1]) + %s
+end
+"""
+
+
+@pytest.mark.parametrize(
+    ("term", "verdict"),
+    [("3/(m*l^2)*p(t)", "PROVED"), ("3/(m*l^2)*p(t) + 0*t", "PROVED"),
+     ("3/(m*l)*p(t)", "REFUTED"), ("-3/(m*l^2)*p(t)", "UNDECIDED"), ("3/(m*l^2)*p(2t)", ""),
+     ("3/(m*l^2)*p(u)", ""), ("3/(m*l^2)*p(t)*p[1]", ""), ("3/(m*l^2)*p(t) + 0*p", ""),
+     ("3/(m*l^2)*p(t, t)", ""), ("3/(m*l^2)*u(t)", ""), ("(t = 2; 3/(m*l^2)*p(t))", "")],
+)  # fmt: skip
+def test_a_function_of_the_time_is_an_input(term: str, verdict: str, tmp_path: Path) -> None:
+    path = tmp_path / "own.jl"
+    path.write_text(INPUT % term)
+    (theta, M), (m, l, g) = dynamicsymbols("theta M"), P("m:kg l:m g:m/s^2")
+    scene = pendulum(theta, m, m * l**2 / 12, l / 2, g, M, (M,))
+    try:
+        found = mechanics.check(scene, path, blame=False).verdict.name
+    except InputError:
+        found = ""
+    assert found == verdict

@@ -21,7 +21,7 @@ from mechanics.claims.spelled_rates import bases, key
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.momenta import momentum_symbols
-from mechanics.scene.rates import TIME
+from mechanics.scene.rates import TIME, rate_table
 from mechanics.scene.symbols import DOTS
 
 STATES = ("state", "states", "y", "z", "s", "x", "X", "Y", "xs")
@@ -29,6 +29,8 @@ POSITIONS = ("q", "qs", "pos", "positions", "coordinates")
 SPEEDS = ("u", "v", "qd", "dq", "qdot", "q_dot", "vel", "velocities", "velocity", "speeds", "w")
 ACCELERATIONS = ("a", "ud", "qdd", "ddq", "qddot", "q_ddot", "acc", "accelerations", "udot")
 INPUTS = ("u", "f", "F", "force", "tau", "torque", "action", "control", "inputs", "r")
+OF_TIME = "_of_time"
+"""Ends the name of a function that is called with the time: an input."""
 PARAMETERS = ("p", "params", "parameters", "args", "constants")
 
 SPEED = re.compile(r"(?:omega|Omega|w|om)_?(?P<number>\d*)")
@@ -147,6 +149,9 @@ def arguments_of(
                     f"the rate of {speed.name.removesuffix(DOTS[1])}, of the same number",
                     -1,
                 )
+            rates = _rates(scene, name, values, state)
+            if group is None and rates and sizes.get(name) in (None, len(rates)):
+                group = rates, "the rates of a state, by its name", -1
             if group is None and len(scene.q) == 1 and name in parted and naming.knows(name):
                 # Of one coordinate all that a vector of its name can begin with.
                 group = naming.symbol(name, 0), "a vector of one entry", -1
@@ -168,6 +173,23 @@ def arguments_of(
     if unexplained:
         raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
     return Arguments(values, state, tuple(matches))
+
+
+RATE = re.compile(r"(?P<of>\w+?)(?:_?dot|p|_?prime)|d(?P<after>[A-Za-z]+?)(?:_?dt)?")
+"""What the rates of a vector are called: zdot, yp, dx, dxdt."""
+
+
+def _rates(
+    scene: Scene, name: str, values: Mapping[str, Value], state: tuple[Expr, ...]
+) -> tuple[Symbol, ...]:
+    """The rates of a state that is an argument, too: ``f(t, y, yp)``; empty for other names."""
+    found = RATE.fullmatch(name)
+    of = values.get(found["of"] or found["after"]) if found else None
+    table = rate_table(scene)
+    if not state or of is None or isinstance(of, Expr) or tuple(of) != state:
+        return ()
+    rates = tuple(one for s in state if isinstance(one := table.get(s), Symbol))
+    return rates if len(rates) == len(state) else ()
 
 
 def _inertia(naming: Naming, name: str, apart: Apart | None) -> Diagonal | None:
@@ -350,7 +372,8 @@ def _group(
     """The vector that an argument's name stands for, if that group is not taken already."""
     for k, (words, symbols) in enumerate(groups):
         fits = size is None or size == len(symbols)
-        if name in words and symbols and fits and k not in used:
+        usual = name in words or (words is INPUTS and name.endswith(OF_TIME))
+        if usual and symbols and fits and k not in used:
             scalar = words is INPUTS and len(symbols) == 1 and size in (None, 1)
             value: Value = symbols[0] if scalar else tuple(symbols)
             why = USUAL

@@ -118,6 +118,8 @@ class Scope:
         Its matrices and vectors of Eigen.
     granted : dict of str to None
         Functions that are not here, and are called last: they may change what it has set.
+    blank : tuple of str
+        Matrices of its object of which it sets some entries, and others nowhere.
     """
 
     arguments: list[str]
@@ -145,6 +147,7 @@ class Scope:
     zeros: set[str] = field(default_factory=set)
     eigen: set[str] = field(default_factory=set)
     granted: dict[str, None] = field(default_factory=dict)
+    blank: tuple[str, ...] = ()
 
 
 def language() -> object:
@@ -173,7 +176,7 @@ class Translated:
     rounded : str
         What is rounded to single precision among doubles; empty for nothing.
     granted : tuple of str
-        Functions that are not here, and may change what a method has set.
+        What has to be so for it to mean what it is in Python, in words.
     """
 
     functions: tuple[Callable[..., Any], ...]
@@ -243,7 +246,11 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     page.constants({n: s.constants for n, s in scopes.items()} or {"": constants})
     own = {name: part for name, part in vars(array_language).items() if callable(part)}
     space = page.module(origin, own)
-    granted = dict.fromkeys(n for name in order for n in scopes[name].granted)
+    called_last = dict.fromkeys(f"{n}()" for name in order for n in scopes[name].granted)
+    granted = [f"{joined([*called_last])}, not here, changes nothing of the object"]
+    granted = granted if called_last else []
+    granted += [f"entries of {n} that {name} does not set are 0"
+                for name in order for n in scopes[name].blank]  # fmt: skip
     return Translated(tuple(space[name] for name in chosen), rounded, tuple(granted))
 
 
@@ -657,6 +664,8 @@ def _scope(
     scope.references, scope.eigen = references, eigen
     scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
     kind = words(node.child_by_field_name("type") or node)
+    scope.blank = _blank(node, arguments)
+    scope.zeros |= {*scope.blank}
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
     } | {_root(one) for one in within(node, "update_expression")}
@@ -689,6 +698,45 @@ def _members(node: Any, arguments: Iterable[str]) -> list[str]:
         if one.child_by_field_name("left").type == "identifier"
     ]  # fmt: skip
     return [n for n in dict.fromkeys(safe(words(one)) for one in found) if n not in own]
+
+
+def _blank(node: Any, arguments: Iterable[str]) -> tuple[str, ...]:
+    """Matrices that a method has not declared, with entries M(1, 1) that it sets nowhere."""
+    name = _declarator(node).child_by_field_name("declarator")
+    if name.type not in ("qualified_identifier", "field_identifier"):
+        return ()
+    own = {*arguments}
+    own |= {safe(words(i)) for d in within(node, "declaration") for i in within(d, "identifier")}
+    found: dict[str, set[tuple[int, ...]] | None] = {}
+    for one in within(node, "assignment_expression"):
+        left = one.child_by_field_name("left")
+        place = ENTRY.fullmatch(words(left))
+        plain = place is not None and words(one.child_by_field_name("operator")) == "="
+        if place is None or not plain or one.parent.type != "expression_statement":
+            found[_root(left)] = None  # of what is set otherwise nothing is said
+        elif (known := found.setdefault(safe(place[1]), set())) is not None:
+            known.add((int(place[2]), int(place[3])))
+    return tuple(
+        one for one, places in found.items()
+        if places and one not in own and not _is_set_elsewhere(node, one)
+        and len(places) < (max(i for i, _ in places) + 1) * (max(k for _, k in places) + 1)
+    )  # fmt: skip
+
+
+def _is_set_elsewhere(node: Any, name: str) -> bool:
+    """Whether the file has a name of a function's object in more than its plain declaration."""
+    root = node
+    while root.parent is not None:
+        root = root.parent
+    own = range(node.start_byte, node.end_byte)
+    others = [i for i in within(root, "identifier", "field_identifier") if i.start_byte not in own]
+    return any(
+        one.parent.type != "field_declaration" or one.parent.child_by_field_name("default_value")
+        for one in others if safe(words(one)) == name
+    )  # fmt: skip
+
+
+ENTRY = re.compile(r"(\w+)\s*\(\s*(\d)\s*,\s*(\d)\s*\)")
 
 
 def _root(target: Any) -> str:

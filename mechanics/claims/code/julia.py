@@ -18,6 +18,7 @@ from unicodedata import normalize
 from numpy import float32
 
 from mechanics.claims.code import array_language
+from mechanics.claims.code.arguments import OF_TIME
 from mechanics.claims.code.matlab import ELEMENTWISE, RECIPROCAL, Translated
 from mechanics.claims.code.python_page import (
     LONGEST,
@@ -937,6 +938,8 @@ def expression(node: Any, one: Function) -> str:
         case "identifier":
             return _variable(node, one)
         case "parenthesized_expression":
+            if len(named(node)) != 1:
+                raise refuse(node)
             (inner,) = named(node)
             return f"({expression(inner, one)})"
         case "unary_expression":
@@ -1059,6 +1062,18 @@ def _places(node: Any, name: str, one: Function) -> list[str]:
     return found
 
 
+def _is_called(name: Any) -> bool:
+    call = name.parent
+    return call is not None and call.type == "call_expression" and named(call)[0] == name
+
+
+def _is_time(parts: list[Any], one: Function) -> bool:
+    """Whether all that is passed is the argument t."""
+    return (
+        [words(part) for part in parts] == ["t"] and "t" in one.arguments and "t" not in one.locals
+    )
+
+
 def _call(node: Any, one: Function) -> str:
     head, arguments = named(node)[:2]
     if head.type == "operator" and words(head) in "+-" and len(named(arguments)) == 1:  # -(x)
@@ -1079,6 +1094,13 @@ def _call(node: Any, one: Function) -> str:
         if name in one.known:
             given = _passed(one.known[name], parts, given, one)
         return f"{name}({joined(given)})"
+    if name in one.arguments and name not in one.locals and _is_time(parts, one):
+        if any(name_of(i) == name and not _is_called(i)
+               for part in one.body for i in within(part, "identifier") if _is_name(i)):  # fmt: skip
+            raise refuse(node, f"{name} is a function and something else: rename one")
+        one.passed.add(head.id)
+        one.free.setdefault(f"{name}{OF_TIME}")
+        return f"{name}{OF_TIME}"
     if name in one.arguments or name in one.locals:
         raise refuse(node)
     if node.type == "call_expression" and name in (*FUNCTIONS, *RECIPROCAL) and name != "det":

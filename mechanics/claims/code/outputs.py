@@ -10,7 +10,7 @@ a square matrix              the mass matrix                 with a vector besid
 
 import re
 from collections.abc import Collection, Iterable, Sequence
-from itertools import islice, permutations
+from itertools import islice, permutations, product
 
 from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
@@ -25,6 +25,7 @@ from mechanics.claims.names import Naming
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
 from mechanics.scene import Scene
+from mechanics.scene.loads import Force, Gravity, Torque
 from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.published import Published, Quantity, published
 from mechanics.scene.quantities import EquationOfMotion, GeneralizedForce, Identity, MassMatrix
@@ -130,12 +131,15 @@ def _unasked(
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
         driven = _driven(scene, outputs, title, passed)
+        # Rates of coordinates are speeds by name: f(t, y, yp) says that again, in as many rows.
+        kinematic = len(entries) == 2 * size == 2 * sum(bool(e.is_zero) for e in entries)
         return (
             driven
             if driven
             else [
                 (f"residual {i}", EquationOfMotion(), (entry, S.Zero))
                 for i, entry in enumerate(entries, 1)
+                if not (kinematic and entry.is_zero)
             ]
         )
     momenta = [p for p in momentum_symbols(scene) if p in passed]
@@ -202,12 +206,17 @@ def named_by_title(title: str, count: int, size: int) -> str | None:
     size : int
         How many speeds the scene has.
     """
-    plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
-    words = TITLE.sub("", plain).strip("_").replace("_", " ")
+    words = spoken(title)
     if count == size * size > 1 and words in MASSES:
         return "mass matrix"
     named = (name for name in ENERGIES if f" {words}".endswith(f" {name.lower()}"))
     return SHORT.get(words) or next(named, None) if count == 1 else None
+
+
+def spoken(title: str) -> str:
+    """The name of a function in words, without what people put before and behind it."""
+    plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
+    return TITLE.sub("", plain).strip("_").replace("_", " ")
 
 
 def taken_otherwise(
@@ -221,6 +230,8 @@ def taken_otherwise(
     scene = naming.vocabulary.scene
     if about is not None or not 0 < len(found) == len(scene.u) <= MOST_ORDERED:
         return []
+    if manipulator(scene, outputs):
+        return _otherwise_together(scene, outputs, title)
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
         rows: list[Claim] = [
             (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
@@ -278,6 +289,53 @@ def manipulator(scene: Scene, outputs: Outputs) -> list[Expr]:
     mass, turning, field = outputs.values
     turning = turning if turning.shape == column else turning * Matrix(scene.u)
     return list(mass * Matrix(scene.ud) + turning + field)
+
+
+def is_settled(scene: Scene) -> bool:
+    """Whether signs are all that is open of how M, C and G are put together.
+
+    Beside gravity inputs alone drive: what the author adds elsewhere may be no friction. Of one
+    input a column may be what it is multiplied with, G u.
+    """
+    return (
+        len(scene.inputs) != 1
+        and not scene.constraints
+        and all(isinstance(load, Gravity) or _is_input(scene, load) for load in scene.loads)
+    )
+
+
+def _is_input(scene: Scene, load: object) -> bool:
+    """Whether a load is a force or torque of inputs alone."""
+    if not isinstance(load, Force | Torque):
+        return False
+    entries = [entry for column, _ in load.vector.args for entry in column]
+    return all(
+        entry.is_zero or any(entry in (one, -one) for one in scene.inputs) for entry in entries
+    )
+
+
+def _otherwise_together(
+    scene: Scene, outputs: Outputs, title: str
+) -> list[tuple[str, list[Claim]]]:
+    """The other sums of M u', C and G, in words: with other signs, and C with all of G in it."""
+    mass, turning, field = outputs.values
+    column = turning.shape[1] == 1
+    c, turning = ("C", turning) if column else ("C u", turning * Matrix(scene.u))
+    every = []
+    for one, other in product((1, -1), (1, -1, 0)):
+        if (one, other) == (1, 1):
+            continue
+        words = f"M u' {SIGN[one]} {c}" + (f" {SIGN[other]} G" if other else "")
+        rows = mass * Matrix(scene.ud) + one * turning + other * field
+        claimed: list[Claim] = [
+            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+            for u, entry in zip(scene.u, rows, strict=True)
+        ]
+        every.append((f"the parts that {title} returns are put together as {words}", claimed))
+    return every
+
+
+SIGN = {1: "+", -1: "-"}
 
 
 def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Expr] | None:

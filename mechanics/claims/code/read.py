@@ -63,6 +63,7 @@ from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     claims,
     in_order,
+    is_settled,
     manipulator,
     named_by_title,
     state_of_scalars,
@@ -73,6 +74,7 @@ from mechanics.claims.code.python_call import beside, signature_of
 from mechanics.claims.code.sympy_expressions import Constants, expressions
 from mechanics.claims.code.tracing import Outputs, trace
 from mechanics.claims.code.unpacking import Apart, in_c, in_python
+from mechanics.claims.code.whole_turns import without_turns
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
 from mechanics.claims.guess import at_one_step, guess
@@ -144,7 +146,7 @@ def read_function(
 
     def run(given: Arguments) -> Outputs:
         passed = [symbol for value in given.values.values() for symbol in _entries(value)]
-        standing, told = beside(function, called.standing, passed)
+        standing, remarks = beside(function, called.standing, passed)
         outputs = trace(function, given.values, standing)
         _bounded_outputs(outputs, title)
         if called.steps and len(_all(outputs)) == size:
@@ -153,8 +155,10 @@ def read_function(
                 outputs, standing = stepping, {**standing, **called.steps}
         doubt = doubt_when_repeated(function, given.values, outputs, standing)
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
-        notes = (*outputs.notes, *told)
-        return replace(outputs, notes=notes, doubt=doubt, names=outputs.names or called.returned)
+        notes = (*outputs.notes, *remarks)
+        names_of = outputs.names or called.returned
+        told = replace(outputs, notes=notes, doubt=doubt, names=names_of)
+        return without_turns(scene, told)
 
     sizes = dict.fromkeys(called.wanted)
     found = _read(
@@ -457,6 +461,8 @@ def _unsure(
 ) -> tuple[str, ...]:
     """Under what else outputs may be right that are taken for accelerations."""
     if about is None and manipulator(scene, outputs):
+        if is_settled(scene):
+            return ()
         return (f"the parts that {title} returns are put together otherwise than M u' + C + G",)
     moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
     if about or len(_all(outputs)) != len(scene.u) or len(scene.u) < 2:

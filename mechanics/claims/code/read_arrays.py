@@ -12,6 +12,7 @@ from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
 from mechanics.claims.code.c_macros import keeps_keywords
 from mechanics.claims.code.c_plain import in_doubles
+from mechanics.claims.code.manipulator_parts import together
 from mechanics.claims.code.python_page import Unread
 from mechanics.claims.code.read import read_function
 from mechanics.claims.lines import NOT_USED
@@ -63,7 +64,8 @@ def read_arrays(
     with located(origin):
         translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows)
     told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
-    readings = [read_function(scene, one, names, about, told) for one in translated.functions]
+    functions = together(translated.functions, origin)
+    readings = [read_function(scene, one, names, about, told) for one in functions]
     found = _together(readings, translated.remarks)
     return _elsewhere(found, translated.elsewhere, names, "a file that is read first")
 
@@ -76,21 +78,18 @@ def read_cpp(
     keeps_keywords(text, origin)
     with located(origin):
         translated = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
-    readings = [read_function(scene, one, names, about, text) for one in translated.functions]
+    functions = together(translated.functions, origin)
+    readings = [read_function(scene, one, names, about, text) for one in functions]
     found = _together(readings).rounded(translated.rounded)
-    doubt = ""
+    elsewhere = ""
     if absent := cpp_functions.absent_headers(text):
-        doubt = (
-            f"{absent[0]} is not here, and may give any name another meaning: put what it"
-            " declares into the file"
-        )
+        elsewhere = f"{absent[0]} is not here, and may give any name another meaning"
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
-    names_of = ", ".join(f"{name}()" for name in translated.granted)
-    granted = f"{names_of}, not here, changes nothing of the object" if names_of else ""
+    granted = " and ".join(translated.granted)
     statements = (
-        replace(s, notes=(*s.notes, *notes), doubt=s.doubt or doubt, granted=granted)
+        replace(s, notes=(*s.notes, *notes), granted=granted, elsewhere=elsewhere)
         for s in found.statements
     )
     return replace(found, statements=tuple(statements))

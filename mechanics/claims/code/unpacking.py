@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
+from mechanics.claims.code import array_language
+
 PLACE_IN_C = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*[;,]")
 
 LAST = -1
@@ -126,6 +128,8 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
         return {}, (), ""
     found: dict[str, Apart] = {}
     returned = []
+    if getattr(function, "__globals__", {}).get("get") is array_language.get:
+        tree = _Entries(tree).visit(tree)
     parts: dict[str, tuple[str, int]] = {}  # of which argument a local name is a part, from where
     for node in ast.walk(tree):
         line = first - 1 + getattr(node, "lineno", 1)
@@ -163,6 +167,29 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
         apart.count_from_the_end()
     names = _names(returned[0]) if len(returned) == 1 else ()
     return found, names, "".join(lines)
+
+
+class _Entries(ast.NodeTransformer):
+    """MATLAB's x(2) of an argument that is set later, as x[1] before that."""
+
+    def __init__(self, tree: ast.AST) -> None:
+        loops = any(isinstance(one, ast.For | ast.While) for one in ast.walk(tree))
+        self.set: dict[str, int] = {}
+        for one in ast.walk(tree):
+            if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
+                line = 0 if loops else one.lineno
+                self.set[one.id] = min(line, self.set.get(one.id, line))
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """An entry, by its number."""
+        match node:
+            case ast.Call(
+                func=ast.Name(id="get"),
+                args=[ast.Name(id=mine) as array, ast.Constant(value=int(k))],
+            ) if k > 0 and node.lineno < self.set.get(mine, 0):
+                place = ast.copy_location(ast.Constant(k - 1), node)
+                return ast.copy_location(ast.Subscript(array, place, ast.Load()), node)
+        return self.generic_visit(node)
 
 
 def _pairs(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:

@@ -1,0 +1,65 @@
+"""Steps that bring an angle back into one turn: the angle is the same.
+
+theta + dt*omega,  then  wrapToPi(theta)  or  (theta + pi) % (2*pi) - pi      theta + dt*omega
+"""
+
+from dataclasses import replace
+
+from sympy import Add, Derivative, Expr, S, Symbol, cos, floor, pi, sin
+from sympy.core.function import AppliedUndef
+
+from mechanics.claims.code.integrators import STEP
+from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.kinds import angular
+from mechanics.scene import Scene
+from mechanics.scene.loads import Force, Gravity, Torque
+
+TOLD = "brought back into one turn: read as the same angle"
+
+
+def without_turns(scene: Scene, outputs: Outputs) -> Outputs:
+    """The outputs of a step, where an angle in one turn is the angle itself.
+
+    Only where nothing but the place of bodies depends on it: a torsion spring counts turns.
+    """
+    entries = [entry for value in outputs.values for entry in value]
+    if not any(entry.has(floor) for entry in entries):
+        return outputs
+    angles = angular(scene)
+    whole_state = len(entries) == len(scene.q) + len(scene.u)
+    if not whole_state or not all(_is_plain(load, angles) for load in scene.loads):
+        return outputs
+    same = {entry: whole for entry in entries if (whole := _whole(entry, angles)) is not None}
+    if not same:
+        return outputs
+    values = tuple(
+        value.applyfunc(lambda entry: same.get(entry, entry)) for value in outputs.values
+    )
+    names = ", ".join(sorted(str(whole.subs(STEP, 0)) for whole in same.values()))
+    return replace(outputs, values=values, notes=(*outputs.notes, f"{names} {TOLD}"))
+
+
+def _whole(entry: Expr, angles: set[Symbol]) -> Expr | None:
+    """The entry without whole turns, 2 pi floor(...), where it is an angle before the step."""
+    turns = [part for part in Add.make_args(entry) if _is_turns(part)]
+    whole = entry - Add(*turns)
+    return whole if turns and whole.subs(STEP, 0) in angles else None
+
+
+def _is_turns(part: Expr) -> bool:
+    number, factors = part.as_independent(floor, as_Add=False)
+    return isinstance(factors, floor) and bool((number / (2 * pi)).is_integer)
+
+
+def _is_plain(load: object, angles: set[Symbol]) -> bool:
+    """Whether a load depends on angles by their sines, cosines and rates alone."""
+    if isinstance(load, Gravity):
+        return True
+    if not isinstance(load, Force | Torque):
+        return False
+    names = {angle.name for angle in angles}
+    entries = [entry for column, _ in load.vector.args for entry in column]
+    left = [
+        e.replace(lambda x: isinstance(x, sin | cos | Derivative), lambda _: S.One) for e in entries
+    ]
+    return not any(one.func.__name__ in names for e in left for one in e.atoms(AppliedUndef))
