@@ -174,3 +174,40 @@ def test_a_right_side_that_is_a_comment_is_told(name: str, sign: str, tmp_path: 
     (tmp_path / name).write_text(f"{right} {sign} = what Newton says\n")
     told = check(rod_pendulum.scene(), tmp_path / name, blame=False).unjudged
     assert not any("which is a comment" in words for words in told)
+
+
+ROD = derived(rod_pendulum.scene())
+
+
+@pytest.mark.parametrize(
+    ("rate", "by_angle", "momentum"),
+    [
+        ("d/dt[dL/d[dtheta/dt]]", "dL/dtheta", "d/dt[m*l^2/3*dtheta/dt]"),
+        ("d/dt(dL/d(dtheta/dt))", "dL/dtheta", "d/dt(m*l^2/3*dtheta/dt)"),
+        ("d/dt[∂L/∂θ']", "∂L/∂θ", "m*l^2/3*d^2/dt^2 theta"),
+    ],
+)
+def test_derivatives_of_brackets_by_rates_and_before_names(
+    rate: str, by_angle: str, momentum: str
+) -> None:
+    text = (
+        "L = m*l^2/6*(dtheta/dt)^2 - m*g*l/2*cos theta\n"
+        f"{rate} = {by_angle} + u\n"
+        f"{momentum} = u + m*g*l/2*sin theta"
+    )
+    found = mechanics.check(ROD, text, notation="text")
+    assert [entry.finding.verdict.name for entry in found.judged] == ["PROVED"] * 3
+    wrong = mechanics.check(
+        ROD, text.replace("u + m", "u - m").replace(f"= {by_angle}", f"= -{by_angle}"),
+        notation="text", blame=False,
+    )  # fmt: skip
+    assert [entry.finding.verdict.name for entry in wrong.judged] == [
+        "PROVED",
+        "REFUTED",
+        "REFUTED",
+    ]
+
+
+def test_an_operator_of_another_power_below_is_no_derivative() -> None:
+    found = mechanics.check(ROD, "d^2/dt theta = 3*g/(2*l)*sin(theta)", notation="text")
+    assert [entry.finding.verdict.name for entry in found.judged] == ["UNDECIDED"]

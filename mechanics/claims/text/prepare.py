@@ -106,6 +106,19 @@ LEIBNIZ = re.compile(
 RATE = re.compile(r"(?<![\w.])d/dt(?=[ \t]*\()")
 """The rate of a bracket, which Modelica calls der."""
 
+OPERATOR = re.compile(
+    r"(?<![\w.])d(?P<two>\^?2|\u00b2)?/dt(?(two)(?:\^?2|\u00b2))[ \t]+(?P<of>[^\W\d]\w*)"
+    r"(?![\w(\[.'])"
+)
+"""A derivative before its name: d^2/dt^2 theta."""
+SQUARE_RATE = re.compile(r"(?<![\w.])d/dt[ \t]*\[(?P<of>[^\[\]\n]*)\]")
+"""The rate of a square bracket."""
+BY_RATE = re.compile(
+    r"(?<![\w.])d(?P<of>[A-Z]\w{0,20})/d"
+    r"(?:\[[ \t]*d(?P<q>\w+)/dt[ \t]*\]|\([ \t]*d(?P<p>\w+)/dt[ \t]*\))"
+)
+"""A derivative by a rate, which is a partial one: dL/d[dtheta/dt]."""
+
 TOOLKIT = re.compile(
     r"(?<![\w.])D(?:t|Dt|2|ifferential)?\(|@(?:variables|parameters|named|mtk\w+)\b"
 )
@@ -138,6 +151,7 @@ def prepared(text: str) -> str:
         text = group.sub(lambda m: f"{m['gap']}({m['sum']})", text)
     text = DOTTED.sub(lambda m: (m[2] + "'" * len(m[1])).ljust(len(m[0])), text)
     text = LEIBNIZ.sub(lambda m: f"{m[1]}''".ljust(len(m[0])), text)
+    text = _derivatives(text)
     text = PROSE.sub(lambda m: " " * len(m[0]), RATE.sub("der ", text))
     text = BLOCK.sub(lambda m: blanked(m[0]), text)
     code = CODE.search(text) is not None
@@ -160,6 +174,18 @@ def prepared(text: str) -> str:
         elif character in " \t" and open_brackets[-1:] == ["["] and _between(text, i):
             out[i] = ","
     return "".join(out)
+
+
+def _derivatives(text: str) -> str:
+    """The text with one spelling of derivatives of a bracket, by a rate, and before a name."""
+    functions = {match["of"] for match in BY_RATE.finditer(text)}
+    text = BY_RATE.sub(
+        lambda m: f"\u2202{m['of']}/\u2202{m['q'] or m['p']}'".ljust(len(m[0])), text
+    )
+    for of in functions:  # the other derivatives of what has one by a rate are partial, too
+        text = re.sub(rf"(?<![\w.])d{of}/d(?!t\b)(?=[^\W\d])", f"\u2202{of}/\u2202", text)
+    text = SQUARE_RATE.sub(lambda m: f"d/dt({m['of']})".ljust(len(m[0])), text)
+    return OPERATOR.sub(lambda m: (m["of"] + "'" * (2 if m["two"] else 1)).ljust(len(m[0])), text)
 
 
 def _letter(match: re.Match[str]) -> str:
