@@ -210,6 +210,12 @@ def named_by_title(title: str, count: int, size: int) -> str | None:
     return SHORT.get(words) or next(named, None) if count == 1 else None
 
 
+def _residuals(sides: Sequence[Expr]) -> list[Claim]:
+    return [
+        (f"residual {i}", EquationOfMotion(), (side, S.Zero)) for i, side in enumerate(sides, 1)
+    ]
+
+
 def taken_otherwise(
     naming: Naming, outputs: Outputs, found: Sequence[Claim], about: str | None, title: str
 ) -> list[tuple[str, list[Claim]]]:
@@ -222,12 +228,14 @@ def taken_otherwise(
     if about is not None or not 0 < len(found) == len(scene.u) <= MOST_ORDERED:
         return []
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
-        rows: list[Claim] = [
-            (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
-            for i, (_, _, sides) in enumerate(found, 1)
-        ]
         words = f"{title} returns residuals: say so, about 'equation of motion'"
-        return [] if scene.inputs else [(words, rows)]
+        ways = {words: [sides[0] for _, _, sides in found]}
+        # Rows may be divided or exchanged as well: such a mass matrix is not the scene's.
+        for signs in (-1, 1), (1, -1), (-1, -1):
+            if parts := manipulator(scene, outputs, signs):
+                c, g = ("+" if sign > 0 else "-" for sign in signs)
+                ways[f"what {title} returns is put together as M u' {c} C {g} G = 0"] = parts
+        return [] if scene.inputs else [(way, _residuals(sides)) for way, sides in ways.items()]
     if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
         return []
     if _named_accelerations(naming, outputs, title, len(found)):
@@ -263,10 +271,17 @@ def _stepped(
     return [*known, (words, Identity(), (Matrix(entries), Matrix(step.composed)))]
 
 
-def manipulator(scene: Scene, outputs: Outputs) -> list[Expr]:
+def manipulator(scene: Scene, outputs: Outputs, signs: tuple[int, int] = (1, 1)) -> list[Expr]:
     """M u' + C u + G, or M u' + c + G, of code that returns M, C and G; empty for other outputs.
 
     Nothing says that they are put together so: what fails is no mistake of theirs.
+
+    Parameters
+    ----------
+    scene : Scene
+    outputs : Outputs
+    signs : tuple of int
+        Of C and G.
     """
     size, shapes = len(scene.u), [value.shape for value in outputs.values]
     square, column = (size, size), (size, 1)
@@ -277,7 +292,7 @@ def manipulator(scene: Scene, outputs: Outputs) -> list[Expr]:
         return []
     mass, turning, field = outputs.values
     turning = turning if turning.shape == column else turning * Matrix(scene.u)
-    return list(mass * Matrix(scene.ud) + turning + field)
+    return list(mass * Matrix(scene.ud) + signs[0] * turning + signs[1] * field)
 
 
 def _of_a_number(

@@ -420,7 +420,8 @@ def _read(
                 continue
             others += [(words, other)] if len(other) == len(found) else []
     unsure = _unsure(scene, outputs, passed, about, title)
-    parts = about is None and manipulator(scene, outputs)
+    parts = about is None and bool(manipulator(scene, outputs))
+    parts = parts and "inv" not in outputs.names[0].lower()  # an inverse is none itself
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
         statement(
