@@ -166,7 +166,7 @@ def _unasked(
     if len(entries) == len(both) and STEP in passed:
         return _stepped(naming, both, entries, title, passed)
     if len(entries) == len(both):
-        rates = _of_a_number(scene, both, entries) or entries
+        rates = _of_a_number(scene, both, entries, title) or entries
         return [_rate_of(scene, symbol, value) for symbol, value in zip(both, rates, strict=True)]
     raise InputError(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
@@ -219,6 +219,12 @@ def spoken(title: str) -> str:
     return TITLE.sub("", plain).strip("_").replace("_", " ")
 
 
+def _residuals(sides: Sequence[Expr]) -> list[Claim]:
+    return [
+        (f"residual {i}", EquationOfMotion(), (side, S.Zero)) for i, side in enumerate(sides, 1)
+    ]
+
+
 def taken_otherwise(
     naming: Naming, outputs: Outputs, found: Sequence[Claim], about: str | None, title: str
 ) -> list[tuple[str, list[Claim]]]:
@@ -233,12 +239,8 @@ def taken_otherwise(
     if manipulator(scene, outputs):
         return _otherwise_together(scene, outputs, title)
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
-        rows: list[Claim] = [
-            (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
-            for i, (_, _, sides) in enumerate(found, 1)
-        ]
         words = f"{title} returns residuals: say so, about 'equation of motion'"
-        return [] if scene.inputs else [(words, rows)]
+        return [] if scene.inputs else [(words, _residuals([sides[0] for _, _, sides in found]))]
     if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
         return []
     if _named_accelerations(naming, outputs, title, len(found)):
@@ -323,14 +325,17 @@ def _otherwise_together(
     c, turning = ("C", turning) if column else ("C u", turning * Matrix(scene.u))
     every = []
     for one, other in product((1, -1), (1, -1, 0)):
-        if (one, other) == (1, 1):
-            continue
         words = f"M u' {SIGN[one]} {c}" + (f" {SIGN[other]} G" if other else "")
         rows = mass * Matrix(scene.ud) + one * turning + other * field
-        claimed: list[Claim] = [
-            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
-            for u, entry in zip(scene.u, rows, strict=True)
-        ]
+        if not scene.inputs:  # the rows are 0, and may be divided or exchanged
+            claimed = _residuals(rows)
+        elif (one, other) == (1, 1):
+            continue
+        else:
+            claimed = [
+                (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+                for u, entry in zip(scene.u, rows, strict=True)
+            ]
         every.append((f"the parts that {title} returns are put together as {words}", claimed))
     return every
 
@@ -338,7 +343,9 @@ def _otherwise_together(
 SIGN = {1: "+", -1: "-"}
 
 
-def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Expr] | None:
+def _of_a_number(
+    scene: Scene, state: Sequence[Expr], entries: Sequence[Expr], title: str
+) -> list[Expr] | None:
     """The rates of a step of explicit Euler whose time is a number: x + 0.02 v, v + 0.02 a.
 
     The coordinates tell it: what is added to each is the same number times its speed.
@@ -350,6 +357,11 @@ def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -
         if symbol in scene.q and table[symbol] in scene.u
     }
     step = ratios.pop() if len(ratios) == 1 else S.Zero
+    if step == 1:
+        raise InputError(
+            f"{title} adds the rates to the state: a step of time 1 says so, dt = 1, and rates are"
+            " no sum"
+        )
     if not (step.is_Rational and step.is_positive):
         return None
     return [(value - symbol) / step for symbol, value in zip(state, entries, strict=True)]
