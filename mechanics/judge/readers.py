@@ -169,7 +169,12 @@ def _with_rest(
     function: str | None,
 ) -> Reading:  # fmt: skip
     """What was read of a file of code, and what stands in it beside that."""
-    naming = Naming(Vocabulary(scene), names or {})
+    vocabulary = Vocabulary(scene)
+    # What code calls a vector is no name of the lines around it.
+    single = {
+        n: m for n, m in (names or {}).items() if m == "t" or vocabulary.target(m) is not None
+    }
+    naming = Naming(vocabulary, single)
     beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
     taken = {word for match in found.names for word in match.meaning.split()}
     values = values_in(text, scene, naming).items()
