@@ -122,8 +122,9 @@ def read(
                 found = read_c(scene, text, function, names, about, origin)
                 return _with_rest(found, scene, thing, text, names, function)
             except InputError as error:
-                if "is not declared" not in str(error) or '#include "' in text:
-                    raise  # a header that is not there may define anything
+                absent = INCLUDED.search(str(error)) or "is not declared" in str(error)
+                if not absent or WHOLE.search(text):
+                    raise
                 try:  # with names that nothing declares as arguments
                     found = read_cpp(scene, text, function, names, about, origin)
                     return _with_rest(found, scene, thing, text, names, function)
@@ -162,6 +163,11 @@ def read(
         if (objects := _returned(thing)) is None:
             raise
     return read_sympy(scene, objects, names, about)
+
+
+INCLUDED = re.compile(r'#include "[^"]*" is not supported')
+WHOLE = re.compile(r"\babs\s*\(")
+"""A function of integers in C, and of real numbers in C++."""
 
 
 def _with_rest(
