@@ -29,6 +29,7 @@ from mechanics.claims.code.python_lines import integrators, reached
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
+from mechanics.grading.casadi_values import made_of
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import libraries_unchanged, used_by
 from mechanics.grading.lost_values import KEEP, keeper, keeping, numbers_of_formulas
@@ -200,13 +201,14 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     lines, unread = claims_of(code, _own(whole))
     formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []
     loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
-    values = [*unread_values(_own(whole), used)]
+    judged = frozenset((chosen, *(other.name for other in others)))
+    again = made_of(code, whole, judged)
+    values = [name for name in unread_values(_own(whole), used) if name not in again]
     if not function:
         known = {chosen, *(o.name for o in others), *(type(whole[n]).__name__ for n in values)}
         deleted = {getattr(one, "name", "") for one in ast.parse(code).body} - {*whole}
         loose += [NotRead(p, NOT_JUDGED) for p in unjudged_functions(code, known | deleted)]
     loose += [NotRead(name, WHY) for name in values]
-    judged = frozenset((chosen, *(other.name for other in others)))
     formulas += equations_in(shown_things)
     numbers = tuple(numbers_of_formulas(code, whole, used))
     formulas += [Numbers(numbers)] if numbers else []

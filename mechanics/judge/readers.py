@@ -153,6 +153,11 @@ def read(
     return read_sympy(scene, objects, names, about)
 
 
+INCLUDED = re.compile(r'#include "[^"]*" is not supported')
+WHOLE = re.compile(r"\babs\s*\(")
+"""A function of integers in C, and of real numbers in C++."""
+
+
 def _read_c_file(
     scene: Scene, text: str, suffix: str, function: str | None, names: Mapping[str, str] | None,
     about: str | None, origin: str,
@@ -162,8 +167,9 @@ def _read_c_file(
     try:
         return read_c(scene, text, function, names, about, origin)
     except InputError as error:
-        if "is not declared" not in str(error) or '#include "' in text:
-            raise  # a header that is not there may define anything
+        absent = INCLUDED.search(str(error)) or "is not declared" in str(error)
+        if not absent or WHOLE.search(text):
+            raise
         try:  # with names that nothing declares as arguments
             return read_cpp(scene, text, function, names, about, origin)
         except InputError:
@@ -175,7 +181,12 @@ def _with_rest(
     function: str | None,
 ) -> Reading:  # fmt: skip
     """What was read of a file of code, and what stands in it beside that."""
-    naming = Naming(Vocabulary(scene), names or {})
+    vocabulary = Vocabulary(scene)
+    # What code calls a vector is no name of the lines around it.
+    single = {
+        n: m for n, m in (names or {}).items() if m == "t" or vocabulary.target(m) is not None
+    }
+    naming = Naming(vocabulary, single)
     beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
     taken = {word for match in found.names for word in match.meaning.split()}
     values = values_in(text, scene, naming).items()

@@ -153,3 +153,44 @@ def test_a_header_that_is_not_here_leaves_all_open_unless_it_changes_nothing(
         assert f"--convention '{HARMLESS}'" in str(found)
         declared = _checked(tmp_path, "arm.cpp", HEADER + text, convention=HARMLESS)
         assert declared.verdict.name == verdict
+
+
+FLAT = """#include <math.h>
+%s
+void inertia_of_arm(const double q[2], double %s[4], double m1, double m2, double l1, double l2)
+{
+  double c = cos(q[1]);
+  %s[0] = (m1 + m2)*l1*l1 + m2*l2*l2 + 2*m2*l1*l2*c;
+  %s[1] = m2*l2*l2 + m2*l1*l2*c;
+  %s[2] = %s[1];
+  %s[3] = m2*l2*l2;
+}
+"""
+
+
+def _flat(name: str, first: str = "") -> str:
+    return FLAT % (first, *(name,) * 6)
+
+
+@pytest.mark.parametrize("ending", ["c", "cpp"])
+def test_a_matrix_in_one_row_is_known_by_its_name(ending: str, tmp_path: Path) -> None:
+    """It takes no speeds: no rates of the state are it."""
+    text = _flat("M")
+    assert _checked(tmp_path, f"a.{ending}", text).verdict.name == "PROVED"
+    for right, wrong in (("2*m2*l1", "m2*l1"), ("l2;\n}", "l1;\n}")):
+        assert right in text
+        found = _checked(tmp_path, f"a.{ending}", text.replace(right, wrong))
+        assert found.verdict.name == "REFUTED"
+    with pytest.raises(InputError, match="takes no speeds"):
+        _checked(tmp_path, f"a.{ending}", _flat("out"))
+
+
+def test_c_with_a_header_of_its_own_is_open(tmp_path: Path) -> None:
+    text = _flat("M", HEADER)
+    wrong = text.replace("2*m2*l1", "m2*l1")
+    for told, verdict in ((text, "PROVED"), (wrong, "REFUTED")):
+        assert _checked(tmp_path, "a.c", told).verdict.name == "UNDECIDED"
+        found = _checked(tmp_path, "a.c", told, convention=HARMLESS)
+        assert found.verdict.name == verdict
+    with pytest.raises(InputError):  # C's abs is one of integers
+        _checked(tmp_path, "a.c", text.replace("cos(q[1])", "cos(abs(q[1]))"), convention=HARMLESS)

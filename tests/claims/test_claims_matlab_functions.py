@@ -9,6 +9,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import mechanics
 from benchmarks.corpus.builders import P, pendulum, two_link_arm
 from benchmarks.corpus.scenes.arms_chasers_discs import feder
+from benchmarks.corpus.scenes.satellites_and_springs import satellite_torque
 from mechanics.claims.code.matlab import Unread, in_python
 from mechanics.cli.load import load
 from mechanics.errors import InputError
@@ -322,3 +323,35 @@ def test_integers_that_no_double_is_are_refused(body: str) -> None:
     with pytest.raises((ValueError, Unread), match="more than a double holds exactly"):
         (one,) = functions(f"function y = f(x)\n{body}\nend")
         one(x=1.0)
+
+
+EULER = """function [dx] = euler(x, L)
+dx = zeros(%s, 1);
+dx(1) = (x(5) - x(6))*x(2)*x(3)/x(4) + L(1)/x(4);
+dx(2) = (x(6) - x(4))*x(1)*x(3)/x(5) + L(2)/x(5);
+dx(3) = (x(4) - x(5))*x(1)*x(2)/x(6) + L(3)/x(6);
+%s
+end
+"""
+MEANT = {"x": "w1 w2 w3 I1 I2 I3", "L": "M1 M2 M3"}
+
+
+@pytest.mark.parametrize(
+    ("size", "more", "verdict"),
+    [("length(x)", "", "PROVED"), ("numel(x)", "", "PROVED"), ("6", "dx(4) = 0;", "PROVED"),
+     ("6", "dx(4) = x(1);", ""), ("length(L)", "", "PROVED"), ("length(x)", "dx(3) = 0;", ""),
+     ("length(x) + 1", "", "")],
+)  # fmt: skip
+def test_speeds_and_what_is_held_are_a_state(
+    size: str, more: str, verdict: str, tmp_path: Path
+) -> None:
+    path, text = tmp_path / "euler.m", EULER % (size, more)
+    for told, expected in (
+        (text, verdict), (text.replace("L(2)/x(5)", "L(2)/x(4)"), verdict and "REFUTED"),
+    ):  # fmt: skip
+        path.write_text(told)
+        try:
+            found = mechanics.check(satellite_torque(), path, names=MEANT, blame=False).verdict.name
+        except InputError:
+            found = ""
+        assert found == expected

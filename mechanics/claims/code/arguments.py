@@ -166,6 +166,8 @@ def arguments_of(
         entries = (found,) if isinstance(found, Expr) else tuple(found)
         if {*entries} & {*scene.q} and {*entries} & {*scene.u}:
             state = entries
+        if {*scene.u} < {*entries} <= {*scene.u, *scene.parameters}:
+            state = entries  # speeds, and what is held
         if name in parted and why not in SAID and contradicted(naming, apart, name, entries):
             unexplained.append(name)
             continue

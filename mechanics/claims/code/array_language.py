@@ -144,6 +144,16 @@ def size(a: Any, axis: int, indices: int) -> int:
     return int(np.size(a) if indices == 1 else table(a).shape[axis])
 
 
+def length(a: Any) -> int:
+    """How many rows or columns there are, whichever are more."""
+    return max(table(a).shape) if np.size(a) else 0
+
+
+def numel(a: Any) -> int:
+    """How many entries there are."""
+    return int(np.size(a))
+
+
 def get(a: Any, *indices: Any) -> Any:
     """a(2), a(1:2), a(2, :)"""
     array = table(a)

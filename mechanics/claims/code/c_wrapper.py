@@ -42,7 +42,8 @@ class Call:
     result : bool
         Whether it returns a number.
     outputs : tuple of str
-        What the text calls the outputs, where each is a number of its own; its name for a result.
+        What the text calls the outputs, where each is a number of its own, or all are one
+        array; its name for a result.
     coord : str
         Where it begins: file, line and column.
     begins : tuple of str
@@ -120,7 +121,7 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
             outputs.append(declaration.name)
     if not 0 < size <= LARGEST_ARRAY:
         raise InputError(f"{source.file}: {chosen} has {size} outputs")
-    coord, named = str(function.decl.coord), tuple(outputs) if len(outputs) == size else ()
+    coord, named = str(function.decl.coord), tuple(outputs) if len(outputs) in (1, size) else ()
     return Call(chosen, text, inputs, tuple(arguments), size, result, coord, named, tuple(begins))
 
 

@@ -1113,8 +1113,8 @@ def _call(node: Any, one: Function) -> str:
             given = _passed(one.known[name], parts, given, one)
         return f"{name}({joined(given)})"
     if name in one.arguments and name not in one.locals and _is_time(parts, one):
-        names = (i for part in one.body for i in within(part, "identifier") if _is_name(i))
-        if any(name_of(i) == name and not _is_called(i) for i in names):
+        own = [i for part in one.body for i in within(part, "identifier") if _is_name(i)]
+        if not all(_is_called(i) for i in own if name_of(i) == name):
             raise refuse(node, f"{name} is a function and something else: rename one")
         one.passed.add(head.id)
         one.free.setdefault(f"{name}{OF_TIME}")

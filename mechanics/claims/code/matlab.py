@@ -783,6 +783,8 @@ def _call(node: Any, scope: Scope) -> str:
         return f"inverse({joined(given)})"
     if name in ARRAYS:
         return f"{'total' if name == 'sum' else name}({joined(given)})"
+    if name in ("length", "numel") and given and given[0].isidentifier():
+        return f"{name}({joined(given)})"
     if name == "wrapToPi" and len(given) == 1:  # of pi it is the same angle, -pi
         return f"minus(np.mod(plus({given[0]}, np.pi), 2*np.pi), np.pi)"
     if name == "transpose":

@@ -127,6 +127,15 @@ def _unasked(
         ]
     if len(values) == 1 and values[0].shape == (size, size) and size > 1:
         return [("mass matrix", MassMatrix(), (values[0],))]
+    moved = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
+    if len(values) == 1 and len(values[0]) == size**2 > 1 and not moved & {*passed}:
+        # Without speeds it returns no rates of the state, however many numbers these are.
+        if [name.lower() in MASSES for name in outputs.names] == [True]:
+            return [("mass matrix", MassMatrix(), (values[0].reshape(size, size),))]
+        raise InputError(
+            f"{title} takes no speeds and returns {size**2} numbers: say what it is:"
+            f" {_choices(naming)}"
+        )
     entries = [entry for value in values for entry in value]
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
