@@ -113,6 +113,54 @@ ARGUMENTS = (
     "solve_ivp(lambda t, y: rate(t, -y, *p), (0, 1), y)",
     "solve_ivp(lambda t, y: [y[1], accel(y[1], y[0], *p)], (0, 1), y)",
 )
+CLASS = """class Model:
+    def __init__(self, m, l, g, u): self.m, self.l, self.g, self.u = m, l, g, u
+    def {}(self, {}):
+        return {}
+"""
+PLACED = (
+    CLASS.format("__call__", "t, y", "rate(t, y, self.m, self.l, self.g, -self.u)"),
+    CLASS.format("rhs", "t, y", "rate(t, y, self.m, self.l, self.g, 2*self.u)"),
+    CLASS.format("__call__", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)[::-1]"),
+    CLASS.format("rhs", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)[[1, 0]]"),
+    CLASS.format("rhs", "y, t", "rate(t, y, self.m, self.l, self.g, self.u)")
+    + "solve_ivp(Model(*p).rhs, (0, 1), y)",
+    CLASS.format("__call__", "y, t", "rate(t, y, self.m, self.l, self.g, self.u)")
+    + "model = Model(*p)\nsolve_ivp(model, (0, 1), y)",
+    CLASS.format("rhs", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)")
+    + "model = Model(1.0, 1.0, -9.81, 0.0)",
+    "for i in range(9):\n    a = accel(th, w, m, w, g, u)\n    w += a*dt\n    th += w*dt",
+    "print(accel(th, w, m, l, g, w))",
+    "rate(t, y, m, y[1], g, u)",
+    "print(accel(s.a, s.b, m, s.b, g, u))",
+    "solve_ivp(lambda y, t: rate(t, y, *p), (0, 1), y)",
+    "odeint(lambda t, y: rate(t, y, *p), y, ts)",
+    "def f(y, t): return rate(t, y, *p)\nsolve_ivp(f, (0, 1), y)",
+    "f = lambda y, t: rate(t, y, *p)\nsolve_ivp(f, (0, 1), y)",
+    "solve_ivp(rate, (0, 1), y, args=(m, l, 0 - 9.81, u))",
+    "solve_ivp(rate, (0, 1), y, args=(m, l, 0.0, u))",
+    "gravity = -9.81\nsolve_ivp(rate, (0, 1), y, args=(m, l, gravity, u))",
+    "q = dict(m=1.0, l=1.0, g=-9.81, u=0.0)",
+    "q = {'m': 1.0, 'l': 1.0, 'g': -9.81, 'u': 0.0}",
+    "def f(t, y):\n    d = rate(t, y, *p)\n    return [d[1], d[0]]",
+    "def f(t, y):\n    a, b = rate(t, y, *p)\n    return np.array([b, a])",
+)
+INNOCENT = (
+    CLASS.format("__call__", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)")
+    + "solve_ivp(Model(1.0, 1.0, 9.81, -0.5), (0, 1), y)",
+    CLASS.format("rhs", "y, t", "rate(t, y, self.m, self.l, self.g, self.u)")
+    + "odeint(Model(*p).rhs, y, ts)",
+    "odeint(lambda t, y: rate(t, y, *p), y, ts, tfirst=True)",
+    "solve_ivp(lambda t, y: rate(t, y, m, l, g, -2*y[0] - y[1]), (0, 1), y)",
+    "solve_ivp(lambda t, y: rate(t, y, m, l, g, -k*y), (0, 1), y)",
+    "solve_ivp(rate, (0, 1), y, args=(1.0, 1.0, 9.81, -0.5))",
+    "solve_ivp(lambda s, z: rate(s, z, *p), (0, 1), y)",
+    "def f(t, y):\n    a, b = rate(t, y, *p)\n    return np.array([a, b])",
+    "d = rate(t, y, *p)\nprint(d[0], d[1])",
+    "print(accel(s.th, s.w, s.m, s.l, s.g, s.u))",
+    "print(accel(s['th'], s['w'], s['m'], s['l'], s['g'], 0.0))",
+    "plt.plot(sol.y[0][::-1])",
+)
 RK4 = """k1 = {f}(t, y{p})
     k2 = {f}(t + {h}/2, y + {h}/2*k1{p})
     k3 = {f}(t + {h}/2, y + {h}/2*k2{p})
@@ -159,14 +207,14 @@ def _quoted(text: str) -> tuple[str, ...]:
     return lines_around(f"{FUNCTIONS}{text}\n", {"rate"}, NAMING)
 
 
-@pytest.mark.parametrize("text", [*LAWS, *STEPS, *CHANGED, *ARGUMENTS])
+@pytest.mark.parametrize("text", [*LAWS, *STEPS, *CHANGED, *ARGUMENTS, *PLACED])
 def test_a_law_a_wrong_step_a_changed_result_and_exchanged_arguments_are_quoted(text: str) -> None:
     quoted = _quoted(text)
     assert quoted
     assert {*quoted} <= {" ".join(line.split())[:60] for line in text.splitlines()}
 
 
-@pytest.mark.parametrize("text", NOTHING)
+@pytest.mark.parametrize("text", [*NOTHING, *INNOCENT])
 def test_calls_plots_and_right_integrators_say_nothing(text: str) -> None:
     assert _quoted(text) == ()
 

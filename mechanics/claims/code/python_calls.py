@@ -5,7 +5,7 @@ rate(w, th, g, l)        odeint(rate, y0, t, args=(l, g))        rate(th, w, -g,
 """
 
 import ast
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from mechanics.claims.code.python_steps import Called
 from mechanics.claims.names import Naming
@@ -13,6 +13,8 @@ from mechanics.claims.spelled_rates import key
 from mechanics.scene.symbols import plain_symbol
 
 Defined = ast.FunctionDef | ast.AsyncFunctionDef
+Slot = tuple[str, str, int]
+"""The name of an argument, its role, and which coordinate it is."""
 TIMES = ("t", "time", "ti", "t0", "tn", "t_i", "t_n", "tk", "_t", "_")
 KEEPING = ("array", "asarray", "float", "copy", "radians", "deg2rad", "list", "tuple", "ravel",
            "flatten", "squeeze", "tolist", "item", "float64", "zeros", "ones", "zeros_like", "full",
@@ -87,15 +89,22 @@ class Calls:
             return "u", self.speeds.index(base)
         return ("parameter", 0) if base in self.naming.vocabulary.constants else ("other", 0)
 
-    def wrong(self, node: ast.Call, step: bool) -> bool:
+    def wrong(self, node: ast.Call, step: bool, moving: Collection[str] = ()) -> bool:
         """Whether a call has arguments that are not what the function calls them.
 
         Parameters
         ----------
         step : bool
             Whether it is a part of an integrator's step, which moves what moves.
+        moving : collection of str
+            Places around the call that hold what moves.
         """
         name = word(node.func)
+        if name in self.functions and any(
+            role in ("parameter", "other") and place_of(arg) in moving
+            for (_, role, _), arg in self._pairs(self.functions[name], node)
+        ):
+            return True
         if name == "set_f_params":
             return any(
                 self._differ(called, called.slots[2:], node.args, node.keywords, False)
@@ -140,7 +149,55 @@ class Calls:
         keywords: Sequence[ast.keyword], step: bool,
     ) -> bool:  # fmt: skip
         """Whether some argument is not what its name says."""
-        pairs: list[tuple[tuple[str, str, int], ast.expr]] = []
+        pairs = self._matched(called, slots, args, keywords)
+        if not step and self._misplaced(pairs):
+            return True
+        return any(not self._is_same(called, slot, arg, step) for slot, arg in pairs)
+
+    def _pairs(self, called: Called, node: ast.Call) -> list[tuple[Slot, ast.expr]]:
+        return self._matched(called, called.slots, node.args, node.keywords)
+
+    def moved(self, inside: Iterable[ast.AST]) -> set[str]:
+        """Places that calls of judged functions take for coordinates, speeds or the state."""
+        found = {
+            place_of(part)
+            for one in inside if isinstance(one, ast.Call) and word(one.func) in self.functions
+            for (_, role, _), arg in self._pairs(self.functions[word(one.func)], one)
+            if role in ("q", "u", "state")
+            for part in (arg.elts if isinstance(arg, ast.List | ast.Tuple) else [arg])
+        }  # fmt: skip
+        return found - {""}
+
+    def reversed_by(self, function: ast.Lambda | Defined, early: bool) -> bool:
+        """Whether a function that a solver calls takes the time for the state.
+
+        Parameters
+        ----------
+        early : bool
+            Whether the solver gives the time before the state.
+        """
+        names = [a.arg for a in (*function.args.posonlyargs, *function.args.args)]
+        names = [n for n in names if n not in ("self", "cls")][:2]
+        if len(names) < 2:
+            return False
+        time, state = names if early else reversed(names)
+        body = function.body if isinstance(function.body, list) else [function.body]
+        pairs = [
+            pair for line in body for one in ast.walk(line)
+            if isinstance(one, ast.Call) and word(one.func) in self.functions
+            for pair in self._pairs(self.functions[word(one.func)], one)
+        ]  # fmt: skip
+        return any(
+            place_of(arg) == (state if role == "time" else time)
+            for (_, role, _), arg in pairs if role in ("time", "q", "u", "state")
+        )  # fmt: skip
+
+    def _matched(
+        self, called: Called, slots: Sequence[Slot], args: Sequence[ast.expr],
+        keywords: Sequence[ast.keyword],
+    ) -> list[tuple[Slot, ast.expr]]:  # fmt: skip
+        """Arguments with what they stand for."""
+        pairs: list[tuple[Slot, ast.expr]] = []
         rest = [*slots]
         for arg in args:
             if isinstance(arg, ast.Starred):
@@ -153,10 +210,7 @@ class Calls:
                 pairs.append((rest.pop(0), arg))
         names = {slot[0]: slot for slot in called.slots}
         given = [pair for k in keywords for pair in self._given(k)]
-        pairs += [(names[k], value) for k, value in given if k in names]
-        if not step and self._misplaced(pairs):
-            return True
-        return any(not self._is_same(called, slot, arg, step) for slot, arg in pairs)
+        return pairs + [(names[k], value) for k, value in given if k in names]
 
     def _given(self, keyword: ast.keyword) -> list[tuple[str, ast.expr]]:
         """What an option of a call gives, or a table of such."""
@@ -189,7 +243,7 @@ class Calls:
         if role == "time":
             return not isinstance(arg, ast.UnaryOp)
         if role == "other" and not isinstance(arg, ast.Name | ast.Attribute):
-            return True  # an input
+            return not self._remakes(arg, name)  # what a controller makes is an input
         if isinstance(arg, ast.List | ast.Tuple) and role in ("state", "q", "u"):
             parts = self._entries_of(called, name)
             plain = all(self._is_value(part) for part in arg.elts)
@@ -197,9 +251,11 @@ class Calls:
                 self._is_another(part, entry, parts)
                 for part, entry in zip(arg.elts, parts, strict=False)
             )
+        value = self._resolved(arg)
+        if role == "parameter" and value is not None and self.excluded(name, value):
+            return False
         if _is_number(arg):
-            positive = role == "parameter" and self._is_positive(name)
-            return not (positive and isinstance(arg, ast.UnaryOp))
+            return True
         others = [n for n, _, _ in called.slots]
         return self._is_value(arg) and not self._is_another(arg, name, others)
 
@@ -241,10 +297,27 @@ class Calls:
         bare = name.rstrip("0").rstrip("_")
         return self.naming.lookup(name) or (self.naming.lookup(bare) if bare else None)
 
-    def _is_positive(self, name: str) -> bool:
+    def _remakes(self, arg: ast.expr, name: str) -> bool:
+        """Whether an argument is made of what already is the one that it stands for: -u, 2*u."""
+        made = [n for n in ast.walk(arg) if isinstance(n, ast.BinOp | ast.UnaryOp)]
+        parts = [word(n) for one in made for n in ast.walk(one)]
+        meaning = self._meaning(name)
+        return any(
+            key(part) == key(name) or (meaning is not None and self._meaning(part) == meaning)
+            for part in parts if part
+        )  # fmt: skip
+
+    def excluded(self, name: str, node: ast.expr) -> bool:
+        """Whether a parameter of the scene cannot have the number that something is."""
+        value = number_of(node)
         found = self.naming.lookup(name)
         constants = self.naming.vocabulary.constants
-        return bool(found and found[0] in constants and constants[found[0]].is_positive)
+        if value is None or found is None or found[0] not in constants:
+            return False
+        positive = constants[found[0]].is_positive
+        return (value <= 0 and bool(positive)) or (
+            value < 0 and bool(constants[found[0]].is_nonnegative)
+        )
 
     def _entries_of(self, called: Called, name: str) -> list[str]:
         """Names of the entries of a state in a function: th, w = y."""
@@ -338,6 +411,42 @@ def _parted(node: Defined) -> set[str]:
             case ast.Assign(targets=[ast.Tuple()], value=ast.Name(id=name)):
                 found.add(name)
     return found
+
+
+def number_of(node: ast.expr) -> float | None:
+    """The number that an expression of numbers is."""
+    match node:
+        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+            return float(value)
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            size = number_of(inner)
+            return None if size is None else -size
+        case ast.BinOp(left=left, op=ast.Add() | ast.Sub() | ast.Mult() | ast.Div() as op,
+                       right=right):  # fmt: skip
+            one, other = number_of(left), number_of(right)
+            if one is None or other is None:
+                return None
+            match op:
+                case ast.Add():
+                    return one + other
+                case ast.Sub():
+                    return one - other
+                case ast.Mult():
+                    return one * other
+                case ast.Div() if other:
+                    return one / other
+    return None
+
+
+def place_of(node: ast.expr) -> str:
+    """Where a value stands: th of th[i], self.w of self.w; empty for what is made."""
+    while isinstance(node, ast.Subscript) and not (
+        isinstance(node.slice, ast.Constant) and isinstance(node.slice.value, str)
+    ):
+        node = node.value
+    if isinstance(node, ast.Call) and len(node.args) == 1 and word(node.func) in KEEPING:
+        return place_of(node.args[0])
+    return ast.unparse(node) if isinstance(node, ast.Name | ast.Attribute | ast.Subscript) else ""
 
 
 def _is_number(node: ast.AST) -> bool:

@@ -24,6 +24,7 @@ from mechanics.claims.code.python_calls import (
     fixed_in,
     passed,
     word,
+    word_of_truth,
 )
 from mechanics.claims.code.python_steps import Called, stepped, unwrapped_angle
 from mechanics.claims.names import Naming
@@ -204,6 +205,11 @@ class _File:
         self.gone = [n for n in tree.body if isinstance(n, DEFINED) and n.name in own
                      and id(n) not in self.judged]  # fmt: skip
         self.kinds = {n.name for n in ast.walk(tree) if isinstance(n, ast.ClassDef)}
+        self.makers, self.callables = (
+            {kind.name: part for kind in ast.walk(tree) if isinstance(kind, ast.ClassDef)
+             for part in kind.body if isinstance(part, DEFINED) and part.name == name}
+            for name in ("__init__", "__call__")
+        )  # fmt: skip
         self.calls = Calls(tree, judged, naming)
         scene = naming.vocabulary.scene
         self.size = len(scene.q) + len(scene.u)
@@ -236,6 +242,17 @@ class _File:
             found += _Scope(self, body, function).found()
         return found
 
+    def called(self, node: ast.Call) -> Defined | None:
+        """The function of the file that a call runs."""
+        name = word(node.func)
+        return self.makers.get(name) if name in self.kinds else self.functions.get(name)
+
+    def handed(self, node: ast.expr) -> Defined | None:
+        """The function of the file that something is: rate, model.rate, Model(...)."""
+        if isinstance(node, ast.Call):
+            return self.callables.get(word(node.func))
+        return self.functions.get(word(node))
+
     def _is_judged(self, line: ast.stmt) -> bool:
         """Whether a line gives a function without a name that is judged its name."""
         match line:
@@ -267,6 +284,13 @@ class _Scope:
             self.known[name] = passed(name, self.inside)
         self.right: set[int] = set()
         self.lines = [*_assigned(self.inside)]
+        self.moving = self.file.calls.moved(self.inside)
+        self.unpacked = [
+            [*map(word, one.targets[0].elts)]
+            for one in self.inside
+            if isinstance(one, ast.Assign) and isinstance(one.targets[0], ast.Tuple)
+            and isinstance(one.value, ast.Call) and word(one.value.func) in self.file.results
+        ]  # fmt: skip
 
     def found(self) -> Iterator[ast.AST]:
         """What of the scope says something."""
@@ -280,10 +304,16 @@ class _Scope:
             elif isinstance(one, ast.Lambda):
                 if not self._is_plain(one):
                     yield one
-            elif isinstance(one, ast.Assign) and self._is_motion(one):
+            elif isinstance(one, ast.Assign):
+                if self._is_motion(one):
+                    yield one
+            elif isinstance(one, ast.Dict) and self._has_excluded(one):
                 yield one
         for one in self.inside:
-            if isinstance(one, ARITHMETIC) and id(one) not in self.right:
+            if isinstance(one, ast.Subscript | ast.List | ast.Tuple):
+                if self._reorders(one, tainted):
+                    yield one
+            elif isinstance(one, ARITHMETIC) and id(one) not in self.right:
                 if self._changes(one, tainted):
                     yield one
             elif isinstance(one, ast.Call) and id(one) not in self.right:
@@ -293,6 +323,14 @@ class _Scope:
 
     def _own(self) -> set[str]:
         return {*self.file.functions, *self.file.kinds, *self.passed}
+
+    def _has_excluded(self, node: ast.Dict) -> bool:
+        pairs = zip(node.keys, node.values, strict=True)
+        return any(
+            isinstance(k, ast.Constant) and isinstance(k.value, str)
+            and self.file.calls.excluded(k.value, value)
+            for k, value in pairs
+        )  # fmt: skip
 
     # what goes from a turn to the next
 
@@ -482,8 +520,53 @@ class _Scope:
     def _call(self, node: ast.Call) -> Iterator[ast.AST]:
         name = word(node.func)
         hides = name in HIDDEN | LINEAR | INSIDE or any(k.arg == "out" for k in node.keywords)
-        if hides or self.file.calls.wrong(node, id(node) in self.right):
+        wrong = self.file.calls.wrong(node, id(node) in self.right, self.moving)
+        if hides or wrong or self._is_excluded(node) or self._is_reversed(node):
             yield node
+
+    def _is_excluded(self, node: ast.Call) -> bool:
+        """Whether a call gives a parameter a number that it cannot have."""
+        excluded = self.file.calls.excluded
+        pairs = [(k.arg, k.value) for k in node.keywords if k.arg]
+        if (function := self.file.called(node)) is not None:
+            names = [a.arg for a in function.args.args if a.arg not in ("self", "cls")]
+            pairs += zip(names, node.args, strict=False)
+        return any(excluded(name, value) for name, value in pairs)
+
+    def _is_reversed(self, node: ast.Call) -> bool:
+        """Whether a solver is handed a function that takes the time for the state."""
+        if word(node.func) not in (*TIME_FIRST, *STATE_FIRST) or not node.args:
+            return False
+        early = word(node.func) in TIME_FIRST or any(
+            k.arg == "tfirst" and word_of_truth(k.value) for k in node.keywords
+        )
+        handed = node.args[0]
+        if isinstance(handed, ast.Name):
+            handed = self.file.fixed.get(handed.id, handed)
+        function = handed if isinstance(handed, ast.Lambda) else self.file.handed(handed)
+        return function is not None and self.file.calls.reversed_by(function, early)
+
+    def _reorders(self, node: ast.AST, tainted: Collection[str]) -> bool:
+        """Whether it has entries of a result in another order."""
+        if isinstance(node, ast.Subscript):
+            back = any(
+                isinstance(n, ast.Slice) and isinstance(n.step, ast.UnaryOp)
+                for n in ast.walk(node.slice)
+            )
+            chosen = isinstance(node.slice, ast.List) and _is_unsorted(node.slice.elts)
+            return (back or chosen) and self.holds(node.value, tainted)
+        if not isinstance(node, ast.List | ast.Tuple) or not isinstance(node.ctx, ast.Load):
+            return False
+        parts = [n for n in node.elts if isinstance(n, ast.Subscript)
+                 and self.holds(n.value, tainted)]  # fmt: skip
+        single = len({ast.unparse(n.value) for n in parts}) == 1
+        if single and _is_unsorted([n.slice for n in parts]):
+            return True
+        labels = [*map(word, node.elts)]
+        return any(
+            [name for name in labels if name in line] != [name for name in line if name in labels]
+            for line in self.unpacked
+        )
 
     def _is_plain(self, node: ast.Lambda) -> bool:
         """Whether a function without a name calls one of the file, or takes a part of something."""
@@ -620,6 +703,11 @@ def _feeding(lines: Sequence[_Line], names: Collection[str]) -> set[str]:
             if line.targets & found:
                 found |= _roots(line.value)
     return found
+
+
+def _is_unsorted(places: Sequence[ast.expr]) -> bool:
+    numbers = [p.value for p in places if isinstance(p, ast.Constant) and isinstance(p.value, int)]
+    return numbers != sorted(numbers)
 
 
 def _arguments(node: ast.Call) -> list[ast.expr]:
