@@ -137,3 +137,24 @@ def test_a_column_is_one(old: str, new: str, tmp_path: Path) -> None:
 def test_what_is_wrong_in_columns_is_not_proved(old: str, new: str, tmp_path: Path) -> None:
     assert old in COLUMNS
     assert _verdict(COLUMNS.replace(old, new), tmp_path) in ("REFUTED", "UNDECIDED", "not read")
+
+
+TOGETHER = """import casadi as ca
+def model(m=1.0, l=2.0, g=9.81):
+    angle, rate, u = ca.KIND.sym("theta"), ca.KIND.sym("theta_dot"), ca.KIND.sym("u")
+    x = ca.vertcat(ORDER)
+    acceleration = 3*g/(2*l)*ca.sin(angle) + 3*u/(m*l**2)
+    return x, u, ca.vertcat(RATES)
+"""
+
+
+@pytest.mark.parametrize("kind", ["MX", "SX"])
+def test_what_is_put_together_is_a_state_in_that_order(kind: str, tmp_path: Path) -> None:
+    for order, rates, verdict in (
+        ("angle, rate", "rate, acceleration", "PROVED"),
+        ("rate, angle", "acceleration, rate", "PROVED"),
+        ("rate, angle", "rate, acceleration", "REFUTED"),
+        ("angle, rate", "acceleration, rate", "REFUTED"),
+    ):
+        text = TOGETHER.replace("KIND", kind).replace("ORDER", order).replace("RATES", rates)
+        assert _verdict(text, tmp_path) == verdict

@@ -5,6 +5,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
 from benchmarks.corpus.builders import P, pendulum, two_masses
+from mechanics.errors import InputError
 from mechanics.scene import force
 
 
@@ -43,3 +44,16 @@ def test_the_name_of_a_function_says_which_acceleration_it_returns() -> None:
 
     assert mechanics.check(masses(), compute_x2dd).verdict.name == "PROVED"
     assert mechanics.check(masses(), compute_x1dd, blame=False).verdict.name == "REFUTED"
+
+
+def test_rates_that_are_added_to_the_state_are_no_step_of_time_one() -> None:
+    space: dict = {}
+    exec(
+        "from math import sin\ndef rates(theta, theta_dot, g, l):\n"
+        "    return theta + theta_dot, theta_dot - g/l*sin(theta)",
+        space,
+    )
+    m, l, g = P("m:kg l:m g:m/s^2")
+    scene = pendulum(dynamicsymbols("theta"), m, 0, l, g)
+    with pytest.raises(InputError, match="dt = 1"):
+        mechanics.check(scene, space["rates"], blame=False)

@@ -93,3 +93,39 @@ def test_what_is_wrong_is_not_proved(old: str, new: str, tmp_path: Path) -> None
 def test_a_wrong_term_is_refuted(tmp_path: Path) -> None:
     assert _verdict(ROD.replace("m*l*l/3", "m*l*l"), tmp_path) == "REFUTED"
     assert _verdict(ROD.replace("x.segment(0, 1)", "x.segment(1, 1)"), tmp_path) == "REFUTED"
+
+
+STEPS = """#include <Eigen/Dense>
+Eigen::Vector2d rates(const Eigen::Vector2d& x, double u, double m, double l, double g) {{
+  Eigen::Vector2d d = x;
+  {} d(1) = 0; d(0) = {};
+  d(1) = 3*g/(2*l)*std::sin(x(0)) + 3*u/(m*l*l);
+  return d;
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("2*d", "t(1)/2"), ("-d", "-t(1)"), ("d + d", "t(1)/2"), ("d", "t(1)"), ("d.tail(1)", "t(0)")],
+)
+def test_auto_computes_again_what_a_type_keeps(name: str, value: str, tmp_path: Path) -> None:
+    kept = f"Eigen::VectorXd t = {name};"
+    assert _verdict(STEPS.format(kept, value), tmp_path) == "PROVED"
+    if name == "d":
+        return
+    for again in (f"auto t = {name};", f"auto s = {name}; auto t = s;"):
+        assert _verdict(STEPS.format(again, value), tmp_path) == "not read"
+        assert _verdict(STEPS.format(again, value).replace("d(1) = 0;", ""), tmp_path) != "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        STEPS.format("Eigen::Ref<Eigen::Vector2d> t = d;", "t(1)"),
+        STEPS.format("auto s = d.head(2); s << 0, x(1);", "x(1)"),
+        STEPS.format("auto t = d.tail(1); d << 0, 0;", "t(0)"),
+    ],
+)
+def test_a_part_by_another_name_is_not_read(text: str, tmp_path: Path) -> None:
+    assert _verdict(text, tmp_path) == "not read"

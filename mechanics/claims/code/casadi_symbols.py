@@ -9,20 +9,39 @@ Arguments become symbols, too: a number that one has by default is no more than 
 
 import inspect
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from random import Random
 from types import CodeType, FunctionType
 from typing import Any
 
 import casadi
 
+from mechanics.claims.code.unpacking import Apart
 from mechanics.errors import InputError
 
 KINDS = ("MX", "SX")
+TOGETHER = "state"
+"""Names what is put together of several symbols."""
 DRAWS, CLOSE = 4, 1e-9
 """States at which the function is called with numbers, and how near its formulas have to be."""
 
 
-def function_of(function: Callable[..., Any]) -> casadi.Function | None:
+@dataclass(frozen=True)
+class Made:
+    """The CasADi function that a Python function makes.
+
+    Attributes
+    ----------
+    function : casadi.Function
+    apart : dict of str to Apart
+        Symbols that are returned put together: they tell the order of a state.
+    """
+
+    function: casadi.Function
+    apart: dict[str, Apart]
+
+
+def function_of(function: Callable[..., Any]) -> Made | None:
     """The CasADi function that a Python function makes; None where it makes no symbols.
 
     Raises
@@ -48,7 +67,7 @@ def function_of(function: Callable[..., Any]) -> casadi.Function | None:
     for _ in range(DRAWS):
         numbers = {name: drawn.uniform(0.5, 2) for name in given}
         plain = _made(function, title, numbers, [], [])
-        if plain is None or not _same(made, plain, [*numbers.values()], drawn):
+        if plain is None or not _same(made.function, plain.function, [*numbers.values()], drawn):
             raise InputError(f"{title} makes another formula of numbers than of CasADi's symbols")
     return made
 
@@ -70,21 +89,31 @@ def _names(code: CodeType) -> set[str]:
 
 def _made(
     function: FunctionType, title: str, given: dict[str, Any], more: list[Any], names: list[str]
-) -> casadi.Function | None:
+) -> Made | None:
     """The function of what a call returns, of symbols that it returns and these."""
     try:
         result = [*_parts(function(**given))]
         every: list[Any] = [one for one in result if isinstance(one, casadi.MX | casadi.SX)]
-        symbols = [pair for one in every if one.is_valid_input() for pair in _named(one)]
+        inputs = [one for one in every if one.is_valid_input()]
+        parts = {TOGETHER + str(k or ""): _parts_of(one) for k, one in enumerate(inputs)}
+        symbols = [
+            (name if len(own) > 1 else own[0], one)
+            for (name, own), one in zip(parts.items(), inputs, strict=True)
+        ]
+        apart = {
+            name: Apart({k: {part} for k, part in enumerate(own)}, size=len(own), fields=True)
+            for name, own in parts.items() if len(own) > 1
+        }  # fmt: skip
         formulas = [one for one in every if not one.is_valid_input()]
         if len(every) < len(result) or not formulas or not symbols:
             return None
         own = [name for name, _ in symbols]
-        if len({*own, *names}) < len(own) + len(names):
+        inner = [name for one in parts.values() for name in one]
+        if len({*inner, *names}) < len(inner) + len(names):
             raise InputError(f"{title}: two of its symbols have one name: rename one")
         held = [*(symbol for _, symbol in symbols), *more]
         told = [f"output_{k}" for k in range(len(formulas))]
-        return casadi.Function(title, held, formulas, [*own, *names], told)
+        return Made(casadi.Function(title, held, formulas, [*own, *names], told), apart)
     except InputError:
         raise
     except Exception as error:
@@ -92,16 +121,16 @@ def _made(
         raise InputError(f"function {title} makes no CasADi function: {words}") from None
 
 
-def _named(one: Any) -> list[tuple[str, Any]]:
-    """A symbol with its name; several that are put together, one by one."""
+def _parts_of(one: Any) -> list[str]:
+    """The name of a symbol; those of several that are put together, in their order."""
     parts = one.primitives() if isinstance(one, casadi.MX) else [*casadi.vertsplit(casadi.vec(one))]
-    if isinstance(one, casadi.MX) or one.numel() == 1:
-        return [(part.name(), part) for part in parts]
     names = [part.name() for part in parts]
     head = names[0].removesuffix("_0")
-    if names == [f"{head}_{k}" for k in range(len(names))]:
-        return [(head, one)]
-    return [*zip(names, parts, strict=True)]
+    if len(names) > 1 and names == [f"{head}_{k}" for k in range(len(names))]:
+        return [head]
+    if len(names) > 1 and any(part.numel() > 1 for part in parts):
+        raise InputError(f"{' '.join(names)}: arrays that are put together are not read")
+    return names
 
 
 def _parts(result: Any) -> Iterator[Any]:

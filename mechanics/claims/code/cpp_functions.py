@@ -82,6 +82,8 @@ WHOLE = re.compile(r"[-+]?\d+[uUlL]*")
 CHANGES = ("assignment_expression", "update_expression")
 EIGEN = re.compile(r"\bEigen::|^(?:Row)?(?:Vector|Matrix)(?:[1-9]|X)[df]$")
 """Types of Eigen."""
+SECOND = re.compile(r"\b(?:Ref|Map|Block|VectorBlock)\s*<")
+"""Types whose objects are parts of others, or these by another name."""
 DECOMPOSED = frozenset(
     ("householderQr", "colPivHouseholderQr", "fullPivHouseholderQr", "partialPivLu", "fullPivLu",
      "lu", "completeOrthogonalDecomposition")
@@ -116,6 +118,8 @@ class Scope:
         Its arrays whose entries are 0 where nothing else is said.
     eigen : set of str
         Its matrices and vectors of Eigen.
+    lazy : dict of str to set of str
+        Of what each of its names is computed again wherever it is used: auto t = 2*x.
     granted : dict of str to None
         Functions that are not here, and are called last: they may change what it has set.
     blank : tuple of str
@@ -146,6 +150,7 @@ class Scope:
     numbers: bool = False
     zeros: set[str] = field(default_factory=set)
     eigen: set[str] = field(default_factory=set)
+    lazy: dict[str, set[str]] = field(default_factory=dict)
     granted: dict[str, None] = field(default_factory=dict)
     blank: tuple[str, ...] = ()
 
@@ -669,7 +674,8 @@ def _scope(
     changed = {
         _root(one.child_by_field_name("left")) for one in within(node, "assignment_expression")
     } | {_root(one) for one in within(node, "update_expression")}
-    scope.changed, scope.locals = changed, changed - {*arguments}
+    streamed = {_root(one.child_by_field_name("left")) for one in _streams(node)}
+    scope.changed, scope.locals = changed | streamed, changed - {*arguments}
     scope.whole = kind_of(kind, bits) if is_integral(kind) else None
     members = [] if any(o in changed for o in outputs) else _members(node, arguments)
     if members and kind in ("void", "bool"):
@@ -737,6 +743,38 @@ def _is_set_elsewhere(node: Any, name: str) -> bool:
 
 
 ENTRY = re.compile(r"(\w+)\s*\(\s*(\d)\s*,\s*(\d)\s*\)")
+
+
+def _streams(node: Any) -> list[Any]:
+    """f << a"""
+    return [
+        one for one in within(node, "binary_expression")
+        if words(one.child_by_field_name("operator")) == "<<"
+    ]  # fmt: skip
+
+
+def _lazy(value: Any, scope: Scope) -> set[str]:
+    """Vectors and matrices of Eigen of which auto keeps no numbers but how to compute them."""
+    found: set[str] = set()
+    for one in within(value, "identifier"):
+        name, above = safe(words(one)), one.parent
+        if above.type not in ("call_expression", "subscript_expression") and name in scope.eigen:
+            found |= {name, *scope.lazy.get(name, ())}
+    return found
+
+
+def _changes_later(node: Any, names: set[str]) -> bool:
+    """Whether what stands behind a declaration changes one of these names, or a loop is around."""
+    function = node
+    while function.type != "function_definition":
+        function = function.parent
+        if function.type in ("for_statement", "while_statement", "do_statement", "for_range_loop"):
+            return True
+    targets = [one.child_by_field_name("left") for one in (
+        *within(function, "assignment_expression"), *_streams(function)
+    )]  # fmt: skip
+    targets += within(function, "update_expression")
+    return any(one.start_byte > node.start_byte and _root(one) in names for one in targets)
 
 
 def _root(target: Any) -> str:
@@ -894,10 +932,15 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if lasting and (name in scope.changed or inner_names & {*scope.arguments, *scope.locals}):
             raise refuse(one, "a static variable keeps what a call leaves: pass it")
         made = value is not None and _eigen(value, scope) is not None
-        if kind == "auto" and made and scope.changed & {name, *inner_names}:
+        if SECOND.search(kind):
             raise refuse(one, "a second name of a variable is not read")
-        if EIGEN.search(kind) or (kind == "auto" and made):
+        lazy = _lazy(value, scope) if kind == "auto" and value is not None else set()
+        lazy |= inner_names if made and kind == "auto" else set()
+        if lazy and _changes_later(one, {name, *lazy}):
+            raise refuse(one, "auto keeps no numbers of Eigen: write the type")
+        if EIGEN.search(kind) or lazy:
             scope.eigen.add(name)
+            scope.lazy[name] = lazy
         target = value and _pointed(value, scope)
         if target:
             scope.aliases[name] = target

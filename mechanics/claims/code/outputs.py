@@ -166,7 +166,7 @@ def _unasked(
     if len(entries) == len(both) and STEP in passed:
         return _stepped(naming, both, entries, title, passed)
     if len(entries) == len(both):
-        rates = _of_a_number(scene, both, entries) or entries
+        rates = _of_a_number(scene, both, entries, title) or entries
         return [_rate_of(scene, symbol, value) for symbol, value in zip(both, rates, strict=True)]
     raise InputError(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
@@ -338,7 +338,9 @@ def _otherwise_together(
 SIGN = {1: "+", -1: "-"}
 
 
-def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Expr] | None:
+def _of_a_number(
+    scene: Scene, state: Sequence[Expr], entries: Sequence[Expr], title: str
+) -> list[Expr] | None:
     """The rates of a step of explicit Euler whose time is a number: x + 0.02 v, v + 0.02 a.
 
     The coordinates tell it: what is added to each is the same number times its speed.
@@ -350,6 +352,11 @@ def _of_a_number(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -
         if symbol in scene.q and table[symbol] in scene.u
     }
     step = ratios.pop() if len(ratios) == 1 else S.Zero
+    if step == 1:
+        raise InputError(
+            f"{title} adds the rates to the state: a step of time 1 says so, dt = 1, and rates are"
+            " no sum"
+        )
     if not (step.is_Rational and step.is_positive):
         return None
     return [(value - symbol) / step for symbol, value in zip(state, entries, strict=True)]

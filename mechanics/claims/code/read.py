@@ -134,7 +134,7 @@ def read_function(
         When an argument is unexplained, or the code hides a formula.
     """
     if (made := function_of(function)) is not None:
-        return read_casadi(scene, made, names, about, function)
+        return read_casadi(scene, made.function, names, about, function, made.apart)
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
     held = {*vocabulary.constants, *(names or {}), *STEPS}
@@ -186,6 +186,7 @@ def read_casadi(
     names: Mapping[str, str] | None = None,
     about: str | None = None,
     maker: Callable[..., Any] | None = None,
+    together: Mapping[str, Apart] | None = None,
 ) -> Reading:
     """Statements of a CasADi function; arguments as for `read_function`, by their names.
 
@@ -193,6 +194,8 @@ def read_casadi(
     ----------
     maker : callable, optional
         That makes it, and takes its arguments apart.
+    together : mapping of str to Apart, optional
+        Arguments of several entries with names.
     """
     function = function if function.is_a("SXFunction") else _expanded(function)
     wanted = [function.name_in(i) for i in range(function.n_in())]
@@ -225,6 +228,7 @@ def read_casadi(
         return replace(outputs, doubt=doubt_as_doubles(own, last, held, outputs))
 
     apart, _, text = in_python(maker) if maker else ({}, (), "")
+    apart = {**apart, **(together or {})}
     return _read(scene, function.name(), wanted, sizes, run, names, about, apart, text)
 
 

@@ -324,6 +324,8 @@ def _meanings(
         return {}
     brackets = _brackets(lines, array)
     of_rate = _brackets(lines, rate) or brackets
+    if not brackets:
+        return {}
     found: dict[str, tuple[str, str]] = {}
     for place, (base, order_of) in places.items():
         if order_of < len(DOTS):
