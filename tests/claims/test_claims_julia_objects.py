@@ -99,3 +99,18 @@ def test_an_entry_with_the_name_of_a_momentum_is_no_speed(tmp_path: Path) -> Non
     path.write_text(text)
     with pytest.raises(InputError, match="argument y: nothing says what it is"):
         check(scene, path, blame=False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PLAIN.replace("dx[1] =", "for g in 1:2\n    end\n    dx[1] ="),
+        PLAIN.replace("dx[1] =", "k = 3\n    for k in 1:2\n    end\n    dx[1] =")
+        .replace("3g/", "k*g/"),
+        PLAIN.replace("sin(x[1])", "(q = x[1]; sin(q))"),
+    ],
+)  # fmt: skip
+def test_a_name_of_a_loop_is_another_one_outside(text: str, tmp_path: Path) -> None:
+    assert _verdict(text, tmp_path) == "not read"
+    loop = PLAIN.replace("dx[1] = x[2]", "for k in 1:1\n    dx[k] = x[k + 1]\n    end")
+    assert _verdict(loop, tmp_path) == "PROVED"

@@ -438,6 +438,9 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
     if one.node.type == "assignment":
         targets = []
     counted = [named(b)[0] for b in within(one.node, "for_binding")]
+    for counter in counted:
+        if _is_outside(counter, one.node):
+            raise refuse(counter, f"{words(counter)} is another name in its loop: rename one")
     names = [name_of(_base(t)) for t, _, _ in targets]
     for target, value, whole in targets:
         name = name_of(_base(target))
@@ -462,6 +465,22 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
             alike = _same(named(whole)[-1] if value is None else value)
             if alike & entries or (name_of(target) in entries and alike):
                 raise refuse(whole, f"{joined(sorted(alike))} may be one array with it: copy it")
+
+
+def _is_outside(counter: Any, function: Any) -> bool:
+    """Whether the name of what a loop counts stands outside of such loops, where it is another."""
+    loops = [
+        loop for loop in within(function, "for_statement")
+        if words(counter) in {words(named(b)[0]) for b in within(loop, "for_binding")}
+    ]  # fmt: skip
+    if not loops:
+        return False
+    return any(
+        words(name) == words(counter)
+        and not any(loop.start_byte <= name.start_byte < loop.end_byte for loop in loops)
+        for name in within(function, "identifier")
+        if name.parent.type != "field_expression" or named(name.parent)[0] == name
+    )
 
 
 def _is_output(one: Function, value: Any) -> bool:
