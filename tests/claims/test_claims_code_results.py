@@ -1,7 +1,9 @@
 """What code returns by name, nests, or ends without: no traceback, and no exit of its own."""
 
 from collections.abc import Callable
+from importlib import import_module
 from math import sin
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -9,6 +11,7 @@ import pytest
 from mechanics import check
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
+from systems import double_pendulum
 from systems.rod_pendulum import scene
 
 SCENE = scene()
@@ -55,3 +58,43 @@ def test_a_residual_that_is_zero_on_one_side_is_not_shown() -> None:
         return max(0, theta_ddot - acceleration(theta, u, m, l, g))
 
     assert verdict(one_sided) is Verdict.UNDECIDED
+
+
+PARTS = """from math import sin, cos
+def model(phi1, phi2, phi1_dot, phi2_dot, m1, m2, l1, l2, g):
+    d = phi1 - phi2
+    a, b, c = (m1 + m2)*l1**2, m2*l1*l2*cos(d), m2*l2**2
+    M = [[a, b], [b, c]]
+    C = [m2*l1*l2*sin(d)*phi2_dot**2, -m2*l1*l2*sin(d)*phi1_dot**2]
+    G = [(m1 + m2)*g*l1*sin(phi1), m2*g*l2*sin(phi2)]
+    {}
+    return {}, C, G
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "mass", "verdict"),
+    [
+        ("pass", "M", "PROVED"),
+        ("M = [[2*a, b], [b, c]]", "M", "REFUTED"),
+        ("M = [[a, -b], [-b, c]]; G = [-G[0], -G[1]]", "M", "REFUTED"),
+        ("G = [-G[0], -G[1]]", "M", "UNDECIDED"),
+        ("M = [[a/l1, b/l1], [b/l2, c/l2]]; C = [C[0]/l1, C[1]/l2]; G = [-G[0]/l1, -G[1]/l2]", "M",
+         "UNDECIDED"),
+        ("M = [M[1], M[0]]; C = [C[1], C[0]]; G = [-G[1], -G[0]]", "M", "UNDECIDED"),
+        ("D = a*c - b*b; Minv = [[c/D, -b/D], [-b/D, a/D]]", "Minv", ""),
+    ],
+)  # fmt: skip
+def test_rows_of_a_manipulator_may_be_divided_or_exchanged(
+    line: str, mass: str, verdict: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """M u' + C - G = 0 by rows is right whatever they are multiplied by; a wrong M is not."""
+    name = f"parts_{abs(hash((line, mass)))}"
+    (tmp_path / f"{name}.py").write_text(PARTS.format(line, mass))
+    monkeypatch.syspath_prepend(tmp_path)
+    model = import_module(name).model
+    if not verdict:  # an inverse is no mass matrix
+        with pytest.raises(InputError, match="say what it is"):
+            check(double_pendulum.scene(), model, blame=False)
+        return
+    assert check(double_pendulum.scene(), model, blame=False).verdict.name == verdict

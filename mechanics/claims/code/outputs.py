@@ -219,6 +219,12 @@ def spoken(title: str) -> str:
     return TITLE.sub("", plain).strip("_").replace("_", " ")
 
 
+def _residuals(sides: Sequence[Expr]) -> list[Claim]:
+    return [
+        (f"residual {i}", EquationOfMotion(), (side, S.Zero)) for i, side in enumerate(sides, 1)
+    ]
+
+
 def taken_otherwise(
     naming: Naming, outputs: Outputs, found: Sequence[Claim], about: str | None, title: str
 ) -> list[tuple[str, list[Claim]]]:
@@ -233,11 +239,8 @@ def taken_otherwise(
     if manipulator(scene, outputs):
         return _otherwise_together(scene, outputs, title)
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
-        rows: list[Claim] = [
-            (f"residual {i}", EquationOfMotion(), (sides[0], S.Zero))
-            for i, (_, _, sides) in enumerate(found, 1)
-        ]
         words = f"{title} returns residuals: say so, about 'equation of motion'"
+        rows = _residuals([sides[0] for _, _, sides in found])
         return [] if scene.inputs else [(words, rows)]
     if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
         return []
@@ -286,6 +289,8 @@ def manipulator(scene: Scene, outputs: Outputs) -> list[Expr]:
     names = zip(MANIPULATOR, outputs.names, strict=False)
     if len(outputs.names) != 3 or not all(name.lower()[:1] in letters for letters, name in names):
         return []
+    if "inv" in outputs.names[0].lower():
+        return []  # an inverse is no mass matrix
     mass, turning, field = outputs.values
     turning = turning if turning.shape == column else turning * Matrix(scene.u)
     return list(mass * Matrix(scene.ud) + turning + field)
@@ -323,10 +328,13 @@ def _otherwise_together(
     c, turning = ("C", turning) if column else ("C u", turning * Matrix(scene.u))
     every = []
     for one, other in product((1, -1), (1, -1, 0)):
-        if (one, other) == (1, 1):
-            continue
         words = f"M u' {SIGN[one]} {c}" + (f" {SIGN[other]} G" if other else "")
         rows = mass * Matrix(scene.ud) + one * turning + other * field
+        if not scene.inputs:  # rows may be divided or exchanged: M is not the scene's then
+            sides = _residuals(list(rows))
+            every.append((f"what {title} returns is put together as {words} = 0", sides))
+        if (one, other) == (1, 1):
+            continue
         claimed: list[Claim] = [
             (f"drive of {u}", GeneralizedForce(u.name), (entry,))
             for u, entry in zip(scene.u, rows, strict=True)
