@@ -424,7 +424,7 @@ def _read(
                 continue
             others += [(words, other)] if len(other) == len(found) else []
     unsure = _unsure(scene, outputs, passed, about, title)
-    parts = about is None and bool(manipulator(scene, outputs)) and not _is_inverse(outputs)
+    parts = about is None and bool(manipulator(scene, outputs))
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
         statement(
@@ -465,7 +465,7 @@ def _unsure(
 ) -> tuple[str, ...]:
     """Under what else outputs may be right that are taken for accelerations."""
     if about is None and manipulator(scene, outputs):
-        if is_settled(scene) and not _is_inverse(outputs):
+        if is_settled(scene):
             return ()
         return (f"the parts that {title} returns are put together otherwise than M u' + C + G",)
     moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
@@ -474,11 +474,6 @@ def _unsure(
     if not {*passed} & moving:
         return (f"{title}, which takes neither speeds nor inputs, returns no accelerations",)
     return (f"{title} returns a part of the forces",) if PART.search(title) else ()
-
-
-def _is_inverse(outputs: Outputs) -> bool:
-    """Whether the first output is named as the inverse of a mass matrix, which is none itself."""
-    return "inv" in outputs.names[0].lower()
 
 
 def _is_said(arguments: Arguments) -> bool:
