@@ -246,6 +246,65 @@ def test_c_plus_plus_is_innocent(tmp_path: Path, function: str, text: str) -> No
     assert not beside(tmp_path, ".cpp", C + text, function)
 
 
+OPTIONS = "o = odeset({});\n[t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0], o);"
+PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), p)\n"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        SOLVED.format("rate(t, y, m, l, g, u)").replace("@(t, y)", "@(y, t)"),
+        "f = @(y, t) rate(t, y, m, l, g, u);\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+        OPTIONS.format("'Mass', [1 0; 0 2]"), OPTIONS.format("'NonNegative', 2"),
+        SOLVED.format("rate(t, y, m, y(2), g, u)"), SOLVED.format("rate(t, y, m, l, g, -u)"),
+        SOLVED.format("rate(t, y, m, l, 0, u)"), "p = struct('m', 1, 'g', -9.81);",
+    ],
+)  # fmt: skip
+def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, lines: str) -> None:
+    assert beside(tmp_path, ".m", GIVEN + lines + MATLAB)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        OPTIONS.format("'RelTol', 1e-8, 'AbsTol', 1e-9"), "p = struct('m', 1, 'g', 9.81);",
+        "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+    ],
+)  # fmt: skip
+def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> None:
+    assert not beside(tmp_path, ".m", GIVEN + lines + MATLAB)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "prob2 = remake(prob, p=(1.0, 1.0, -9.81, 0.0))",
+        "q = (1.0, 1.0, -9.81, 0.0)\nprob2 = remake(prob; p=q)",
+        "prob.p[3] = -9.81",
+        "integrator = init(prob, Tsit5())\nintegrator.u[2] *= -1",
+        "f = ODEFunction(rate!, mass_matrix=[1.0 0; 0 2.0])",
+        "prob2 = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (1.0, 1.0, 0.0, 0.0))",
+        "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = remake(prob, p=(l, m, g, u))",
+    ],
+)
+def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
+    assert beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "sol = solve(prob, Tsit5(), reltol=1e-8, abstol=1e-8, saveat=0.1)",
+        "prob2 = remake(prob, u0=[0.2, 0.0])\nsol = solve(prob2, Tsit5())",
+        "prob2 = remake(prob; p=(2.0, 1.0, 9.81, 0.0), tspan=(0.0, 2.0))",
+        "f = ODEFunction(rate!)\nprob2 = ODEProblem(f, [0.1, 0.0], (0.0, 10.0), p)",
+        "integrator = init(prob, Tsit5())\nfor i in 1:10\n  step!(integrator, 0.1)\nend",
+    ],
+)
+def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> None:
+    assert not beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
+
+
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 def test_a_main_below_is_no_part_of_what_is_judged(tmp_path: Path, suffix: str) -> None:
     below = SMALL.format(

@@ -163,6 +163,10 @@ class Machine:
                     at |= dict(zip(words, dense, strict=False))
             elif len(words) == 1 and words[0] in self.words.state:
                 at[words[0]] = value
+        moving = {self._place_of(part) for part in self._parts_for(call, self.words.state)} - {""}
+        fixed = self._parts_for(call, {*map(str, self.words.scene.parameters)})
+        if any(self._place_of(part) in moving for part in fixed):
+            self.misused = True
         if not self.stepping and any(not self._ordered(one) for one in entries.values()):
             self.misused = True
         result: Any = UNKNOWN
@@ -187,6 +191,18 @@ class Machine:
                 value = result.entries.get((k + self.first,), UNKNOWN)
             self._store(part, value, env)
         return result
+
+    def _parts_for(self, call: Term, words: Collection[str]) -> list[Term]:
+        """What a call of the judged function gives for some words of the scene."""
+        pairs = zip(self.judged.takes, call.parts, strict=False)
+        return [part for name, part in pairs if {*self.judged.meanings.get(name, ())} & {*words}]
+
+    def _place_of(self, part: Term) -> str:
+        """Where a value stands; the whole array for one of its entries."""
+        if part.kind in ("entry", "call"):
+            base = part.parts[0] if part.kind == "entry" else part
+            return base.name if base.kind in ("name", "call") else base.text
+        return part.text or part.name if part.kind in ("name", "field") else ""
 
     def _speed_of(self, word: str) -> str:
         q, u = self.words.coordinates, self.words.speeds
@@ -228,9 +244,11 @@ class Machine:
             meaning = self._meaning(own) if own else ""
             same = own == name or meaning in ("", self._meaning(name))
             return same and not isinstance(value, Handle)
-        driven = len(words) == 1 and words[0] in self.words.inputs and bool(part.parts)
-        if driven and words[0] not in {self._meaning(one) for one in part.names()}:
-            return True  # -K*y, what a controller makes
+        if len(words) == 1 and words[0] in self.words.inputs and part.parts:
+            if words[0] not in {self._meaning(one) for one in part.names()}:
+                return True  # -K*y, what a controller makes
+            if part.kind in ("minus", "binary"):
+                return False
         made = part.kind in ("call", "binary", "minus", "other", "list")
         if isinstance(value, Unknown) and made and any(p.names() for p in part.parts):
             return False
@@ -266,10 +284,20 @@ class Machine:
 
     def _fits(self, word: str, value: Any, meaning: str) -> bool:
         if isinstance(value, Given):
-            return value >= 0 or word in self.words.inputs
+            return self._possible(word, value)
         if isinstance(value, Unknown):
             return True
         return isinstance(value, Fraction) and value == number("word", word)
+
+    def _possible(self, word: str, value: Fraction) -> bool:
+        """Whether a number is one that the scene allows a parameter."""
+        symbols = {str(s): s for s in self.words.scene.parameters}
+        if word not in symbols:
+            return value >= 0 or word in self.words.inputs
+        return not (
+            (value <= 0 and symbols[word].is_positive)
+            or (value < 0 and symbols[word].is_nonnegative)
+        )
 
     def _vectors(self, block: Term) -> None:
         """Names that are arrays: those with entries, and those that are passed for one."""

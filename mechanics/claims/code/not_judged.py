@@ -85,8 +85,10 @@ def not_judged(
         line = with_names(term(one), title)
         concerned = suffix in LANGUAGES and uses.concerns(line, known)
         quoted = uses.lines(line, known)
-        if concerned:
+        if quoted and suffix in LANGUAGES:
             said += quoted
+        elif concerned:
+            continue
         elif suffix in LANGUAGES and not chosen and _says(one, own, users, naming, title, judged):
             said.append(line.text)
     for one in within(root, "preproc_function_def", "preproc_def"):

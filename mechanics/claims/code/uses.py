@@ -17,6 +17,7 @@ from mechanics.claims.code.machine import FAR
 from mechanics.claims.code.machine_values import (
     UNKNOWN,
     Given,
+    Handle,
     NotPlainError,
     Own,
     Table,
@@ -30,6 +31,19 @@ from mechanics.claims.code.steps import Steps
 SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian", re.IGNORECASE)
 """In the names of what takes a function by its name."""
 TIMES = frozenset(("t", "time", "tt", "~", "_"))
+MATLAB_OPTIONS = frozenset(
+    ("reltol", "abstol", "maxstep", "initialstep", "minstep", "outputfcn", "outputsel", "stats",
+     "refine", "events", "normcontrol", "bdf", "maxorder", "jacobian", "jpattern", "vectorized")
+)  # fmt: skip
+JULIA_OPTIONS = frozenset(
+    ("reltol", "abstol", "saveat", "dt", "dtmax", "dtmin", "adaptive", "dense", "save_everystep",
+     "save_start", "save_end", "save_on", "save_idxs", "maxiters", "tstops", "progress", "verbose",
+     "callback", "u0", "tspan", "syms", "sensealg", "alg_hints", "force_dtmin")
+)  # fmt: skip
+"""Options of a solver that leave the law as it is; an event's function is looked at itself."""
+MADE_AGAIN = frozenset(("remake", "init", "solve"))
+STEPPED = frozenset(("step!", "solve!", "plot!", "lines!", "scatter!", "push!", "append!"))
+"""Calls with ! that do not change what they are given, or as the solver does."""
 TESTS = frozenset(("assert", "assert_", "test"))
 """Calls that compare."""
 
@@ -47,6 +61,7 @@ class Uses(Steps):
         super().__init__(*parts)
         self.parts = parts
         self.made: set[str] = set()
+        self.problems: set[str] = set()
 
     def lines(self, block: Term, env: dict[str, Any]) -> list[str]:
         """Lines of a block that are not innocent; it is run in `env`.
@@ -86,7 +101,8 @@ class Uses(Steps):
                     found += self._lines(body, env, made, moving | self._moving(body, env))
                 self._forget(one, env, UNKNOWN)
                 continue
-            if self._changes(one, moving) or (concerned and not self._innocent(one, env, made)):
+            reset = self._resets(one, env) or self._changes(one, moving)
+            if reset or (concerned and not self._innocent(one, env, made)):
                 found.append(one.text)
             elif not concerned:
                 self._try(one, env)
@@ -152,6 +168,70 @@ class Uses(Steps):
         if value.kind == "call" and value.name in self.users:
             return False
         return root in moving and bool(line.name or root in value.names())
+
+    def _resets(self, line: Term, env: dict[str, Any]) -> bool:
+        """Whether a line gives a solver another law, another state, or impossible numbers."""
+        if line.kind == "set":
+            target, value = line.parts
+            if value.kind == "call" and self._is_solver(value.name):
+                self.problems |= {root_of(t) for t in targets_of(target)}
+            fields = [t.name.lower() for t in target.all() if t.kind == "field"]
+            if fields and (root_of(target) in self.problems or "mass" in fields):
+                return True
+        return any(
+            self._alters(one, env) if one.kind == "call" else self._is_impossible(one, env)
+            for part in ([line] if line.kind == "call" else line.parts)
+            for one in part.all()
+        )
+
+    def _is_solver(self, name: str) -> bool:
+        return bool(SOLVERS.search(name)) or name in MADE_AGAIN
+
+    def _alters(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether a call sets options of a solver that are not known, or changes what it solves."""
+        if call.name in ("odeset", "struct"):
+            names = [p.text.strip("'\"") for p in call.parts[::2]]
+            if call.name == "struct":
+                values = (self._value(part, env) for part in call.parts[1::2])
+                return any(map(self._excludes, names, values))
+            known = MATLAB_OPTIONS | {n.lower() for n in env}
+            return any(name.lower() not in known for name in names)
+        given = call.parts[0].name if call.parts and call.parts[0].kind == "name" else ""
+        head = call.text.partition("(")[0].rpartition(".")[2].strip()
+        if given in self.problems and head.endswith("!") and head not in STEPPED:
+            return True
+        if self.brackets or self.first != 1 or not self._is_solver(call.name):
+            return False
+        for one in (part for part in call.all() if part is not call and part.kind == "set"):
+            name = one.parts[0].name
+            if name == "p":
+                if not self._is_parameter_list(one.parts[1], env):
+                    return True
+            elif name not in JULIA_OPTIONS and one in self._options(call):
+                return True
+        return False
+
+    def _options(self, call: Term) -> list[Term]:
+        """What a call gives by name, after a semicolon, too."""
+        inner = [p for part in call.parts for p in (part.parts if part.kind in ("block", "other")
+                                                    else (part,))]  # fmt: skip
+        return [part for part in inner if part.kind == "set"]
+
+    def _is_parameter_list(self, part: Term, env: dict[str, Any]) -> bool:
+        takes = self.judged.takes
+        name = takes[-2] if takes[-1:] == ("t",) and len(takes) > 2 else ""
+        meanings = self.judged.meanings.get(name, ())
+        return self._accepted(name, meanings, part, self._value(part, env))
+
+    def _is_impossible(self, one: Term, env: dict[str, Any]) -> bool:
+        """Whether a field or an option is a number that its parameter cannot have."""
+        if one.kind != "set" or one.parts[0].kind != "name":
+            return False
+        return self._excludes(one.parts[0].name, self._value(one.parts[1], env))
+
+    def _excludes(self, name: str, value: Any) -> bool:
+        word = self._meaning(name) if name.isidentifier() else ""
+        return bool(word) and isinstance(value, Given) and not self._possible(word, value)
 
     def _holds(self, line: Term, env: Mapping[str, Any]) -> bool:
         """Whether the value is what the function returns, no function and no solution."""
@@ -224,7 +304,7 @@ class Uses(Steps):
     def _solved(self, call: Term, env: dict[str, Any]) -> bool:
         """Whether it hands the function to a solver, and parameters in their order."""
         takes, handed = self.judged.takes, [*call.parts]
-        if not SOLVERS.search(call.name):
+        if not SOLVERS.search(call.name) or not self._in_order(call, env):
             return False
         beside = zip(takes[2:], handed[4:], strict=False)  # ode45(@f, span, start, options, m, l)
         if self.judged.takes[-1:] == ("t",) and len(takes) > 2:
@@ -233,6 +313,24 @@ class Uses(Steps):
             self._accepted(name, self.judged.meanings.get(name, ()), part, self._value(part, env))
             for name, part in beside
         )
+
+    def _in_order(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether a solver calls what it is handed with time and state in their order."""
+        if not self.brackets or not call.name.startswith("ode"):
+            return True
+        for part in (call.parts[k] for k in self._by_name(call, env)):
+            handle = self._handle(part, env)
+            if part.kind == "name" and part.name == self.judged.name:
+                moving = {
+                    n for n, words in self.judged.meanings.items() if {*words} & {*self.words.state}
+                }
+                if moving and moving.isdisjoint(self.judged.takes[1:2]):
+                    return False
+            elif isinstance(handle, Handle) and handle.body is not None:
+                one = Term("handle", " ".join(handle.takes), (handle.body,))
+                if not self._plain_handle(one, {**env, **handle.inside}, early=True):
+                    return False
+        return True
 
     def _computes(self, line: Term, functions: set[str], made: set[str]) -> bool:
         """Whether something is made of what the function returned."""
@@ -293,15 +391,22 @@ class Uses(Steps):
         self.explained |= {call.name} | other.explained
         return True
 
-    def _plain_handle(self, handle: Term, env: dict[str, Any]) -> bool:
-        """Whether a function without a name is the judged one, or gives the rates made of it."""
+    def _plain_handle(self, handle: Term, env: dict[str, Any], *, early: bool = False) -> bool:
+        """Whether a function without a name is the judged one, or gives the rates made of it.
+
+        Parameters
+        ----------
+        early : bool
+            Whether it is called with the time before the state.
+        """
         takes = tuple(handle.name.split())
         inside = dict(env)
         places: dict[str, str] = {}
         if len(takes) == 1:
             places = {"state": takes[0]}
         elif self.brackets and len(takes) == 2:
-            order = ("state", "time") if takes[1] in TIMES else ("time", "state")
+            late = takes[1] in TIMES and not early
+            order = ("state", "time") if late else ("time", "state")
             places = dict(zip(order, takes, strict=True))
         elif len(takes) == 3:
             places = dict(zip(("state", "parameters", "time"), takes, strict=True))
