@@ -127,6 +127,15 @@ def _unasked(
         ]
     if len(values) == 1 and values[0].shape == (size, size) and size > 1:
         return [("mass matrix", MassMatrix(), (values[0],))]
+    moved = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
+    if len(values) == 1 and len(values[0]) == size**2 > 1 and not moved & {*passed}:
+        # Without speeds it returns no rates of the state, however many numbers these are.
+        if [name.lower() in MASSES for name in outputs.names] == [True]:
+            return [("mass matrix", MassMatrix(), (values[0].reshape(size, size),))]
+        raise InputError(
+            f"{title} takes no speeds and returns {size**2} numbers: say what it is:"
+            f" {_choices(naming)}"
+        )
     entries = [entry for value in values for entry in value]
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
@@ -240,8 +249,7 @@ def taken_otherwise(
         return _otherwise_together(scene, outputs, title)
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
         words = f"{title} returns residuals: say so, about 'equation of motion'"
-        rows = _residuals([sides[0] for _, _, sides in found])
-        return [] if scene.inputs else [(words, rows)]
+        return [] if scene.inputs else [(words, _residuals([sides[0] for _, _, sides in found]))]
     if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
         return []
     if _named_accelerations(naming, outputs, title, len(found)):
@@ -330,15 +338,15 @@ def _otherwise_together(
     for one, other in product((1, -1), (1, -1, 0)):
         words = f"M u' {SIGN[one]} {c}" + (f" {SIGN[other]} G" if other else "")
         rows = mass * Matrix(scene.ud) + one * turning + other * field
-        if not scene.inputs:  # rows may be divided or exchanged: M is not the scene's then
-            sides = _residuals(list(rows))
-            every.append((f"what {title} returns is put together as {words} = 0", sides))
-        if (one, other) == (1, 1):
+        if not scene.inputs:  # the rows are 0, and may be divided or exchanged
+            claimed = _residuals(rows)
+        elif (one, other) == (1, 1):
             continue
-        claimed: list[Claim] = [
-            (f"drive of {u}", GeneralizedForce(u.name), (entry,))
-            for u, entry in zip(scene.u, rows, strict=True)
-        ]
+        else:
+            claimed = [
+                (f"drive of {u}", GeneralizedForce(u.name), (entry,))
+                for u, entry in zip(scene.u, rows, strict=True)
+            ]
         every.append((f"the parts that {title} returns are put together as {words}", claimed))
     return every
 
