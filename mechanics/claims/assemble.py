@@ -28,7 +28,7 @@ from mechanics.claims.build import Builder, Value
 from mechanics.claims.claim import Written
 from mechanics.claims.coefficients import is_coefficient
 from mechanics.claims.conserved import with_first_integrals
-from mechanics.claims.definition_readings import of_one_dimension
+from mechanics.claims.definition_readings import dimensionally_consistent
 from mechanics.claims.definitions import (
     defines,
     definitions,
@@ -64,7 +64,7 @@ from mechanics.claims.state_space import with_state_space
 from mechanics.claims.statement import Letter, Reading, Statement
 from mechanics.claims.text.prepare import comments
 from mechanics.claims.tree import Call, Name, Node, names
-from mechanics.claims.unread_names import changed
+from mechanics.claims.unread_names import reassigned_names
 from mechanics.claims.weight import Weight, weight
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -127,7 +127,7 @@ def assemble(
     )
     lines = with_state_space(lines, naming, text)
     lines, told = told_once(without_unknown_rates(lines, naming))
-    lines = of_one_dimension(lines, naming)
+    lines = dimensionally_consistent(lines, naming)
     places = places_of(lines, naming, text)
     lines = [*places.values(), *lines]
     work = _Assembly(scene, naming, text, origin, words, about, needed(lines), notation)
@@ -171,7 +171,7 @@ def _beside_unread(
     A name of the scene may be the author's own there: N = ... beside the reaction N.
     """
     unread = any(isinstance(line, Unread) for line in lines)
-    lost = changed(lines, naming)
+    lost = reassigned_names(lines, naming)
 
     def doubt(found: Statement) -> str:
         if found.doubt or found.row is None or found.letter is not None or not unread:

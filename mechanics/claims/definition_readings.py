@@ -17,7 +17,7 @@ from mechanics.scene.unit_names import Dimension, dimension_of_unit
 ENERGY = dimension_of_unit("kg*m^2/s^2", "")
 
 
-def of_one_dimension(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+def dimensionally_consistent(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     """The lines; a definition whose first reading mixes dimensions has the first that does not.
 
     What judges a definition by itself looks at all its readings; what uses it knows only one.

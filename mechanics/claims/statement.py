@@ -79,16 +79,16 @@ class Statement:
         The name that it defines for other statements, where its meaning is a claim, too.
     rounded : str
         What is rounded to single precision among doubles, as it is written; read as exact, too.
-    granted : str
+    assumption : str
         What has to be so for it to be right, in words, where nothing here says it.
-    elsewhere : str
+    missing_code : str
         What is not here, in words, and may give any name that it uses another meaning.
-    anyhow : Published or None
+    under_any_guess : Published or None
         What it claims under all that is in `unsure`, too: where that is REFUTED, so is it.
-    own : tuple of (Expr, Expr)
+    code_values : tuple of (Expr, Expr)
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
-    given : tuple of (Symbol, Expr)
+    file_values : tuple of (Symbol, Expr)
         Parameters and inputs of which its file says the value, and that its code does not take.
     """
 
@@ -108,11 +108,11 @@ class Statement:
     unsure: tuple[str, ...] = ()
     defines: str = ""
     rounded: str = ""
-    granted: str = ""
-    elsewhere: str = ""
-    anyhow: Published | None = None
-    own: tuple[tuple[Expr, Expr], ...] = ()
-    given: tuple[tuple[Symbol, Expr], ...] = ()
+    assumption: str = ""
+    missing_code: str = ""
+    under_any_guess: Published | None = None
+    code_values: tuple[tuple[Expr, Expr], ...] = ()
+    file_values: tuple[tuple[Symbol, Expr], ...] = ()
 
 
 @dataclass(frozen=True)

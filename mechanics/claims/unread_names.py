@@ -80,12 +80,12 @@ def unread_names(
             for name in mentioned(line.source):
                 found.setdefault(name, where)
     for at, words in beside:
-        for name in given(words):
+        for name in assigned_names(words):
             found.setdefault(name, f"line {line_and_column(text, at)[0]}")
     return found
 
 
-def given(words: str) -> Iterator[str]:
+def assigned_names(words: str) -> Iterator[str]:
     """Keys of the names that words give a value which is no number and no words."""
     for match in GIVEN.finditer(words):
         if not (NUMBER.fullmatch(match["value"]) or WORDS.match(match["value"])):
@@ -105,7 +105,7 @@ def mentioned(source: str) -> Iterator[str]:
             yield _key(letters[-1] + match["low"])
 
 
-def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
+def reassigned_names(lines: Sequence[Entry], naming: Naming) -> set[str]:
     """Keys of names that a line which is not read gives a value to.
 
     A coordinate = ... may be its motion, or an equation; one that is set is another one.
@@ -115,13 +115,13 @@ def changed(lines: Sequence[Entry], naming: Naming) -> set[str]:
         if isinstance(line, Unread):
             source = FONT.sub(r" \1", line.source)
             for match in GIVES.finditer(source):
-                given = {_key(one) for one in NAME.findall(match["names"])}
+                assigned = {_key(one) for one in NAME.findall(match["names"])}
                 anew = SET.search(match[0]) is not None
-                found |= {n for n in given if anew or not naming.is_function(n)}
+                found |= {n for n in assigned if anew or not naming.is_function(n)}
     return found
 
 
-def names_given(source: str) -> set[str]:
+def possibly_assigned_names(source: str) -> set[str]:
     """Keys of names that a formula which is not read may give a value to, whatever they are.
 
     A rate that is given is none.
@@ -131,7 +131,7 @@ def names_given(source: str) -> set[str]:
     return found | {_key(match["name"]) for match in ALONE.finditer(source)}
 
 
-def told_in_words(source: str) -> set[str] | None:
+def described_names(source: str) -> set[str] | None:
     """Keys of names of which words say what they are; None where a sign relates names.
 
     where l is 2*R    ->    l          where tau is torque in N * m    ->    none

@@ -17,7 +17,7 @@ import casadi
 from mechanics.claims.code.file_names import globals_of
 
 
-def made_of(code: str, names: dict[str, Any], judged: Collection[str]) -> set[str]:
+def names_of_results(code: str, names: dict[str, Any], judged: Collection[str]) -> set[str]:
     """Names of a file for what a judged function returned, and functions that give it.
 
     Parameters
@@ -66,16 +66,16 @@ def _numbers(values: Sequence[Any]) -> str:
     """What formulas are at a state, of symbols that stand beside them."""
     if not all(isinstance(one, casadi.MX | casadi.SX) for one in values):
         return f"no formulas, {id(values)}"
-    given = [one for one in values if one.is_valid_input()]
+    symbols = [one for one in values if one.is_valid_input()]
     formulas = [one for one in values if not one.is_valid_input()]
-    drawn = Random(1)
+    random = Random(1)
     state = [
-        casadi.DM([drawn.uniform(0.5, 2) for _ in range(one.numel())]).reshape(one.shape)
-        for one in given
+        casadi.DM([random.uniform(0.5, 2) for _ in range(one.numel())]).reshape(one.shape)
+        for one in symbols
     ]
     try:
-        found = casadi.Function("own", given, formulas).call(state)
-        return repr([one.full().tolist() for one in found])
+        numbers = casadi.Function("own", symbols, formulas).call(state)
+        return repr([one.full().tolist() for one in numbers])
     except RuntimeError:
         return f"of other symbols, {id(values)}"
 

@@ -29,7 +29,7 @@ from mechanics.claims.code.python_lines import integrators, reached
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
-from mechanics.grading.casadi_values import made_of
+from mechanics.grading.casadi_values import names_of_results
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import libraries_unchanged, used_by
 from mechanics.grading.lost_values import KEEP, keeper, keeping, numbers_of_formulas
@@ -202,7 +202,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []
     loose = [NotRead(name, "it is a formula that no equation uses") for name in unread]
     judged = frozenset((chosen, *(other.name for other in others)))
-    again = made_of(code, whole, judged)
+    again = names_of_results(code, whole, judged)
     values = [name for name in unread_values(_own(whole), used) if name not in again]
     if not function:
         known = {chosen, *(o.name for o in others), *(type(whole[n]).__name__ for n in values)}

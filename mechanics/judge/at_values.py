@@ -133,7 +133,8 @@ def right_at(truth: Equations, statements: Sequence[Statement]) -> tuple[str, ..
     for values in _candidates(truth, rows, units_in(statements)):
         if right_with(truth, rows, values):
             return (words(fewest(values, lambda some: right_with(truth, rows, some))),)
-    own = {s: v for one in statements for s, v in one.own if s in held_by(truth.scene, rows)}
+    held = held_by(truth.scene, rows)
+    own = {s: v for one in statements for s, v in one.code_values if s in held}
     if own and right_with(truth, [put(row, own) for row in rows], own):
         return (words(own),)
     return ()

@@ -42,9 +42,9 @@ from mechanics.judge.other_conventions import helpful_changes
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
 from mechanics.judge.polar_radius import with_positive_radii
-from mechanics.judge.prose import as_told, limits_on, prose_of, seen_from_one_side
+from mechanics.judge.prose import Prose, as_told, limits_on, prose_of, seen_from_one_side
 from mechanics.judge.readers import read, spread
-from mechanics.judge.rounded_code import SAID, as_rounded, said_of_code
+from mechanics.judge.rounded_code import NOTES, as_rounded, code_conventions
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
@@ -158,72 +158,90 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
-    of_code, convention = said_of_code([convention] if isinstance(convention, str) else convention)
-    picked = chosen(choice, statements)
+    of_code, convention = code_conventions(convention)
+    is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
     known = [match for reading in readings for match in reading.names]
-    counted = read_declared(convention, known)
+    declared = read_declared(convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
-    apart = counted or values or where or not written_out
-    said = () if apart else prose.conventions
-    counted = (*counted, *said)
-    held = read_values(truth.scene, values or {})
+    explicit = declared or values or where or not written_out
+    in_prose = () if explicit else prose.conventions
+    counted = (*declared, *in_prose)
+    numbers = read_values(truth.scene, values or {})
     texts = [where] if isinstance(where, str) else where
     region = read_where(truth, texts, known, names or {})
-    how = partial(_verdicts, truth, counted=counted, values=held, where=region)
-    judged, told = how(statements, helps=written_out)
-    if said:
+    verdicts = partial(_verdicts, truth, counted=counted, values=numbers, where=region)
+    judged, remarks_of_verdicts = verdicts(statements, helps=written_out)
+    if in_prose:
         pairs = zip(judged, statements, strict=True)
         judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
-    judged = one_root_each(truth, judged, statements)
-    judged = complete_residuals(truth, judged)
-    counts = () if written_out else prose.conventions
-    against = (*(f"the text counts otherwise: {one.told}" for one in counts), *prose.against)
-    untold = () if convention else against
+    judged = complete_residuals(truth, one_root_each(truth, judged, statements))
     limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
-    before = tuple(of_a_part(truth.scene, as_told(entry, untold)) for entry in judged)
+    against = () if convention else _against(prose, written_out)
+    without_limits = tuple(of_a_part(truth.scene, as_told(entry, against)) for entry in judged)
     judged = tuple(
-        of_a_part(truth.scene, as_told(entry, (*untold, *some)))
+        of_a_part(truth.scene, as_told(entry, (*against, *some)))
         for entry, some in zip(judged, limits, strict=True)
     )
+    tries = written_out and not (counted or region)
     others = chain(
-        other_guesses(
-            truth, judged, readings, statements, held, written_out and not (counted or region)
-        ),
-        other_readings(truth, statements, not held),
+        other_guesses(truth, judged, readings, statements, numbers, tries),
+        other_readings(truth, statements, not numbers),
     )
-    judged = left_open(judged, others, lambda some: how(some, helps=False)[0])
-    judged = as_rounded(judged, of_code)
-    judged = as_meant(judged)
-    if written_out and not (counted or held or region):
+    judged = left_open(judged, others, lambda some: verdicts(some, helps=False)[0])
+    judged = as_meant(as_rounded(judged, of_code))
+    if tries and not numbers:
         judged = in_special_case(truth, judged)
-    hints = () if choice else suggested(prose, before, judged)
-    judged, aside = judged_only(judged, picked)
-    told_against = {words for some in limits for words in some}
-    aside += tuple(one.sentence for one in prose.limits if one.words not in told_against)
+    hints = () if choice else suggested(prose, without_limits, judged)
+    judged, aside = judged_only(judged, is_chosen)
+    effective = {words for some in limits for words in some}
+    aside += tuple(limit.sentence for limit in prose.limits if limit.words not in effective)
     searched = written_out or _operations(truth) <= LARGEST_SEARCHED
     if blame and searched:
-        judged = _blamed(reference, judged, counted, held)
+        judged = _blamed(reference, judged, counted, numbers)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
-    told_of = (*(reading.names for reading in readings), *(known for _, known in boxed))
-    matches = {match.name: match for known in told_of for match in known}
-    remarks = tuple(dict.fromkeys(r for reading in readings for r in reading.remarks))
-    remarks += tuple(f"the text says how it counts: {one.told}" for one in said)
-    if any(entry.finding.verdict is Verdict.REFUTED for entry in judged):
-        remarks += (*doubtful(readings), *([] if searched else [TOO_LARGE]))
-    twice = redundancy(truth, judged)
-    bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
-    remarks = (*remarks, *(SAID[name] for name in of_code), *told, *([twice] if twice else []))
-    remarks = (*remarks, *dict.fromkeys(bounds), *untried)
+    matched = chain(*(reading.names for reading in readings), *(some for _, some in boxed))
+    matches = {match.name: match for match in matched}
+    remarks = (
+        *dict.fromkeys(r for reading in readings for r in reading.remarks),
+        *(f"the text says how it counts: {said.told}" for said in in_prose),
+        *_remarks_on_refuted(readings, judged, searched),
+        *(NOTES[name] for name in of_code),
+        *remarks_of_verdicts,
+        *_remarks_on_motion(truth, judged),
+        *untried,
+    )
     files = [part for part in parts if isinstance(part, Around)]
     around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
-    found = tuple(matches.values())
-    beside_it = (unjudged, beside, aside, hints)
-    return Check(truth.scene, judged, found, remarks, shown, *beside_it)
+    return Check(
+        truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside, aside, hints
+    )
+
+
+def _against(prose: Prose, written_out: bool) -> tuple[str, ...]:
+    """What texts say otherwise than the scene has it, in words."""
+    conventions = () if written_out else prose.conventions
+    return (*(f"the text counts otherwise: {one.told}" for one in conventions), *prose.against)
+
+
+def _remarks_on_refuted(
+    readings: Sequence[Reading], judged: Sequence[Judged], searched: bool
+) -> tuple[str, ...]:
+    """What a person needs to know of how a refuted statement was read and searched."""
+    if all(entry.finding.verdict is not Verdict.REFUTED for entry in judged):
+        return ()
+    return (*doubtful(readings), *(() if searched else (TOO_LARGE,)))
+
+
+def _remarks_on_motion(truth: Equations, judged: Sequence[Judged]) -> tuple[str, ...]:
+    """Whether rows say the same twice, and where roundings of code may leave a root's domain."""
+    twice = redundancy(truth, judged)
+    bounds = (r for e in judged for r in at_the_bound(truth, e.statement, e.finding))
+    return (*((twice,) if twice else ()), *dict.fromkeys(bounds))
 
 
 def _reference(

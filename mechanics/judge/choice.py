@@ -16,7 +16,7 @@ from mechanics.claims.assemble import used_names
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.statement import Statement
 from mechanics.claims.tree import Name, names
-from mechanics.claims.unread_names import mentioned, names_given, told_in_words
+from mechanics.claims.unread_names import described_names, mentioned, possibly_assigned_names
 from mechanics.errors import InputError
 from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
@@ -195,9 +195,9 @@ def _told(other: Judged, used: set[str]) -> set[str]:
         return set() if FUNCTION.match(statement.source) else used
     if statement.row is None:
         source = statement.source
-        if (told := told_in_words(source)) is not None:
+        if (told := described_names(source)) is not None:
             return told
-        return names_given(source) if MOVES.search(source) else {*mentioned(source)}
+        return possibly_assigned_names(source) if MOVES.search(source) else {*mentioned(source)}
     if written is None:
         return used if isinstance(statement.row.quantity, Identity) else set()
     plain = [side for side in written.sides if isinstance(side, Name) and side.order < 2]

@@ -104,9 +104,9 @@ def other_guesses(
             rests = [g for g in shared if not g.of or key(g.of) in held]
             words += [g.words for g in rests if g.ways is None or not tries]
             statement = judged[k].statement
-            left = None
-            if statement.anyhow is not None:
-                left = replace(statement, row=statement.anyhow, taken=(), ways={}, written=None)
+            left, row = None, statement.under_any_guess
+            if row is not None:
+                left = replace(statement, row=row, taken=(), ways={}, written=None)
             yield from (
                 OtherReading(one, {k: left if one in statement.unsure else None}) for one in words
             )

@@ -15,10 +15,10 @@ from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import is_model, model_words
-from mechanics.judge.nearby import nearby
 from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
+from mechanics.judge.sentence_context import context_of
 from mechanics.judge.sentences import marked, sentences
 from mechanics.judge.sources import Source
 from mechanics.kernel import Verdict, undecided
@@ -152,13 +152,13 @@ def limits_on(
     """
     limits = prose.limits
     if limits and (alone or formulas):
-        found = nearby(statement.written, prose.names)
-        here = found.own if formulas else found.near
-        elsewhere = None if formulas else found.every
+        context = context_of(statement.written, prose.names)
+        here = context.own if formulas else context.near
+        page = None if formulas else context.page
         limits = tuple(
             limit for limit in limits
             if not limit.sentence or limit.sentence in here
-            or (elsewhere is not None and limit.sentence not in elsewhere)
+            or (page is not None and limit.sentence not in page)
         )  # fmt: skip
     return tuple(limit.words for limit in limits)
 

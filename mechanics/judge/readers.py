@@ -190,8 +190,8 @@ def _with_rest(
     beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
     taken = {word for match in found.names for word in match.meaning.split()}
     values = values_in(text, scene, naming).items()
-    given = tuple((s, v) for s, v in values if str(s) not in taken)
-    statements = tuple(replace(s, given=given) for s in found.statements)
+    unused = tuple((s, v) for s, v in values if str(s) not in taken)
+    statements = tuple(replace(s, file_values=unused) for s in found.statements)
     return replace(found, beside=beside, statements=statements)
 
 

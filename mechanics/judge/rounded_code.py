@@ -20,24 +20,25 @@ from mechanics.report.answer.judged import Judged
 FAR = 1e-3
 """Of the larger side: single precision has 24 bits, 6e-8, and few roundings are made of it."""
 NUMBER = re.compile(r"[-+]?\d[\d_]*\.?\d*(?:e[-+]?\d+)?")
-SAID = {
+NOTES = {
     EXACT: "convention: single precision counts as exact",
     HARMLESS: "convention: what is not here changes nothing",
 }
 
 
-def said_of_code(convention: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Which of `SAID` are declared, and the other conventions.
+def code_conventions(convention: Sequence[str] | str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Which of `NOTES` are declared, and the other conventions.
 
     Parameters
     ----------
-    convention : sequence of str
+    convention : str or sequence of str
     """
-    parts = [part.strip() for told in convention for part in told.split(",")]
-    declared = tuple(name for name in SAID if name in map(str.lower, parts))
+    convention = [convention] if isinstance(convention, str) else convention
+    parts = [part.strip() for words in convention for part in words.split(",")]
+    declared = tuple(name for name in NOTES if name in map(str.lower, parts))
     if not declared:
         return (), tuple(convention)
-    others = ", ".join(part for part in parts if part.lower() not in SAID)
+    others = ", ".join(part for part in parts if part.lower() not in NOTES)
     return declared, (others,) if others else ()
 
 
@@ -48,26 +49,26 @@ def as_rounded(judged: Sequence[Judged], declared: Sequence[str]) -> tuple[Judge
     ----------
     judged : sequence of Judged
     declared : sequence of str
-        Which of `SAID` somebody says.
+        Which of `NOTES` somebody says.
     """
-    found = judged if EXACT in declared else [*map(_open, judged)]
-    return tuple(found if HARMLESS in declared else map(_granted, found))
+    entries = judged if EXACT in declared else [*map(_if_rounded, judged)]
+    return tuple(entries if HARMLESS in declared else map(_if_assumed, entries))
 
 
-def _granted(entry: Judged) -> Judged:
+def _if_assumed(entry: Judged) -> Judged:
     """An entry; open where it is right only if something is so that nothing here says."""
     statement, finding = entry.statement, entry.finding
-    if statement.elsewhere and (finding.shown or is_wrong(entry)):
-        words = f"{statement.elsewhere}: put what it declares into the file"
+    if statement.missing_code and (finding.shown or is_wrong(entry)):
+        words = f"{statement.missing_code}: put what it declares into the file"
         why = undecided(finding.subject, f"{words}, or --convention '{HARMLESS}'")
         return replace(entry, finding=why, right_if=(), open=False)
-    if not statement.granted or not finding.shown:
+    if not statement.assumption or not finding.shown:
         return entry
-    words = f"right if {statement.granted}: put it in, or --convention '{HARMLESS}' says so"
+    words = f"right if {statement.assumption}: put it in, or --convention '{HARMLESS}' says so"
     return replace(entry, finding=undecided(finding.subject, words))
 
 
-def _open(entry: Judged) -> Judged:
+def _if_rounded(entry: Judged) -> Judged:
     rounded, finding = entry.statement.rounded, entry.finding
     if not rounded or not (finding.shown or is_wrong(entry)) or entry.of_dimension:
         return entry

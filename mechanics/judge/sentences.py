@@ -20,7 +20,7 @@ from mechanics.claims.text.letters import plain
 from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.line_continuation import LABELLED
 from mechanics.claims.text.prepare import BLOCK, LEADS
-from mechanics.claims.unread_names import given
+from mechanics.claims.unread_names import assigned_names
 from mechanics.judge.markup import without_markup
 from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED
 from mechanics.judge.sentence_forms import one_form
@@ -177,7 +177,7 @@ def _spoken(line: str) -> bool:
 def _statement(line: re.Match[str]) -> str:
     """A line with a formula: it is judged by itself, but for what a comment says or defines."""
     comment = line[0].lstrip()
-    said = COMMENT.match(comment) and (any(given(comment)) or _spoken(comment))
+    said = COMMENT.match(comment) and (any(assigned_names(comment)) or _spoken(comment))
     return line[0] if said else MARKED
 
 

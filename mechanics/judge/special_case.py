@@ -57,7 +57,7 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     if entry.verdict is not Verdict.REFUTED or row is None:
         return entry
     held = set().union(*(side.free_symbols for side in row.sides))
-    given = dict(entry.statement.given)
+    given = dict(entry.statement.file_values)
     if held & {*truth.scene.parameters}:  # no code in which all parameters are numbers
         given = {s: v for s, v in given.items() if s in truth.scene.input_symbols}
     if (needed := _needed(truth, row, given)) is not None:

@@ -89,7 +89,7 @@ def test_rows_of_a_manipulator_may_be_divided_or_exchanged(
     line: str, mass: str, verdict: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """M u' + C - G = 0 by rows is right whatever they are multiplied by; a wrong M is not."""
-    name = f"parts_{abs(hash((line, mass)))}"
+    name = f"parts_{tmp_path.name}"
     (tmp_path / f"{name}.py").write_text(PARTS.format(line, mass))
     monkeypatch.syspath_prepend(tmp_path)
     model = import_module(name).model

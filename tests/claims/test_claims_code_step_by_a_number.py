@@ -19,8 +19,9 @@ def masses():
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("sign, verdict", [("-", "PROVED"), ("+", "REFUTED")])
+@pytest.mark.parametrize("sign, verdict", [("-", "PROVED"), ("+", "UNDECIDED")])
 def test_a_step_by_a_number_of_the_code(sign: str, verdict: str) -> None:
+    """The other sign is right from the other vertical, which nobody declares."""
     space: dict = {}
     exec(
         "from math import sin\ndef step(theta, theta_dot, g, l):\n    STEP = 0.02\n"
@@ -32,7 +33,7 @@ def test_a_step_by_a_number_of_the_code(sign: str, verdict: str) -> None:
     found = mechanics.check(
         pendulum(dynamicsymbols("theta"), m, 0, l, g), space["step"], blame=False
     )
-    assert found.verdict.name == verdict if sign == "-" else found.verdict.name != "PROVED"
+    assert found.verdict.name == verdict
 
 
 def test_the_name_of_a_function_says_which_acceleration_it_returns() -> None:

@@ -3,7 +3,7 @@
 import pytest
 
 import mechanics
-from mechanics.claims.unread_names import given, mentioned
+from mechanics.claims.unread_names import assigned_names, mentioned
 from mechanics.judge.check import derived
 from systems import bead_on_hoop, rod_pendulum
 
@@ -72,4 +72,4 @@ def test_a_name_of_the_scene_is_what_the_scene_calls_so() -> None:
 
 def test_names_of_a_formula() -> None:
     assert {*mentioned(r"m_{\mathrm{p}}\ddot\varphi_1 = ab_2")} >= {"mp", "phi1", "a", "b2"}
-    assert [*given("r = 2*R, g = 9.81 m/s^2, F = force of the wind")] == ["r", "R"]
+    assert [*assigned_names("r = 2*R, g = 9.81 m/s^2, F = force of the wind")] == ["r", "R"]

@@ -10,6 +10,7 @@ A static number that nothing changes is one, too, and so is a macro whose value 
 import re
 from collections.abc import Iterable
 
+from mechanics.claims.brackets import depth
 from mechanics.errors import ExpressionError
 from mechanics.program.c.tokens import blanked
 
@@ -36,7 +37,7 @@ def with_constants(text: str, origin: str, integers: Iterable[str] = ()) -> str:
         Names that are integers in C: macros that are made of them are no doubles.
     """
     text = _of_macros(text, {*integers})
-    found = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
+    found = [m for m in DECLARED.finditer(text) if depth(text, m.start()) == 0]
     found = [m for m in found if "const" in m["words"].split() or "[" not in m["rest"]]
     found = [m for m in found if len({"double", "float"} & set(m["words"].split())) == 1]
     if not found:
@@ -145,7 +146,3 @@ def _length(text: str, start: int) -> int:
         if depth == 0:
             return end - at
     return 0
-
-
-def _depth(text: str, at: int) -> int:
-    return text.count("{", 0, at) - text.count("}", 0, at)

@@ -8,19 +8,22 @@ Those that no function changes are numbers, all others arrays of one entry.
 """
 
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from mechanics.claims.brackets import closing, depth
 from mechanics.errors import InputError
 from mechanics.program.c.tokens import blanked
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fF]?"
-ONE = rf"\w+(?:\s*\[\s*\d+\s*\])?(?:\s*=\s*(?:{NUMBER}|\{{[^{{}};]*\}}))?"
+DECLARATOR = rf"\w+(?:\s*\[\s*\d+\s*\])?(?:\s*=\s*(?:{NUMBER}|\{{[^{{}};]*\}}))?"
 DECLARED = re.compile(
-    rf"(?<![\w.])(?:(?:static|extern)\s+)*(?:double|float)\s+(?P<ones>{ONE}(?:\s*,\s*{ONE})*)\s*;"
+    r"(?<![\w.])(?:(?:static|extern)\s+)*(?:double|float)\s+"
+    rf"(?P<declarators>{DECLARATOR}(?:\s*,\s*{DECLARATOR})*)\s*;"
 )
 SIZE = re.compile(r"(?<![\w.])extern\s+(?:const\s+)?(?:int|size_t|unsigned)\s+(\w+)\s*;")
 HEAD = re.compile(r"\b(\w+)\s*\(([^(){};]*)\)\s*\{")
-WORDS = frozenset(("if", "while", "for", "switch"))
+STATEMENTS = frozenset(("if", "while", "for", "switch"))
 CHANGED = r"(?:&|\+\+|--)\s*{0}\b|{1}\s*(?:\[[^]]*\]\s*)?(?:[-+*/]?=(?!=)|\+\+|--)"
 
 
@@ -47,60 +50,67 @@ def with_globals(text: str, function: str | None = None) -> str:
         it to a number looks like a wrong formula.
     """
     functions = _functions(text)
-    outside = [m for m in DECLARED.finditer(text) if _depth(text, m.start()) == 0]
-    names: dict[str, bool] = {}  # whether it is an array
-    for match in outside:
-        inner = re.sub(r"\{[^{}]*\}", "0", match["ones"])
-        for one in inner.split(","):
-            names[re.findall(r"\w+", one)[0]] = "[" in one
-    if not names or not functions or len({f.name for f in functions}) < len(functions):
+    declarations = [m for m in DECLARED.finditer(text) if depth(text, m.start()) == 0]
+    arrays = _variables(declarations)
+    if not arrays or not functions or len({f.name for f in functions}) < len(functions):
         return _sized(text)
-    uses = {f.name: {n for n in names if _used(text[slice(*f.body)], n)} for f in functions}
-    inside = "\n".join(text[slice(*f.body)] for f in functions)
+    bodies = {f.name: text[slice(*f.body)] for f in functions}
     heads = "\n".join(text[slice(*f.head)] for f in functions)
-    if any(_declared(inside, n) or re.search(rf"\b{n}\b", heads) for n in names):
+    inside = "\n".join(bodies.values())
+    if any(_declared(inside, n) or re.search(rf"\b{n}\b", heads) for n in arrays):
         return text
-    writes = {
-        f.name: {n for n in names if re.search(CHANGED.format(n, _use(n)), text[slice(*f.body)])}
-        for f in functions
-    }
-    calls = {
-        f.name: {o.name for o in functions if _calls(text[slice(*f.body)], o.name)}
-        for f in functions
-    }
-    tops = [f.name for f in functions if all(f.name not in calls[o.name] for o in functions)]
+    calls = {name: {n for n in bodies if _calls(body, n)} for name, body in bodies.items()}
+    tops = [name for name in bodies if all(name not in callees for callees in calls.values())]
     if function is None and len(tops) > 1:
         raise InputError(
             f"{', '.join(tops)} share variables of the file: --function (function=) says which"
             " is meant"
         )
-    for _ in functions:
-        for name, others in calls.items():
-            uses[name] |= {n for other in others for n in uses[other]}
-            writes[name] |= {n for other in others for n in writes[other]}
-    changed = {n for own in writes.values() for n in own}
-    pieces, at = [], 0
+    uses = _through_calls({k: {n for n in arrays if _used(b, n)} for k, b in bodies.items()}, calls)
+    writes = _through_calls(
+        {k: {n for n in arrays if _changed(b, n)} for k, b in bodies.items()}, calls
+    )
+    changed = set().union(*writes.values())
+    passed = {name: [n for n in arrays if n in uses[name]] for name in bodies}
+    parts, at = [], 0
     for f in functions:
-        own = [n for n in names if n in uses[f.name]]
-        heads_of = [
-            f"{'const ' * (n not in writes[f.name])}double {'*' * (n in changed or names[n])}{n}"
-            for n in own
+        added = [
+            f"{'const ' * (n not in writes[f.name])}double {'*' * (n in changed or arrays[n])}{n}"
+            for n in passed[f.name]
         ]
-        given = text[slice(*f.head)].strip()
-        given = "" if given == "void" else given
-        pieces += [text[at : f.head[0]], ", ".join(filter(None, (given, *heads_of)))]
-        pieces += [text[f.head[1] : f.body[0]]]
-        body = text[slice(*f.body)]
-        for n in own:
-            if n in changed and not names[n]:
+        head = text[slice(*f.head)].strip()
+        head = "" if head == "void" else head
+        parts += [text[at : f.head[0]], ", ".join(filter(None, (head, *added)))]
+        body = bodies[f.name]
+        for n in passed[f.name]:
+            if n in changed and not arrays[n]:
                 body = re.sub(_use(n), f"{n}[0]", body)
-        passed = {one.name: [n for n in names if n in uses[one.name]] for one in functions}
-        pieces.append(_called(body, passed))
+        parts += [text[f.head[1] : f.body[0]], _with_arguments(body, passed)]
         at = f.body[1]
-    done = "".join((*pieces, text[at:]))
-    for match in outside:
-        done = done.replace(match[0], blanked(match[0]), 1)
-    return _sized(done)
+    text = "".join((*parts, text[at:]))
+    for match in declarations:
+        text = text.replace(match[0], blanked(match[0]), 1)
+    return _sized(text)
+
+
+def _variables(declarations: Iterable[re.Match[str]]) -> dict[str, bool]:
+    """Names that are declared, and whether each is an array."""
+    arrays: dict[str, bool] = {}
+    for match in declarations:
+        for declarator in re.sub(r"\{[^{}]*\}", "0", match["declarators"]).split(","):
+            arrays[re.findall(r"\w+", declarator)[0]] = "[" in declarator
+    return arrays
+
+
+def _through_calls(
+    own: Mapping[str, set[str]], calls: Mapping[str, set[str]]
+) -> dict[str, set[str]]:
+    """What functions have themselves, and by the functions that they call."""
+    total = {name: {*some} for name, some in own.items()}
+    for _ in calls:
+        for name, callees in calls.items():
+            total[name] |= set().union(*(total[callee] for callee in callees))
+    return total
 
 
 def _use(name: str) -> str:
@@ -110,6 +120,10 @@ def _use(name: str) -> str:
 
 def _used(body: str, name: str) -> bool:
     return re.search(_use(name), body) is not None
+
+
+def _changed(body: str, name: str) -> bool:
+    return re.search(CHANGED.format(name, _use(name)), body) is not None
 
 
 def _calls(body: str, name: str) -> bool:
@@ -124,30 +138,23 @@ def _declared(bodies: str, name: str) -> bool:
 
 def _functions(text: str) -> list[_Function]:
     """Functions that a file defines, in order."""
-    found = []
+    functions = []
     for match in HEAD.finditer(text):
-        if match[1] in WORDS or _depth(text, match.start()):
+        if match[1] in STATEMENTS or depth(text, match.start()):
             continue
-        depth, end = 1, match.end()
-        while depth and end < len(text):
-            depth += (text[end] == "{") - (text[end] == "}")
-            end += 1
-        found.append(_Function(match[1], match.span(2), (match.end(), end)))
-    return found
+        body = match.end(), closing(text, match.end() - 1)
+        functions.append(_Function(match[1], match.span(2), body))
+    return functions
 
 
-def _called(body: str, passed: dict[str, list[str]]) -> str:
+def _with_arguments(body: str, passed: Mapping[str, Sequence[str]]) -> str:
     """A body whose calls pass these on."""
     for name, own in passed.items():
         at = 0
         while own and (call := re.compile(rf"(?<![\w.])\b{name}\s*\(").search(body, at)):
-            depth, end = 1, call.end()
-            while depth and end < len(body):
-                depth += (body[end] == "(") - (body[end] == ")")
-                end += 1
-            given = body[call.end() : end - 1]
-            more = ", ".join(filter(None, (given.strip(), *own)))
-            body = f"{body[: call.end()]}{more}{body[end - 1 :]}"
+            end = closing(body, call.end() - 1, "()") - 1
+            arguments = ", ".join(filter(None, (body[call.end() : end].strip(), *own)))
+            body = f"{body[: call.end()]}{arguments}{body[end:]}"
             at = call.end()
     return body
 
@@ -161,7 +168,3 @@ def _sized(text: str) -> str:
         if not re.search(rf"\b{match[1]}\b", heads):
             text = re.sub(rf"(?<=\w)\s*{bracket}(?=\s*[,)])", "[]", rest)
     return text
-
-
-def _depth(text: str, at: int) -> int:
-    return text.count("{", 0, at) - text.count("}", 0, at)

@@ -10,6 +10,7 @@ All keeps its line. ``(void) t;`` says that an argument is not used, and goes.
 
 import re
 
+from mechanics.claims.brackets import closing
 from mechanics.errors import ExpressionError
 from mechanics.program.c.tokens import blanked
 
@@ -78,9 +79,4 @@ def _body(text: str, at: int) -> tuple[int, int]:
     opens, ends = text.find("{", at), text.find(";", at)
     if opens < 0 or 0 <= ends < opens:
         return at, at
-    depth = 0
-    for place in range(opens, len(text)):
-        depth += {"{": 1, "}": -1}.get(text[place], 0)
-        if depth == 0:
-            return opens, place + 1
-    return opens, len(text)
+    return opens, closing(text, opens)

@@ -11,15 +11,17 @@ import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from random import Random
-from types import CodeType, FunctionType
+from types import FunctionType
 from typing import Any
 
 import casadi
 
+from mechanics.claims.code.objects import names_in
 from mechanics.claims.code.unpacking import Apart
 from mechanics.errors import InputError
 
 KINDS = ("MX", "SX")
+CASADI = (casadi, casadi.MX, casadi.SX)
 TOGETHER = "state"
 """Names what is put together of several symbols."""
 DRAWS, CLOSE = 4, 1e-9
@@ -27,7 +29,7 @@ DRAWS, CLOSE = 4, 1e-9
 
 
 @dataclass(frozen=True)
-class Made:
+class SymbolFunction:
     """The CasADi function that a Python function makes.
 
     Attributes
@@ -41,17 +43,18 @@ class Made:
     apart: dict[str, Apart]
 
 
-def function_of(function: Callable[..., Any]) -> Made | None:
+def function_of(function: Callable[..., Any]) -> SymbolFunction | None:
     """The CasADi function that a Python function makes; None where it makes no symbols.
 
     Raises
     ------
     InputError
-        For what is made of other symbols than it returns, and what it makes otherwise of numbers.
+        Where its formulas hold symbols that it does not return, and where it makes other ones of
+        numbers than of symbols.
     """
     if not isinstance(function, FunctionType):
         return None
-    words = _names(function.__code__)
+    words = {*names_in(function.__code__)}
     kinds = [kind for kind in KINDS if kind in words]
     if len(kinds) != 1 or "sym" not in words or not _of_casadi(function):
         return None
@@ -59,40 +62,33 @@ def function_of(function: Callable[..., Any]) -> Made | None:
     if any(p.kind is not p.POSITIONAL_OR_KEYWORD for p in parameters):
         return None
     kind, title = getattr(casadi, kinds[0]), function.__name__
-    given = {p.name: kind.sym(p.name) for p in parameters}
-    made = _made(function, title, given, [*given.values()], [*given])
-    if made is None:
+    symbols = {p.name: kind.sym(p.name) for p in parameters}
+    symbolic = _of_call(function, title, symbols, [*symbols.values()], [*symbols])
+    if symbolic is None:
         return None
-    drawn = Random(1)
+    random = Random(1)
     for _ in range(DRAWS):
-        numbers = {name: drawn.uniform(0.5, 2) for name in given}
-        plain = _made(function, title, numbers, [], [])
-        if plain is None or not _same(made.function, plain.function, [*numbers.values()], drawn):
+        numbers = {name: random.uniform(0.5, 2) for name in symbols}
+        plain = _of_call(function, title, numbers, [], [])
+        values = [*numbers.values()]
+        if plain is None or not _same(symbolic.function, plain.function, values, random):
             raise InputError(f"{title} makes another formula of numbers than of CasADi's symbols")
-    return made
+    return symbolic
 
 
 def _of_casadi(function: FunctionType) -> bool:
     """Whether a name of it, or an import inside, is CasADi or its symbols."""
-    words = _names(function.__code__)
-    own = [function.__globals__.get(name) for name in words]
-    return "casadi" in words or any(
-        one is casadi or one is casadi.MX or one is casadi.SX for one in own
-    )
+    words = {*names_in(function.__code__)}
+    values = [function.__globals__.get(name) for name in words]
+    return "casadi" in words or any(v is kind for v in values for kind in CASADI)
 
 
-def _names(code: CodeType) -> set[str]:
-    """Names in a function, and in those that are defined in it."""
-    inner = [_names(part) for part in code.co_consts if isinstance(part, CodeType)]
-    return {*code.co_names}.union(*inner)
-
-
-def _made(
-    function: FunctionType, title: str, given: dict[str, Any], more: list[Any], names: list[str]
-) -> Made | None:
+def _of_call(
+    function: FunctionType, title: str, arguments: dict[str, Any], more: list[Any], names: list[str]
+) -> SymbolFunction | None:
     """The function of what a call returns, of symbols that it returns and these."""
     try:
-        result = [*_parts(function(**given))]
+        result = [*_parts(function(**arguments))]
         every: list[Any] = [one for one in result if isinstance(one, casadi.MX | casadi.SX)]
         inputs = [one for one in every if one.is_valid_input()]
         parts = {TOGETHER + str(k or ""): _parts_of(one) for k, one in enumerate(inputs)}
@@ -111,9 +107,10 @@ def _made(
         inner = [name for one in parts.values() for name in one]
         if len({*inner, *names}) < len(inner) + len(names):
             raise InputError(f"{title}: two of its symbols have one name: rename one")
-        held = [*(symbol for _, symbol in symbols), *more]
-        told = [f"output_{k}" for k in range(len(formulas))]
-        return Made(casadi.Function(title, held, formulas, [*own, *names], told), apart)
+        takes = [*(symbol for _, symbol in symbols), *more]
+        outputs = [f"output_{k}" for k in range(len(formulas))]
+        made = casadi.Function(title, takes, formulas, [*own, *names], outputs)
+        return SymbolFunction(made, apart)
     except InputError:
         raise
     except Exception as error:
@@ -145,18 +142,18 @@ def _parts(result: Any) -> Iterator[Any]:
 
 
 def _same(
-    made: casadi.Function, plain: casadi.Function, numbers: list[float], drawn: Random
+    symbolic: casadi.Function, plain: casadi.Function, numbers: list[float], random: Random
 ) -> bool:
     """Whether two functions return the same, the first with these numbers besides."""
-    if plain.n_in() + len(numbers) != made.n_in() or plain.n_out() != made.n_out():
+    if plain.n_in() + len(numbers) != symbolic.n_in() or plain.n_out() != symbolic.n_out():
         return False
     state = [
-        casadi.DM([drawn.uniform(-2, 2) for _ in range(plain.numel_in(k))]).reshape(
+        casadi.DM([random.uniform(-2, 2) for _ in range(plain.numel_in(k))]).reshape(
             plain.size_in(k)
         )
         for k in range(plain.n_in())
     ]
-    some, others = made.call([*state, *numbers]), plain.call(state)
+    some, others = symbolic.call([*state, *numbers]), plain.call(state)
     return all(
         one.shape == other.shape and float(casadi.norm_inf(casadi.vec(one - other))) <= CLOSE
         for one, other in zip(some, others, strict=True)

@@ -522,7 +522,7 @@ def statement(
         written=written_of(known, naming) if known else None, ways=ways,
         taken=tuple((words, _row(other, title)) for words, other in others),
         demands=_demands(entries, outputs), unsure=unsure,
-        anyhow=anyhow and _row(anyhow, title),
+        under_any_guess=anyhow and _row(anyhow, title),
     )  # fmt: skip
 
 

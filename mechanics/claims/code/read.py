@@ -18,6 +18,7 @@ from sympy import Expr, Matrix, S, cos, sin
 
 from mechanics.claims.about import WORDS
 from mechanics.claims.assemble import Reading
+from mechanics.claims.code.angle_wrapping import with_unwrapped_angles
 from mechanics.claims.code.arguments import (
     SAID,
     Arguments,
@@ -40,7 +41,7 @@ from mechanics.claims.code.c_untyped import with_types
 from mechanics.claims.code.c_whole import refuse_integer_quotients
 from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
 from mechanics.claims.code.casadi_symbols import function_of
-from mechanics.claims.code.columns import with_columns
+from mechanics.claims.code.column_arguments import with_column_arguments
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
 from mechanics.claims.code.execution_paths import ways_of
@@ -74,7 +75,6 @@ from mechanics.claims.code.python_call import beside, signature_of
 from mechanics.claims.code.sympy_expressions import Constants, expressions
 from mechanics.claims.code.tracing import Outputs, trace
 from mechanics.claims.code.unpacking import Apart, in_c, in_python
-from mechanics.claims.code.whole_turns import without_turns
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
 from mechanics.claims.guess import at_one_step, guess
@@ -133,13 +133,13 @@ def read_function(
     InputError
         When an argument is unexplained, or the code hides a formula.
     """
-    if (made := function_of(function)) is not None:
-        return read_casadi(scene, made.function, names, about, function, made.apart)
+    if (symbolic := function_of(function)) is not None:
+        return read_casadi(scene, symbolic.function, names, about, function, symbolic.apart)
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
     held = {*vocabulary.constants, *(names or {}), *STEPS}
     function = with_local_numbers(unwrapped(function), held)
-    function = returning(with_columns(function), size, names or {})
+    function = returning(with_column_arguments(function), size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(vocabulary), names or {}, title)
     refuse_unsettled(function, {n for n, symbol in called.standing.items() if symbol.is_Symbol})
@@ -157,16 +157,16 @@ def read_function(
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
         notes = (*outputs.notes, *remarks)
         names_of = outputs.names or called.returned
-        told = replace(outputs, notes=notes, doubt=doubt, names=names_of)
-        return without_turns(scene, told)
+        outputs = replace(outputs, notes=notes, doubt=doubt, names=names_of)
+        return with_unwrapped_angles(scene, outputs)
 
     sizes = dict.fromkeys(called.wanted)
     found = _read(
         scene, title, called.wanted, sizes, run, names, about, called.apart, text or called.text,
         called.standing.values(),
     )  # fmt: skip
-    own = tuple(called.own.items())
-    statements = tuple(replace(s, own=own) for s in found.statements)
+    code_values = tuple(called.own.items())
+    statements = tuple(replace(s, code_values=code_values) for s in found.statements)
     return replace(found, statements=statements, remarks=(*found.remarks, *called.remarks))
 
 

@@ -81,15 +81,15 @@ def read_cpp(
     functions = together(translated.functions, origin)
     readings = [read_function(scene, one, names, about, text) for one in functions]
     found = _together(readings).rounded(translated.rounded)
-    elsewhere = ""
+    missing_code = ""
     if absent := cpp_functions.absent_headers(text):
-        elsewhere = f"{absent[0]} is not here, and may give any name another meaning"
+        missing_code = f"{absent[0]} is not here, and may give any name another meaning"
     notes = in_doubles(text)[1]
     if origin.endswith(cpp_functions.SMALL) and re.search(r"\bdouble\b", text):
         notes = (*notes, "double may be single precision on a small processor: read as exact")
-    granted = " and ".join(translated.granted)
+    assumption = " and ".join(translated.granted)
     statements = (
-        replace(s, notes=(*s.notes, *notes), granted=granted, elsewhere=elsewhere)
+        replace(s, notes=(*s.notes, *notes), assumption=assumption, missing_code=missing_code)
         for s in found.statements
     )
     return replace(found, statements=tuple(statements))

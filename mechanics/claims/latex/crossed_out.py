@@ -8,12 +8,15 @@ Anything else that is crossed out may be left out, or be zero: that is not read.
 import re
 from itertools import pairwise
 
+from mechanics.claims.brackets import depth, pieces
+
 CROSSED = re.compile(r"\\cancel(?=\s*\{(?P<what>[^{}]*)\}(?!\s*[\^_']))")
 ROW = re.compile(
     r"\\\\|\$+|\\[\[\]()]|\\(?:begin|end)\s*\{[^{}]*\}|\n[ \t]*\n"
     r"|\\(?:implies|iff|Rightarrow|Leftrightarrow|therefore|quad|qquad)(?![A-Za-z])"
 )
-SIGN = re.compile(r"[-+=\u2212]")
+SIGNS = "-+=\u2212"
+OPENS, CLOSES = "({[", ")}]"
 EMPTY = re.compile(r"[\s&.,;]*")
 
 
@@ -34,29 +37,22 @@ def _is_common(row: str) -> bool:
     """Whether one factor is crossed out in each term, but for a zero alone on its side."""
     if "\\over" in row:
         return False
-    found = [_factors(term) for term in _terms(row)]
-    return bool(found) and len({*found}) == 1 and len(found[0]) == 1
+    crossed = [_factors(term) for term in _terms(row)]
+    return bool(crossed) and len({*crossed}) == 1 and len(crossed[0]) == 1
 
 
 def _factors(term: str) -> tuple[str, ...]:
     """What is crossed out as a factor of a whole term; nothing where an argument or divisor is."""
-    found = []
+    factors = []
     for match in CROSSED.finditer(term):
         before = term[: match.start()]
-        inside = sum(map(before.count, "({[")) > sum(map(before.count, ")}]"))
-        if inside or before.rstrip().endswith("/"):
+        if depth(term, match.start(), OPENS, CLOSES) > 0 or before.rstrip().endswith("/"):
             return ()
-        found.append(match["what"])
-    return tuple(found)
+        factors.append(match["what"])
+    return tuple(factors)
 
 
 def _terms(row: str) -> list[str]:
     """What stands between signs outside of all brackets."""
-    found, depth, start = [], 0, 0
-    for at, character in enumerate(row):
-        depth += (character in "({[") - (character in ")}]")
-        if depth == 0 and SIGN.match(character):
-            found.append(row[start:at])
-            start = at + 1
-    found.append(row[start:])
-    return [term for term in found if not EMPTY.fullmatch(term) and term.strip(" &.,\n\t") != "0"]
+    terms = (term for _, term in pieces(row, SIGNS, OPENS, CLOSES))
+    return [term for term in terms if not EMPTY.fullmatch(term) and term.strip(" &.,\n\t") != "0"]

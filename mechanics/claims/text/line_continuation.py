@@ -7,6 +7,9 @@ No character moves: an end of a line becomes a blank, a word the semicolon that 
 """
 
 import re
+from itertools import islice
+
+from mechanics.claims.brackets import pieces
 
 WORDS = re.compile(
     r"(?:[,.:][ \t]*|(?<![ \t])[ \t]+|^)(?:(?:where|with|and)\b[:\s]*)+"
@@ -47,24 +50,24 @@ def sentences(text: str) -> str:
     text = NUMBERED.sub(lambda m: " " * len(m[0]), text)
     text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
     text = STOP.sub(" ", text)
-    out, depth = list(text), 0
+    out = list(text)
     together = [span for line in re.finditer(r"[^\n;]+", text) for span in _together(line)]
-    for i, character in enumerate(text):
-        depth += (character in "([") - (character in ")]")
-        if character == "," and depth == 0 and not DECIMAL.match(text, max(i - 1, 0)):
+    for i in _commas(text):
+        if not DECIMAL.match(text, max(i - 1, 0)):
             out[i] = ";"
     for i in together:
         out[i] = ","
     return "".join(out)
 
 
+def _commas(text: str) -> list[int]:
+    """Places of commas outside of brackets."""
+    return [start - 1 for start, _ in islice(pieces(text, ","), 1, None)]
+
+
 def _together(line: re.Match[str]) -> list[int]:
     """Commas of ``a, b = c, d``, which are no ends: b is not c."""
-    depth, commas = 0, list[int]()
-    for i, character in enumerate(line[0]):
-        depth += (character in "([") - (character in ")]")
-        if character == "," and depth == 0:
-            commas.append(i)
+    commas = _commas(line[0])
     first = line[0].find("=")
     if first < 0 or not commas or commas[0] > first:
         return []

@@ -13,6 +13,7 @@ from typing import Any
 from lark import Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
+from mechanics.claims.brackets import pieces
 from mechanics.claims.claim import Trees
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.lines import (
@@ -118,13 +119,9 @@ def _entries(clean: str, text: str, naming: Naming, origin: str) -> list[Entry]:
 def _statements(clean: str) -> Iterator[tuple[str, int]]:
     """Lines, and what semicolons set apart in them outside of brackets; each with its place."""
     for line in re.finditer(r"[^\n]+", clean):
-        depth, start = 0, 0
-        for i, character in enumerate(f"{line[0]};"):
-            depth += (character in "([") - (character in ")]")
-            if character == ";" and (depth == 0 or i == len(line[0])):
-                if line[0][start:i].strip():
-                    yield line[0][start:i], line.start() + start
-                start = i + 1
+        for start, part in pieces(line[0], ";"):
+            if part.strip():
+                yield part, line.start() + start
 
 
 @lru_cache(maxsize=64)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from mechanics.claims.brackets import pieces
 from mechanics.report.answer.formulas import Hand
 
 ROWS = re.compile(r"(.*\bwould differ by \()([^;]*)(\).*)", re.DOTALL)
@@ -55,12 +56,4 @@ def spoken(words: str, hand: Hand) -> str:
 
 def _entries(inside: str) -> Iterator[str]:
     """The entries of a tuple, cut at commas outside of brackets."""
-    depth, current = 0, ""
-    for character in inside:
-        depth += (character in "([") - (character in ")]")
-        if character == "," and depth == 0:
-            yield current.strip()
-            current = ""
-        else:
-            current += character
-    yield current.strip()
+    return (part.strip() for _, part in pieces(inside, ","))

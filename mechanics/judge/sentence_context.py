@@ -30,12 +30,12 @@ BESIDE = 2
 
 
 @dataclass(frozen=True)
-class Nearby:
+class Context:
     """Sentences of a text as one statement sees them, by their words.
 
     Attributes
     ----------
-    every : set of str
+    page : set of str
         All of its text.
     near : set of str
         Those beside it.
@@ -43,12 +43,12 @@ class Nearby:
         Words of its formulas, as labels are.
     """
 
-    every: frozenset[str] = frozenset()
+    page: frozenset[str] = frozenset()
     near: frozenset[str] = frozenset()
     own: frozenset[str] = frozenset()
 
 
-def nearby(written: Written | None, known: Collection[str]) -> Nearby:
+def context_of(written: Written | None, known: Collection[str]) -> Context:
     """The sentences of a statement's text; none where they cannot be placed, as those of code.
 
     Parameters
@@ -58,11 +58,11 @@ def nearby(written: Written | None, known: Collection[str]) -> Nearby:
         Names of the person, and the scene's.
     """
     if written is None or written.notation not in ("latex", "text") or is_model(written.text):
-        return Nearby()
+        return Context()
     text, notation, names = written.text, written.notation, frozenset(known)
     pairs = [_beside(text, notation, at, names) for at in sorted(_places(written))]
     near, own = (frozenset().union(*some) for some in zip(*pairs, strict=True))
-    return Nearby(frozenset(_words(text, notation, names)), near, own)
+    return Context(frozenset(_words(text, notation, names)), near, own)
 
 
 @lru_cache(maxsize=8)

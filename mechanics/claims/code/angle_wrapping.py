@@ -14,10 +14,10 @@ from mechanics.claims.kinds import angular
 from mechanics.scene import Scene
 from mechanics.scene.loads import Force, Gravity, Torque
 
-TOLD = "brought back into one turn: read as the same angle"
+NOTE = "brought back into one turn: read as the same angle"
 
 
-def without_turns(scene: Scene, outputs: Outputs) -> Outputs:
+def with_unwrapped_angles(scene: Scene, outputs: Outputs) -> Outputs:
     """The outputs of a step, where an angle in one turn is the angle itself.
 
     Only where nothing but the place of bodies depends on it: a torsion spring counts turns.
@@ -29,21 +29,21 @@ def without_turns(scene: Scene, outputs: Outputs) -> Outputs:
     whole_state = len(entries) == len(scene.q) + len(scene.u)
     if not whole_state or not all(_is_plain(load, angles) for load in scene.loads):
         return outputs
-    same = {entry: whole for entry in entries if (whole := _whole(entry, angles)) is not None}
-    if not same:
+    unwrapped = {e: angle for e in entries if (angle := _unwrapped(e, angles)) is not None}
+    if not unwrapped:
         return outputs
     values = tuple(
-        value.applyfunc(lambda entry: same.get(entry, entry)) for value in outputs.values
+        value.applyfunc(lambda entry: unwrapped.get(entry, entry)) for value in outputs.values
     )
-    names = ", ".join(sorted(str(whole.subs(STEP, 0)) for whole in same.values()))
-    return replace(outputs, values=values, notes=(*outputs.notes, f"{names} {TOLD}"))
+    names = ", ".join(sorted(str(angle.subs(STEP, 0)) for angle in unwrapped.values()))
+    return replace(outputs, values=values, notes=(*outputs.notes, f"{names} {NOTE}"))
 
 
-def _whole(entry: Expr, angles: set[Symbol]) -> Expr | None:
+def _unwrapped(entry: Expr, angles: set[Symbol]) -> Expr | None:
     """The entry without whole turns, 2 pi floor(...), where it is an angle before the step."""
     turns = [part for part in Add.make_args(entry) if _is_turns(part)]
-    whole = entry - Add(*turns)
-    return whole if turns and whole.subs(STEP, 0) in angles else None
+    angle = entry - Add(*turns)
+    return angle if turns and angle.subs(STEP, 0) in angles else None
 
 
 def _is_turns(part: Expr) -> bool:
@@ -59,7 +59,7 @@ def _is_plain(load: object, angles: set[Symbol]) -> bool:
         return False
     names = {angle.name for angle in angles}
     entries = [entry for column, _ in load.vector.args for entry in column]
-    left = [
+    reduced = [
         e.replace(lambda x: isinstance(x, sin | cos | Derivative), lambda _: S.One) for e in entries
     ]
-    return not any(one.func.__name__ in names for e in left for one in e.atoms(AppliedUndef))
+    return not any(f.func.__name__ in names for e in reduced for f in e.atoms(AppliedUndef))

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 
-def with_columns(function: Callable[..., Any]) -> Callable[..., Any]:
+def with_column_arguments(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function that makes columns of such arguments; the function itself where there are none.
 
     Parameters
@@ -41,7 +41,7 @@ def with_columns(function: Callable[..., Any]) -> Callable[..., Any]:
 def _columns(function: Callable[..., Any]) -> frozenset[str]:
     """Arguments with an entry by row and column, and those beside them that `@` takes.
 
-    None where a column beside the first one is named, or a row alone.
+    No argument at all where a column beside the first one is named, or a row alone.
     """
     try:
         tree = ast.parse(textwrap.dedent("".join(inspect.getsourcelines(function)[0])))
@@ -55,19 +55,19 @@ def _columns(function: Callable[..., Any]) -> frozenset[str]:
             case ast.Subscript(value=ast.Name(id=name), slice=place) if name in parameters:
                 taken.setdefault(name, []).append(_of_column(place))
             case ast.BinOp(left=left, op=ast.MatMult(), right=right):
-                beside |= {one.id for one in (left, right) if isinstance(one, ast.Name)}
+                beside |= {side.id for side in (left, right) if isinstance(side, ast.Name)}
             case ast.Name(id=name, ctx=ast.Store()):
                 parameters.discard(name)  # it may be of another shape from there on
-    found = {name for name, places in taken.items() if all(places) and name in parameters}
-    if not found or any(not all(places) for places in taken.values()):
+    columns = taken.keys() & parameters
+    if not columns or not all(all(places) for places in taken.values()):
         return frozenset()
-    return frozenset(found | (beside & parameters))
+    return frozenset(columns | (beside & parameters))
 
 
 def _of_column(place: ast.expr) -> bool:
     """Whether it is a place in an array of one column: by row, and all columns or the first."""
     match place:
         case ast.Tuple(elts=[row, ast.Constant(value=0) | ast.Slice(None, None, None)]):
-            known = isinstance(row, ast.Constant) and type(row.value) is int
-            return known or isinstance(row, ast.Slice | ast.UnaryOp)
+            number = isinstance(row, ast.Constant) and type(row.value) is int
+            return number or isinstance(row, ast.Slice | ast.UnaryOp)
     return False
