@@ -258,6 +258,10 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         OPTIONS.format("'Mass', [1 0; 0 2]"), OPTIONS.format("'NonNegative', 2"),
         SOLVED.format("rate(t, y, m, y(2), g, u)"), SOLVED.format("rate(t, y, m, l, g, -u)"),
         SOLVED.format("rate(t, y, m, l, 0, u)"), "p = struct('m', 1, 'g', -9.81);",
+        "x = lsode(@(t, y) rate(t, y, m, l, g, u), [0.1; 0], linspace(0, 1));",
+        "[t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [0.1; 0], [0 1]);",
+        "[y, t] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0]);",
+        "[m, l] = deal(l, m);", "g = abs(g)*-1;", "p.l = l;\np = setfield(p, 'l', p.l/2);",
     ],
 )  # fmt: skip
 def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -285,10 +289,24 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "f = ODEFunction(rate!, mass_matrix=[1.0 0; 0 2.0])",
         "prob2 = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (1.0, 1.0, 0.0, 0.0))",
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = remake(prob, p=(l, m, g, u))",
+        "prob2 = DiscreteProblem(rate!, [0.1, 0.0], (0, 10), p)",
+        "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = NonlinearProblem(rate!, [0.1, 0], (l, m, g, u))",
     ],
 )
 def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
     assert beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "double a = accel(th, om, 0, om, 1, 9.81); om += h*a; th += h*om;",
+        "double a = accel(th, om, 0, 1, th, 9.81); om += h*a; th += h*om;",
+        "double a = accel(th, om, 0, 1, 1, h); om += h*a; th += h*om;",
+    ],
+)
+def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> None:
+    assert beside(tmp_path, ".cpp", C + SMALL.format(ONE.format(line)), "accel")
 
 
 @pytest.mark.parametrize(
