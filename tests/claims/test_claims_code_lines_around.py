@@ -323,6 +323,67 @@ def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> Non
     assert not beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
 
 
+KIND = """#include <cmath>
+struct Rod {
+  double m, l, g, theta, omega;
+  void step(double u, double dt) {
+    double a = 3*g/(2*l)*std::sin(theta) + 3*u/(m*l*l);
+    theta += omega*dt;
+    omega += a*dt;
+  }
+};
+"""
+BUILT = KIND.replace("  double m, l, g, theta, omega;",
+    "  double m, l, g, theta = 0.1, omega = 0;\n"
+    "  Rod(double m_, double l_, double g_) : m(m_), l(l_), g(g_) {}")  # fmt: skip
+SHARED = """#include <math.h>
+static double theta = 0.1, omega = 0;
+void step(double u, double m, double l, double g, double dt) {
+  double a = 3*g/(2*l)*sin(theta) + 3*u/(m*l*l);
+  omega += a*dt;
+  theta += omega*dt;
+}
+"""
+RUN = (
+    "int main() {{ double m = 1, l = 2, g = 9.81, u = 0, dt = 0.1; {}\n"
+    "  for (int i = 0; i < 9; ++i) {{ {} }} }}"
+)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "kind", "made", "turn"),
+    [
+        (".cpp", KIND, "Rod rod{l, m, g, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{1, 2, -9.81, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(dt, u);"),
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(u, dt); rod.omega *= 0.5;"),
+        (".cpp", BUILT, "Rod rod(l, m, g);", "rod.step(u, dt);"),
+        (".cpp", BUILT, "Rod rod(1, 2, -9.81);", "rod.step(u, dt);"),
+        (".c", SHARED, "", "step(u, m, l, g, dt); omega = -omega;"),
+        (".c", SHARED, "", "step(u, omega, l, g, dt);"),
+    ],
+)
+def test_an_object_with_other_parameters_or_a_changed_state_is_quoted(
+    tmp_path: Path, suffix: str, kind: str, made: str, turn: str
+) -> None:
+    assert beside(tmp_path, suffix, kind + RUN.format(made, turn))
+
+
+@pytest.mark.parametrize(
+    ("suffix", "kind", "made", "turn"),
+    [
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{1, 2, 9.81, -0.1, 0};", "rod.step(0.0, 0.01);"),
+        (".cpp", BUILT, "Rod rod(m, l, g);", "rod.step(u, dt);"),
+        (".c", SHARED, "theta = 0.2; omega = 0;", "step(u, m, l, g, dt);"),
+    ],
+)
+def test_an_object_with_its_parameters_is_innocent(
+    tmp_path: Path, suffix: str, kind: str, made: str, turn: str
+) -> None:
+    assert not beside(tmp_path, suffix, kind + RUN.format(made, turn))
+
+
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 def test_a_main_below_is_no_part_of_what_is_judged(tmp_path: Path, suffix: str) -> None:
     below = SMALL.format(

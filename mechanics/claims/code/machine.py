@@ -239,7 +239,7 @@ class Machine:
         if name in self.judged.meanings:
             words = self.judged.meanings[name]
             return words[0] if len(words) == 1 else ""
-        return self.words.meaning(name)
+        return self.words.meaning(name) or self.judged.around.get(name, "")
 
     def _accepted(self, name: str, words: Sequence[str], part: Term, value: Any) -> bool:
         """Whether an argument is what the function takes at its place."""

@@ -9,6 +9,7 @@ All else is quoted.
 
 import re
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -123,7 +124,14 @@ class Uses(Steps):
         self._start()
         self._vectors(one.body)
         env = {n: v for n, v in around.items() if n not in one.takes}
-        return self._lines(one.body, env, set())
+        return self._lines(one.body, env, set(), self._states_around(one))
+
+    def _states_around(self, function: Own) -> frozenset[str]:
+        """Names of the file that hold the state, and that a function has no own ones for."""
+        declared = {root_of(t.parts[0]) for t in function.body.all()
+                    if t.kind == "set" and not t.text.startswith(root_of(t.parts[0]))}  # fmt: skip
+        states = {n for n, word in self.judged.around.items() if word in self.words.state}
+        return frozenset(states - declared - {*function.takes})
 
     def changed(self, function: Own, free: Collection[str]) -> list[str]:
         """Lines of a function that change a number of the file which the judged one uses.
@@ -183,6 +191,12 @@ class Uses(Steps):
                 return True
             if self._exchanges(target, value, env):
                 return True
+        if any(self._kicks(one) for one in line.all() if one.kind == "set"):
+            return True
+        methods = [one for one in line.all() if one.kind == "call" and not self.first
+                   and one.name.endswith(f".{self.judged.name}")]  # fmt: skip
+        if any(self.misuses(replace(one, name=self.judged.name), env) for one in methods):
+            return True
         return any(
             self._alters(one, env) if one.kind == "call" else self._is_impossible(one, env)
             for part in ([line] if line.kind == "call" else line.parts)
@@ -212,6 +226,25 @@ class Uses(Steps):
     def _is_another_word(self, target: Term, value: Term) -> bool:
         word, other = self._word(target), self._word(value)
         return bool(word) and bool(other) and word != other
+
+    def _kicks(self, line: Term) -> bool:
+        """Whether it makes a field of an object, which holds the state, into another: a.w *= 2."""
+        target, value = line.parts
+        state = target.kind == "field" and self.judged.around.get(target.name) in self.words.state
+        return state and bool(line.name or target.name in value.names())
+
+    def misuses(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether a call of the judged function has other arguments than it takes.
+
+        Parameters
+        ----------
+        call : Term
+        env : dict of str to value
+        """
+        saved, self.misused = self.misused, False
+        self._judged(call, env)
+        found, self.misused = self.misused, saved
+        return found
 
     def _is_solver(self, name: str) -> bool:
         return bool(SOLVERS.search(name)) or name in MADE_AGAIN
