@@ -258,6 +258,10 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         OPTIONS.format("'Mass', [1 0; 0 2]"), OPTIONS.format("'NonNegative', 2"),
         SOLVED.format("rate(t, y, m, y(2), g, u)"), SOLVED.format("rate(t, y, m, l, g, -u)"),
         SOLVED.format("rate(t, y, m, l, 0, u)"), "p = struct('m', 1, 'g', -9.81);",
+        "x = lsode(@(t, y) rate(t, y, m, l, g, u), [0.1; 0], linspace(0, 1));",
+        "[t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [0.1; 0], [0 1]);",
+        "[y, t] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0]);",
+        "[m, l] = deal(l, m);", "g = abs(g)*-1;", "p.l = l;\np = setfield(p, 'l', p.l/2);",
     ],
 )  # fmt: skip
 def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -285,10 +289,24 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "f = ODEFunction(rate!, mass_matrix=[1.0 0; 0 2.0])",
         "prob2 = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (1.0, 1.0, 0.0, 0.0))",
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = remake(prob, p=(l, m, g, u))",
+        "prob2 = DiscreteProblem(rate!, [0.1, 0.0], (0, 10), p)",
+        "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = NonlinearProblem(rate!, [0.1, 0], (l, m, g, u))",
     ],
 )
 def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
     assert beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "double a = accel(th, om, 0, om, 1, 9.81); om += h*a; th += h*om;",
+        "double a = accel(th, om, 0, 1, th, 9.81); om += h*a; th += h*om;",
+        "double a = accel(th, om, 0, 1, 1, h); om += h*a; th += h*om;",
+    ],
+)
+def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> None:
+    assert beside(tmp_path, ".cpp", C + SMALL.format(ONE.format(line)), "accel")
 
 
 @pytest.mark.parametrize(
@@ -303,6 +321,67 @@ def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines:
 )
 def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> None:
     assert not beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
+
+
+KIND = """#include <cmath>
+struct Rod {
+  double m, l, g, theta, omega;
+  void step(double u, double dt) {
+    double a = 3*g/(2*l)*std::sin(theta) + 3*u/(m*l*l);
+    theta += omega*dt;
+    omega += a*dt;
+  }
+};
+"""
+BUILT = KIND.replace("  double m, l, g, theta, omega;",
+    "  double m, l, g, theta = 0.1, omega = 0;\n"
+    "  Rod(double m_, double l_, double g_) : m(m_), l(l_), g(g_) {}")  # fmt: skip
+SHARED = """#include <math.h>
+static double theta = 0.1, omega = 0;
+void step(double u, double m, double l, double g, double dt) {
+  double a = 3*g/(2*l)*sin(theta) + 3*u/(m*l*l);
+  omega += a*dt;
+  theta += omega*dt;
+}
+"""
+RUN = (
+    "int main() {{ double m = 1, l = 2, g = 9.81, u = 0, dt = 0.1; {}\n"
+    "  for (int i = 0; i < 9; ++i) {{ {} }} }}"
+)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "kind", "made", "turn"),
+    [
+        (".cpp", KIND, "Rod rod{l, m, g, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{1, 2, -9.81, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(dt, u);"),
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(u, dt); rod.omega *= 0.5;"),
+        (".cpp", BUILT, "Rod rod(l, m, g);", "rod.step(u, dt);"),
+        (".cpp", BUILT, "Rod rod(1, 2, -9.81);", "rod.step(u, dt);"),
+        (".c", SHARED, "", "step(u, m, l, g, dt); omega = -omega;"),
+        (".c", SHARED, "", "step(u, omega, l, g, dt);"),
+    ],
+)
+def test_an_object_with_other_parameters_or_a_changed_state_is_quoted(
+    tmp_path: Path, suffix: str, kind: str, made: str, turn: str
+) -> None:
+    assert beside(tmp_path, suffix, kind + RUN.format(made, turn))
+
+
+@pytest.mark.parametrize(
+    ("suffix", "kind", "made", "turn"),
+    [
+        (".cpp", KIND, "Rod rod{m, l, g, 0.1, 0};", "rod.step(u, dt);"),
+        (".cpp", KIND, "Rod rod{1, 2, 9.81, -0.1, 0};", "rod.step(0.0, 0.01);"),
+        (".cpp", BUILT, "Rod rod(m, l, g);", "rod.step(u, dt);"),
+        (".c", SHARED, "theta = 0.2; omega = 0;", "step(u, m, l, g, dt);"),
+    ],
+)
+def test_an_object_with_its_parameters_is_innocent(
+    tmp_path: Path, suffix: str, kind: str, made: str, turn: str
+) -> None:
+    assert not beside(tmp_path, suffix, kind + RUN.format(made, turn))
 
 
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])

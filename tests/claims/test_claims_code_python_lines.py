@@ -144,6 +144,12 @@ PLACED = (
     "q = {'m': 1.0, 'l': 1.0, 'g': -9.81, 'u': 0.0}",
     "def f(t, y):\n    d = rate(t, y, *p)\n    return [d[1], d[0]]",
     "def f(t, y):\n    a, b = rate(t, y, *p)\n    return np.array([b, a])",
+    "g = -g\nsolve_ivp(rate, (0, 1), y, args=(m, l, g, u))",
+    "l, m = m, l",
+    "l = l/2",
+    "g *= -1",
+    "g = u",
+    "s = m\nm = l\nl = s",
 )
 INNOCENT = (
     CLASS.format("__call__", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)")
@@ -160,6 +166,10 @@ INNOCENT = (
     "print(accel(s.th, s.w, s.m, s.l, s.g, s.u))",
     "print(accel(s['th'], s['w'], s['m'], s['l'], s['g'], 0.0))",
     "plt.plot(sol.y[0][::-1])",
+    "m, l = 2.0, 0.5",
+    "l = np.float64(l)",
+    "half = l/2",
+    "n = m\nsolve_ivp(rate, (0, 1), y)",
 )
 RK4 = """k1 = {f}(t, y{p})
     k2 = {f}(t + {h}/2, y + {h}/2*k1{p})

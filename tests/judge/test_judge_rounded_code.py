@@ -127,3 +127,18 @@ float acc(const State &s, float u, float m, float l, float g, double t)
     for last, verdict in (("u", "PROVED"), ("t", "UNDECIDED")):
         path.write_text(f"#include <math.h>\n{text % last}")
         assert check(SCENE, path, blame=False).verdict.name == verdict
+
+
+@pytest.mark.parametrize(
+    "lost", ["16777217.0f - 16777216.0f", "1e8f + 1.0f - 1e8f", "1e39f*0.0f + 1.0f"]
+)
+def test_a_literal_beside_which_single_precision_loses_a_one_is_refused(
+    tmp_path: Path, lost: str
+) -> None:
+    path = tmp_path / "a.c"
+    path.write_text(
+        "#include <math.h>\nfloat accel(float theta, float m, float l, float g, float u) {\n"
+        f"  return ({lost})*(3*g/(2*l)*sinf(theta) + 3*u/(m*l*l));\n}}\n"
+    )
+    with pytest.raises(InputError, match="single precision loses"):
+        check(SCENE, path, convention=EXACT)

@@ -45,12 +45,15 @@ ANGLES = re.compile(
 NUMBERS = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 SMALLEST, GREATEST = 1e-6, 1e6
 """Of numbers beside which single precision keeps what is added."""
+MOST_EXACT = 2**24
+"""From here on a float has no room for a one beside it."""
 SINGLE_NOTE = "single precision (float, sinf, 0.5f) is read as exact numbers"
 
 CALLED = re.compile(r"\s*\(")
 STRUCT = re.compile(
     r"(?P<typedef>\btypedef\s+)?\bstruct\s*(?P<tag>\w*)\s*\{(?P<fields>[^{}]*)\}\s*(?P<name>\w*)\s*;"
 )
+SINGLE_NUMBER = re.compile(r"(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fF]\b")
 DEFINE = re.compile(r"#[\s\\]*define[\s\\]+(\w+)")
 SINGLE_CALLS = sorted(name for name in SINGLE if name.endswith("f") and name not in NAMES)
 LITERAL = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -149,6 +152,11 @@ def plain(text: str, origin: str, whole: str = "") -> Plain:
 
 def in_doubles(text: str) -> tuple[str, tuple[str, ...]]:
     """The text without single precision, and what is said of that."""
+    for one in SINGLE_NUMBER.finditer(_blank(text)):
+        if float(one[1]) >= MOST_EXACT:
+            raise ExpressionError(
+                f"{one[0]}: single precision loses what is added to it: write a double"
+            )
     doubled = re.sub(TOKEN, _doubled, text)
     return doubled, (SINGLE_NOTE,) if doubled != text else ()
 

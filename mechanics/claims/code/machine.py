@@ -163,9 +163,7 @@ class Machine:
                     at |= dict(zip(words, dense, strict=False))
             elif len(words) == 1 and words[0] in self.words.state:
                 at[words[0]] = value
-        moving = {self._place_of(part) for part in self._parts_for(call, self.words.state)} - {""}
-        fixed = self._parts_for(call, {*map(str, self.words.scene.parameters)})
-        if any(self._place_of(part) in moving for part in fixed):
+        if self.is_another(call, ()):
             self.misused = True
         if not self.stepping and any(not self._ordered(one) for one in entries.values()):
             self.misused = True
@@ -192,10 +190,21 @@ class Machine:
             self._store(part, value, env)
         return result
 
-    def _parts_for(self, call: Term, words: Collection[str]) -> list[Term]:
-        """What a call of the judged function gives for some words of the scene."""
-        pairs = zip(self.judged.takes, call.parts, strict=False)
-        return [part for name, part in pairs if {*self.judged.meanings.get(name, ())} & {*words}]
+    def is_another(self, call: Term, moving: Collection[str]) -> bool:
+        """Whether a call of the judged function has something else for a parameter.
+
+        Parameters
+        ----------
+        moving : collection of str
+            Names that change around the call, beside those that the call has for the state.
+        """
+        parameters = {*map(str, self.words.scene.parameters)}
+        pairs = [*zip(self.judged.takes, call.parts, strict=False)]
+        fixed = [(name, part) for name, part in pairs
+                 if {*self.judged.meanings.get(name, ())} & parameters]  # fmt: skip
+        others = {self._place_of(pair[1]) for pair in pairs if pair not in fixed}
+        others = (others | {*moving}) - {""}
+        return any(self._place_of(p) in others and self._place_of(p) != n for n, p in fixed)
 
     def _place_of(self, part: Term) -> str:
         """Where a value stands; the whole array for one of its entries."""
@@ -230,7 +239,7 @@ class Machine:
         if name in self.judged.meanings:
             words = self.judged.meanings[name]
             return words[0] if len(words) == 1 else ""
-        return self.words.meaning(name)
+        return self.words.meaning(name) or self.judged.around.get(name, "")
 
     def _accepted(self, name: str, words: Sequence[str], part: Term, value: Any) -> bool:
         """Whether an argument is what the function takes at its place."""

@@ -97,6 +97,8 @@ class Judged:
         What arguments are, in words of the scene.
     fills : tuple of str
         Arguments that it sets.
+    around : mapping of str to str
+        What names of the file are that it uses and does not take.
     gives : tuple of str
         Whose rates it gives, in order; empty where it gives something else.
     """
@@ -106,6 +108,7 @@ class Judged:
     meanings: Mapping[str, tuple[str, ...]]
     fills: tuple[str, ...]
     gives: tuple[str, ...]
+    around: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from typing import Any
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
+from mechanics.claims.code.cpp_objects import objects
 from mechanics.claims.code.machine_values import Judged, Own, Words
 from mechanics.claims.code.plain_statements import Term, term, with_names
 from mechanics.claims.code.python_page import named, safe, tree, within, words
@@ -75,11 +76,13 @@ def not_judged(
     users = {name for name in every if _reached({name}, parts) & {*judged}} - own
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
-    uses = Uses(
-        _seen(judged, found, others, lines, naming, title), others, users, Words(naming),
-        int(suffix in LANGUAGES), suffix == ".m", SHOWN | SENDS,
-    )  # fmt: skip
+    seen = _seen(judged, found, others, lines, naming, title)
+    around = (others, users, Words(naming), int(suffix in LANGUAGES), suffix == ".m", SHOWN | SENDS)
+    uses = Uses(seen, *around)
     said: list[str] = []
+    if suffix not in LANGUAGES:
+        made = objects(root, seen, Words(naming).meaning)
+        said += (call.text for kind, call in made if Uses(kind, *around).misuses(call, {}))
     known: dict[str, Any] = {}
     for one in lines:
         line = with_names(term(one), title)
@@ -194,7 +197,9 @@ def _seen(
     filled = tuple(
         n for n in takes if n in fills and n not in meanings and _is_set(functions[name], n)
     )
-    return Judged(name, takes, meanings, filled, gives)
+    single = {m.name: m.meaning for m in found.names if m.name not in takes}
+    around = {n: m for n, m in single.items() if " " not in m and name in functions}
+    return Judged(name, takes, meanings, filled, gives, around)
 
 
 def _is_set(function: Own, name: str) -> bool:

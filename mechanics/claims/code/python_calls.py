@@ -57,6 +57,24 @@ class Calls:
             if role in ("q", "u", "state", "parameter")
         }  # fmt: skip
 
+        self.parameters = {
+            name for called in self.functions.values() for name, role, _ in called.slots
+            if role == "parameter"
+        }  # fmt: skip
+        self.named = {name for called in self.functions.values() for name, _, _ in called.slots}
+
+    def exchanged(self, name: str, value: ast.AST) -> bool:
+        """Whether a value that a parameter of a judged function gets is another one, or changed."""
+        if name not in self.parameters:
+            return False
+        if isinstance(value, ast.Name | ast.Attribute):
+            return word(value) != name and word(value) in self.named
+        return any(
+            word(part) == name
+            for one in ast.walk(value) if isinstance(one, ast.BinOp | ast.UnaryOp)
+            for part in ast.walk(one)
+        )  # fmt: skip
+
     def _called(self, node: Defined) -> Called:
         names = [a.arg for a in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)]
         names = [n for n in names if n not in ("self", "cls")]

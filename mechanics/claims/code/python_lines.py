@@ -305,7 +305,10 @@ class _Scope:
                 if not self._is_plain(one):
                     yield one
             elif isinstance(one, ast.Assign):
-                if self._is_motion(one):
+                if self._is_motion(one) or self._exchanges(one):
+                    yield one
+            elif isinstance(one, ast.AugAssign):
+                if self._is_scaled(one):
                     yield one
             elif isinstance(one, ast.Dict) and self._has_excluded(one):
                 yield one
@@ -596,6 +599,18 @@ class _Scope:
         waves = (n for n in _within([node.value]) if isinstance(n, ast.Call)
                  and word(n.func) in WAVES)  # fmt: skip
         return 2 in orders or (bool(orders) and any(_roots(n) & {*TIMES} for n in waves))
+
+    def _exchanges(self, node: ast.Assign) -> bool:
+        """Whether parameters of judged functions become one another, or are made of themselves."""
+        lines = [*_assigned([node])]
+        return any(
+            self.file.calls.exchanged(name.rpartition(".")[2], line.value)
+            for line in lines for name in line.targets if len(line.targets) == 1
+        )  # fmt: skip
+
+    def _is_scaled(self, node: ast.AugAssign) -> bool:
+        counts = isinstance(node.value, ast.Constant) and node.value.value == 1
+        return word(node.target) in self.file.calls.parameters and not counts
 
     def _order(self, name: str) -> int | None:
         found = self.file.naming.lookup(name)

@@ -12,6 +12,7 @@ from itertools import islice, product
 from typing import Any
 
 from mechanics.claims.code.integrators import INTEGRATORS, STEP
+from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.machine import FAR, Machine
 from mechanics.claims.code.machine_values import (
     Handle,
@@ -79,6 +80,11 @@ class Steps(Machine):
         finally:
             self.stepping = False
         if self.misused or not self.called or self._parameters_change(block, inside):
+            return False
+        sets = {root_of(t) for one in block.all() if one.kind == "set"
+                for t in targets_of(one.parts[0])}  # fmt: skip
+        calls = [one for one in block.all() if one.kind == "call" and one.name == self.judged.name]
+        if any(self.is_another(call, sets | {*STEPS}) for call in calls):
             return False
         for places in self._located(inside):
             if self._advances(places, inside, result):

@@ -9,6 +9,7 @@ All else is quoted.
 
 import re
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -21,6 +22,7 @@ from mechanics.claims.code.machine_values import (
     NotPlainError,
     Own,
     Table,
+    Unknown,
     number,
     root_of,
     targets_of,
@@ -41,6 +43,8 @@ JULIA_OPTIONS = frozenset(
      "callback", "u0", "tspan", "syms", "sensealg", "alg_hints", "force_dtmin")
 )  # fmt: skip
 """Options of a solver that leave the law as it is; an event's function is looked at itself."""
+UNFOLLOWED = frozenset(("setfield", "assignin", "evalin", "eval", "DiscreteProblem"))
+STATE_FIRST = frozenset(("lsode", "lsoda", "dassl"))
 MADE_AGAIN = frozenset(("remake", "init", "solve"))
 STEPPED = frozenset(("step!", "solve!", "plot!", "lines!", "scatter!", "push!", "append!"))
 """Calls with ! that do not change what they are given, or as the solver does."""
@@ -120,7 +124,14 @@ class Uses(Steps):
         self._start()
         self._vectors(one.body)
         env = {n: v for n, v in around.items() if n not in one.takes}
-        return self._lines(one.body, env, set())
+        return self._lines(one.body, env, set(), self._states_around(one))
+
+    def _states_around(self, function: Own) -> frozenset[str]:
+        """Names of the file that hold the state, and that a function has no own ones for."""
+        declared = {root_of(t.parts[0]) for t in function.body.all()
+                    if t.kind == "set" and not t.text.startswith(root_of(t.parts[0]))}  # fmt: skip
+        states = {n for n, word in self.judged.around.items() if word in self.words.state}
+        return frozenset(states - declared - {*function.takes})
 
     def changed(self, function: Own, free: Collection[str]) -> list[str]:
         """Lines of a function that change a number of the file which the judged one uses.
@@ -178,22 +189,78 @@ class Uses(Steps):
             fields = [t.name.lower() for t in target.all() if t.kind == "field"]
             if fields and (root_of(target) in self.problems or "mass" in fields):
                 return True
+            if self._exchanges(target, value, env):
+                return True
+        if any(self._kicks(one) for one in line.all() if one.kind == "set"):
+            return True
+        methods = [one for one in line.all() if one.kind == "call" and not self.first
+                   and one.name.endswith(f".{self.judged.name}")]  # fmt: skip
+        if any(self.misuses(replace(one, name=self.judged.name), env) for one in methods):
+            return True
         return any(
             self._alters(one, env) if one.kind == "call" else self._is_impossible(one, env)
             for part in ([line] if line.kind == "call" else line.parts)
             for one in part.all()
         )
 
+    def _exchanges(self, target: Term, value: Term, env: dict[str, Any]) -> bool:
+        """Whether parameters become one another, or what nobody follows: [m, l] = deal(l, m)."""
+        targets = [*targets_of(target)]
+        if value.kind == "call" and value.name.startswith("ode") and len(targets) > 1:
+            return targets[1].name in TIMES - {"~", "_"} and targets[0].name not in TIMES
+        pairs = [(target, value)]
+        if value.kind == "call" and value.name == "deal" and len(targets) == len(value.parts):
+            pairs = [*zip(targets, value.parts, strict=True)]
+            return any(self._is_another_word(one, part) for one, part in pairs)
+        word = self._word(target)
+        if word and value.kind == "call" and value.name in self.own:
+            return False
+        own = word and word in {self._meaning(n) for n in value.names()}
+        return bool(own) and isinstance(self._value(value, env), Unknown)
+
+    def _word(self, one: Term) -> str:
+        """Which parameter of the scene a name or a field is called."""
+        word = self._meaning(one.name) if one.kind in ("name", "field") else ""
+        return word if word in map(str, self.words.scene.parameters) else ""
+
+    def _is_another_word(self, target: Term, value: Term) -> bool:
+        word, other = self._word(target), self._word(value)
+        return bool(word) and bool(other) and word != other
+
+    def _kicks(self, line: Term) -> bool:
+        """Whether it makes a field of an object, which holds the state, into another: a.w *= 2."""
+        target, value = line.parts
+        state = target.kind == "field" and self.judged.around.get(target.name) in self.words.state
+        return state and bool(line.name or target.name in value.names())
+
+    def misuses(self, call: Term, env: dict[str, Any]) -> bool:
+        """Whether a call of the judged function has other arguments than it takes.
+
+        Parameters
+        ----------
+        call : Term
+        env : dict of str to value
+        """
+        saved, self.misused = self.misused, False
+        self._judged(call, env)
+        found, self.misused = self.misused, saved
+        return found
+
     def _is_solver(self, name: str) -> bool:
         return bool(SOLVERS.search(name)) or name in MADE_AGAIN
 
     def _alters(self, call: Term, env: dict[str, Any]) -> bool:
         """Whether a call sets options of a solver that are not known, or changes what it solves."""
+        if call.name in UNFOLLOWED:
+            return True
         if call.name in ("odeset", "struct"):
             names = [p.text.strip("'\"") for p in call.parts[::2]]
             if call.name == "struct":
-                values = (self._value(part, env) for part in call.parts[1::2])
-                return any(map(self._excludes, names, values))
+                values = [self._value(part, env) for part in call.parts[1::2]]
+                words = [Term("name", name) for name in names]
+                return any(map(self._excludes, names, values)) or any(
+                    map(self._is_another_word, words, call.parts[1::2])
+                )
             known = MATLAB_OPTIONS | {n.lower() for n in env}
             return any(name.lower() not in known for name in names)
         given = call.parts[0].name if call.parts and call.parts[0].kind == "name" else ""
@@ -227,7 +294,8 @@ class Uses(Steps):
         """Whether a field or an option is a number that its parameter cannot have."""
         if one.kind != "set" or one.parts[0].kind != "name":
             return False
-        return self._excludes(one.parts[0].name, self._value(one.parts[1], env))
+        excluded = self._excludes(one.parts[0].name, self._value(one.parts[1], env))
+        return excluded or self._is_another_word(*one.parts)
 
     def _excludes(self, name: str, value: Any) -> bool:
         word = self._meaning(name) if name.isidentifier() else ""
@@ -308,7 +376,8 @@ class Uses(Steps):
             return False
         beside = zip(takes[2:], handed[4:], strict=False)  # ode45(@f, span, start, options, m, l)
         if self.judged.takes[-1:] == ("t",) and len(takes) > 2:
-            beside = zip(takes[-2:-1], handed[3:4], strict=False)  # ODEProblem(f, start, span, p)
+            still = call.name in ("NonlinearProblem", "SteadyStateProblem")  # these have no span
+            beside = zip(takes[-2:-1], handed[3 - still : 4 - still], strict=False)
         return all(
             self._accepted(name, self.judged.meanings.get(name, ()), part, self._value(part, env))
             for name, part in beside
@@ -316,19 +385,23 @@ class Uses(Steps):
 
     def _in_order(self, call: Term, env: dict[str, Any]) -> bool:
         """Whether a solver calls what it is handed with time and state in their order."""
-        if not self.brackets or not call.name.startswith("ode"):
+        late = call.name in STATE_FIRST
+        if not self.brackets or not (call.name.startswith("ode") or late):
             return True
+        texts = [";" in part.text for part in call.parts[1:3] if part.kind == "list"]
+        if not late and texts == [True, False]:
+            return False  # the state for the span of time
         for part in (call.parts[k] for k in self._by_name(call, env)):
             handle = self._handle(part, env)
             if part.kind == "name" and part.name == self.judged.name:
                 moving = {
                     n for n, words in self.judged.meanings.items() if {*words} & {*self.words.state}
                 }
-                if moving and moving.isdisjoint(self.judged.takes[1:2]):
+                if moving and moving.isdisjoint(self.judged.takes[not late : 2 - late]):
                     return False
             elif isinstance(handle, Handle) and handle.body is not None:
                 one = Term("handle", " ".join(handle.takes), (handle.body,))
-                if not self._plain_handle(one, {**env, **handle.inside}, early=True):
+                if not self._plain_handle(one, {**env, **handle.inside}, late=late):
                     return False
         return True
 
@@ -391,13 +464,13 @@ class Uses(Steps):
         self.explained |= {call.name} | other.explained
         return True
 
-    def _plain_handle(self, handle: Term, env: dict[str, Any], *, early: bool = False) -> bool:
+    def _plain_handle(self, handle: Term, env: dict[str, Any], *, late: bool | None = None) -> bool:
         """Whether a function without a name is the judged one, or gives the rates made of it.
 
         Parameters
         ----------
-        early : bool
-            Whether it is called with the time before the state.
+        late : bool, optional
+            Whether it is called with the time after the state; by its names where nothing says it.
         """
         takes = tuple(handle.name.split())
         inside = dict(env)
@@ -405,8 +478,8 @@ class Uses(Steps):
         if len(takes) == 1:
             places = {"state": takes[0]}
         elif self.brackets and len(takes) == 2:
-            late = takes[1] in TIMES and not early
-            order = ("state", "time") if late else ("time", "state")
+            after = takes[1] in TIMES if late is None else late
+            order = ("state", "time") if after else ("time", "state")
             places = dict(zip(order, takes, strict=True))
         elif len(takes) == 3:
             places = dict(zip(("state", "parameters", "time"), takes, strict=True))
