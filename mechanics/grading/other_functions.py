@@ -9,15 +9,12 @@ is given, and an integrator that is given a function, claim nothing.
 import ast
 from collections.abc import Iterator, Set
 
-from mechanics.claims.code.python_calls import word
+from mechanics.claims.code.python_calls import ARITHMETIC, DEFINED, Defined, word, words_in
 from mechanics.claims.code.python_lines import integrators, reached
 
-Defined = ast.FunctionDef | ast.AsyncFunctionDef
-DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
 PLAIN = (ast.Lambda, ast.arguments, ast.arg, ast.Name, ast.Attribute, ast.Subscript, ast.Constant,
          ast.Load)  # fmt: skip
 """What a function without a name has that takes a part of something."""
-ARITHMETIC = (ast.BinOp, ast.UnaryOp, ast.AugAssign)
 
 
 def unjudged_functions(code: str, judged: Set[str]) -> Iterator[str]:
@@ -61,15 +58,11 @@ def _in(node: ast.AST, near: set[str], judged: Set[str], own: set[str]) -> Itera
         case ast.Assign(targets=[ast.Name(id=name)], value=ast.Lambda()) if name in near:
             return
         case ast.Lambda():
-            if not (_words(node.body) & own or all(isinstance(n, PLAIN) for n in ast.walk(node))):
+            if not (words_in(node.body) & own or all(isinstance(n, PLAIN) for n in ast.walk(node))):
                 yield f"the function in line {node.lineno}"
         case _:
             for child in ast.iter_child_nodes(node):
                 yield from _in(child, near, judged, own)
-
-
-def _words(node: ast.AST) -> set[str]:
-    return {*map(word, ast.walk(node))} - {""}
 
 
 def _is_inert(node: Defined, own: set[str]) -> bool:
@@ -82,7 +75,7 @@ def _is_inert(node: Defined, own: set[str]) -> bool:
         return True
     gives = any(isinstance(n, ast.Return) and n.value is not None for n in inside)
     fills = any(isinstance(n, ast.Subscript) and isinstance(n.ctx, ast.Store) for n in inside)
-    return not (gives or fills) or bool(_words(node) & own)
+    return not (gives or fills) or bool(words_in(node) & own)
 
 
 def _computes(node: Defined, own: set[str]) -> bool:
@@ -94,7 +87,7 @@ def _computes(node: Defined, own: set[str]) -> bool:
         for target in n.targets
     }  # fmt: skip
     return any(
-        isinstance(one, ARITHMETIC) and (_calls(one, own) or bool(_words(one) & (made - {""})))
+        isinstance(one, ARITHMETIC) and (_calls(one, own) or bool(words_in(one) & (made - {""})))
         for one in inside
     )
 

@@ -86,16 +86,16 @@ def chosen(choice: Choice, statements: Sequence[Statement]) -> tuple[bool, ...]:
     """
     if not choice.whats:
         return (True,) * len(statements)
-    found = [False] * len(statements)
+    is_chosen = [False] * len(statements)
     for what in choice.whats:
-        some = [_is(what, statement) for statement in statements]
-        if not any(some):
+        fits = [_is(what, statement) for statement in statements]
+        if not any(fits):
             raise InputError(
                 f"--only {what!r} (only=): no statement has this number, line or left side; there"
                 f" are {_listed(statements) or 'none'}"
             )
-        found = [one or other for one, other in zip(found, some, strict=True)]
-    return tuple(found)
+        is_chosen = [a or b for a, b in zip(is_chosen, fits, strict=True)]
+    return tuple(is_chosen)
 
 
 def _is(what: str, statement: Statement) -> bool:
@@ -112,8 +112,8 @@ def _is(what: str, statement: Statement) -> bool:
 
 def line_of(statement: Statement) -> int:
     """In which line of its text a statement begins; 0 where it has none."""
-    found = LINE.search(statement.place)
-    return int(found[1]) if found else 0
+    line = LINE.search(statement.place)
+    return int(line[1]) if line else 0
 
 
 def _left(statement: Statement) -> str:
@@ -141,11 +141,11 @@ def _listed(statements: Sequence[Statement]) -> str:
 
 
 def judged_only(
-    judged: Sequence[Judged], picked: Sequence[bool]
+    judged: Sequence[Judged], is_chosen: Sequence[bool]
 ) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
     """The chosen entries, and what was set aside, as a reader sees it."""
-    others = [entry for entry, one in zip(judged, picked, strict=True) if not one]
-    kept = (entry for entry, one in zip(judged, picked, strict=True) if one)
+    others = [entry for entry, one in zip(judged, is_chosen, strict=True) if not one]
+    kept = (entry for entry, one in zip(judged, is_chosen, strict=True) if one)
     aside = dict.fromkeys(_shown(entry.statement) for entry in others)
     return tuple(beside(entry, others) for entry in kept), tuple(aside)
 
@@ -161,10 +161,10 @@ def beside(entry: Judged, others: Sequence[Judged]) -> Judged:
         return entry
     used = _used(entry.statement)
     for other in others:
-        if told := used & _told(other, used):
-            where = _shown(other.statement)[:90]
+        if described := used & _described(other, used):
+            where, letters = _shown(other.statement)[:90], ", ".join(sorted(described))
             words = (
-                f"it is right as the scene has it, but it uses {', '.join(sorted(told))}, of which"
+                f"it is right as the scene has it, but it uses {letters}, of which"
                 f" '{where}' says something that is not shown"
             )
             return replace(entry, finding=undecided(entry.finding.subject, words))
@@ -182,7 +182,7 @@ def _used(statement: Statement) -> set[str]:
     return used_names(written)
 
 
-def _told(other: Judged, used: set[str]) -> set[str]:
+def _described(other: Judged, used: set[str]) -> set[str]:
     """Keys of names of which a statement that is not shown says what they are.
 
     An equation of motion says nothing of its letters. A relation that gives a name which is not
@@ -195,8 +195,8 @@ def _told(other: Judged, used: set[str]) -> set[str]:
         return set() if FUNCTION.match(statement.source) else used
     if statement.row is None:
         source = statement.source
-        if (told := described_names(source)) is not None:
-            return told
+        if (described := described_names(source)) is not None:
+            return described
         return possibly_assigned_names(source) if MOVES.search(source) else {*mentioned(source)}
     if written is None:
         return used if isinstance(statement.row.quantity, Identity) else set()

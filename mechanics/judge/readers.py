@@ -15,7 +15,6 @@ from sympy import Eq, Expr, SympifyError, sympify
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
 from mechanics.claims.code.cpp_functions import SUFFIXES, without_main
-from mechanics.claims.code.not_judged import not_judged
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
     LANGUAGES,
@@ -26,6 +25,7 @@ from mechanics.claims.code.read_arrays import (
 )
 from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
 from mechanics.claims.code.tracing import OtherKindError
+from mechanics.claims.code.unjudged_code import unjudged_code
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
@@ -187,7 +187,7 @@ def _with_rest(
         n: m for n, m in (names or {}).items() if m == "t" or vocabulary.target(m) is not None
     }
     naming = Naming(vocabulary, single)
-    beside = not_judged(text, path.suffix, found, naming, chosen=function is not None)
+    beside = unjudged_code(text, path.suffix, found, naming, chosen=function is not None)
     taken = {word for match in found.names for word in match.meaning.split()}
     values = values_in(text, scene, naming).items()
     unused = tuple((s, v) for s, v in values if str(s) not in taken)

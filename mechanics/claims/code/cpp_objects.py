@@ -7,18 +7,20 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from mechanics.claims.code.machine_values import Judged
-from mechanics.claims.code.plain_statements import Term, term
+from mechanics.claims.code.intermediate_form import Term, term
+from mechanics.claims.code.interpreter_values import JudgedFunction
 from mechanics.claims.code.python_page import named, within, words
 
 
-def objects(root: Any, judged: Judged, meaning: Any) -> Iterator[tuple[Judged, Term]]:
+def objects(
+    root: Any, judged: JudgedFunction, meaning: Any
+) -> Iterator[tuple[JudgedFunction, Term]]:
     """How the class is called, and each call of it.
 
     Parameters
     ----------
     root : tree_sitter.Node
-    judged : Judged
+    judged : JudgedFunction
         The method.
     meaning : callable
         The word of the scene that a name is; empty for none.

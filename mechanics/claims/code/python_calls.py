@@ -13,6 +13,8 @@ from mechanics.claims.spelled_rates import key
 from mechanics.scene.symbols import plain_symbol
 
 Defined = ast.FunctionDef | ast.AsyncFunctionDef
+DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
+ARITHMETIC = (ast.BinOp, ast.UnaryOp, ast.AugAssign)
 Slot = tuple[str, str, int]
 """The name of an argument, its role, and which coordinate it is."""
 TIMES = ("t", "time", "ti", "t0", "tn", "t_i", "t_n", "tk", "_t", "_")
@@ -27,6 +29,11 @@ STATE_FIRST = ("odeint",)
 def word(node: ast.AST) -> str:
     """The last name of a name or attribute."""
     return getattr(node, "id", "") or getattr(node, "attr", "")
+
+
+def words_in(node: ast.AST) -> set[str]:
+    """Names and attributes in a tree."""
+    return {*map(word, ast.walk(node))} - {""}
 
 
 class Calls:

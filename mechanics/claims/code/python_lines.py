@@ -17,24 +17,26 @@ from dataclasses import dataclass, field
 
 from mechanics.claims.code.changed_numbers import MAKES
 from mechanics.claims.code.python_calls import (
+    ARITHMETIC,
+    DEFINED,
     STATE_FIRST,
     TIME_FIRST,
     TIMES,
     Calls,
+    Defined,
     fixed_in,
     passed,
     word,
     word_of_truth,
+    words_in,
 )
 from mechanics.claims.code.python_steps import Called, stepped, unwrapped_angle
+from mechanics.claims.code.reachability import reachable
 from mechanics.claims.names import Naming
 from mechanics.scene.symbols import plain_symbol
 
 LONGEST = 60
-DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
-Defined = ast.FunctionDef | ast.AsyncFunctionDef
 COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
-ARITHMETIC = (ast.BinOp, ast.UnaryOp, ast.AugAssign)
 COLLECTED = frozenset(
     ("abs", "all", "any", "append", "array", "asarray", "allclose", "array_equal",
      "assert_allclose", "atleast_1d", "column_stack", "concatenate", "copy", "degrees", "dict",
@@ -104,32 +106,23 @@ def reached(tree: ast.Module, judged: Collection[str]) -> set[str]:
         if isinstance(line, ast.ClassDef):
             for part in line.body:
                 if isinstance(part, DEFINED):
-                    parts.setdefault(part.name, set()).update(_words(part))
+                    parts.setdefault(part.name, set()).update(words_in(part))
                     if part.name in judged and not _is_at_top(tree, part.name):
                         parts.setdefault(part.name, set()).update({line.name})
             parts.setdefault(line.name, set()).update(
                 {"__init__", "__post_init__", "__new__", "__call__", *map(word, line.bases)}
             )
         elif isinstance(line, DEFINED):
-            parts.setdefault(line.name, set()).update(_words(line))
+            parts.setdefault(line.name, set()).update(words_in(line))
         elif isinstance(line, ast.Assign):
             for target in line.targets:
                 if isinstance(target, ast.Name):
-                    parts.setdefault(target.id, set()).update(_words(line.value))
-    found, todo = {*judged}, [*judged]
-    while todo:
-        new = parts.get(todo.pop(), set()) - found
-        found |= new
-        todo += new
-    return found
+                    parts.setdefault(target.id, set()).update(words_in(line.value))
+    return reachable(judged, parts)
 
 
 def _is_at_top(tree: ast.Module, name: str) -> bool:
     return any(isinstance(line, DEFINED) and line.name == name for line in tree.body)
-
-
-def _words(node: ast.AST) -> set[str]:
-    return {*map(word, ast.walk(node))} - {""}
 
 
 def integrators(tree: ast.Module, size: int = 2) -> set[str]:
@@ -694,18 +687,10 @@ def _circles(lines: Sequence[_Line]) -> dict[str, frozenset[str]]:
     for line in lines:
         for name in line.targets:
             ahead.setdefault(name, set()).update(_roots(line.value))
-    far: dict[str, set[str]] = {}
-    for name in ahead:
-        found: set[str] = set()
-        todo = [name]
-        while todo:
-            new = ahead.get(todo.pop(), set()) - found
-            found |= new
-            todo += new
-        far[name] = found
+    far = {name: reachable(reads, ahead) for name, reads in ahead.items()}
     return {
-        name: frozenset({n for n in found if name in far.get(n, ())})
-        for name, found in far.items() if name in found
+        name: frozenset({n for n in reached if name in far.get(n, ())})
+        for name, reached in far.items() if name in reached
     }  # fmt: skip
 
 

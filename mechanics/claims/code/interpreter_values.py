@@ -9,14 +9,14 @@ from typing import Any
 
 from sympy import Expr, Rational
 
-from mechanics.claims.code.plain_statements import Term
+from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.symbols import DOTS
 
 
-class NotPlainError(Exception):
+class NotFollowedError(Exception):
     """What is not followed."""
 
 
@@ -27,7 +27,7 @@ class Unknown:
 UNKNOWN = Unknown()
 
 
-class Given(Fraction):
+class Literal(Fraction):
     """A number that is written out: it stands for any."""
 
 
@@ -58,7 +58,7 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Own:
+class FileFunction:
     """A function of the file.
 
     Attributes
@@ -86,7 +86,7 @@ class Own:
 
 
 @dataclass(frozen=True)
-class Judged:
+class JudgedFunction:
     """The judged function, as its callers see it.
 
     Attributes
@@ -112,7 +112,7 @@ class Judged:
 
 
 @dataclass(frozen=True)
-class Words:
+class SceneNames:
     """Names of the scene.
 
     Attributes

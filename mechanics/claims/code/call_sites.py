@@ -13,22 +13,22 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from mechanics.claims.code.integrator_steps import IntegratorSteps
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.machine import FAR
-from mechanics.claims.code.machine_values import (
+from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.interpreter import FAR
+from mechanics.claims.code.interpreter_values import (
     UNKNOWN,
-    Given,
+    FileFunction,
     Handle,
-    NotPlainError,
-    Own,
+    Literal,
+    NotFollowedError,
     Table,
     Unknown,
     number,
     root_of,
     targets_of,
 )
-from mechanics.claims.code.plain_statements import Term
-from mechanics.claims.code.steps import Steps
 
 SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian", re.IGNORECASE)
 """In the names of what takes a function by its name."""
@@ -52,7 +52,7 @@ TESTS = frozenset(("assert", "assert_", "test"))
 """Calls that compare."""
 
 
-class Uses(Steps):
+class CallSites(IntegratorSteps):
     """Tells which lines around a judged function are innocent.
 
     Attributes
@@ -126,19 +126,19 @@ class Uses(Steps):
         env = {n: v for n, v in around.items() if n not in one.takes}
         return self._lines(one.body, env, set(), self._states_around(one))
 
-    def _states_around(self, function: Own) -> frozenset[str]:
+    def _states_around(self, function: FileFunction) -> frozenset[str]:
         """Names of the file that hold the state, and that a function has no own ones for."""
         declared = {root_of(t.parts[0]) for t in function.body.all()
                     if t.kind == "set" and not t.text.startswith(root_of(t.parts[0]))}  # fmt: skip
         states = {n for n, word in self.judged.around.items() if word in self.words.state}
         return frozenset(states - declared - {*function.takes})
 
-    def changed(self, function: Own, free: Collection[str]) -> list[str]:
+    def changed(self, function: FileFunction, free: Collection[str]) -> list[str]:
         """Lines of a function that change a number of the file which the judged one uses.
 
         Parameters
         ----------
-        function : Own
+        function : FileFunction
         free : collection of str
             Names that the judged function uses, and that are none of its own.
         """
@@ -299,7 +299,7 @@ class Uses(Steps):
 
     def _excludes(self, name: str, value: Any) -> bool:
         word = self._meaning(name) if name.isidentifier() else ""
-        return bool(word) and isinstance(value, Given) and not self._possible(word, value)
+        return bool(word) and isinstance(value, Literal) and not self._possible(word, value)
 
     def _holds(self, line: Term, env: Mapping[str, Any]) -> bool:
         """Whether the value is what the function returns, no function and no solution."""
@@ -363,7 +363,7 @@ class Uses(Steps):
                     return False
             elif part.kind in ("minus", "binary"):
                 value = self._value(part, env)
-                if not isinstance(value, Given) or (value <= 0 and name in STEPS):
+                if not isinstance(value, Literal) or (value <= 0 and name in STEPS):
                     return False
             elif part.kind == "other" and part.names():
                 return False
@@ -451,11 +451,11 @@ class Uses(Steps):
             for k, (name, part) in enumerate(zip(one.takes, call.parts, strict=False))
             if k in handed
         }
-        other = Uses(
+        other = CallSites(
             self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
         )
         if not other.steps(one.body, dict(given), "", one):
-            other = Uses(
+            other = CallSites(
                 self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
             )
             other._vectors(one.body)
@@ -492,7 +492,7 @@ class Uses(Steps):
         size = len(self.words.state)
         state = Table(places["state"], size=size)
         for place, name in places.items():
-            inside[name] = {"state": state, "time": Given(number("time")), "out": Table(name),
+            inside[name] = {"state": state, "time": Literal(number("time")), "out": Table(name),
                             "parameters": Table("parameters")}[place]  # fmt: skip
         try:
             result = self._value(handle.parts[0], inside)
@@ -501,7 +501,7 @@ class Uses(Steps):
                 self._rates_at(state, result, filled) if self.judged.gives
                 else handle.parts[0].kind == "call" and handle.parts[0].name == self.judged.name
             )  # fmt: skip
-        except NotPlainError:
+        except NotFollowedError:
             fits = False
         self.misused, self.initial, self.called, self.vectors = saved
         return fits

@@ -13,18 +13,18 @@ from typing import Any
 
 from mechanics.claims.code.integrators import INTEGRATORS, STEP
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.machine import FAR, Machine
-from mechanics.claims.code.machine_values import (
+from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.interpreter import FAR, Interpreter
+from mechanics.claims.code.interpreter_values import (
+    FileFunction,
     Handle,
-    NotPlainError,
-    Own,
+    NotFollowedError,
     Table,
     Unknown,
     rational,
     root_of,
     targets_of,
 )
-from mechanics.claims.code.plain_statements import Term
 
 MOST_TRIED = 60
 """Places that may hold what the function does not ask for."""
@@ -32,12 +32,13 @@ Place = tuple[str, tuple[Any, ...]]
 """A name, and which entry of it."""
 
 
-class Steps(Machine):
+class IntegratorSteps(Interpreter):
     """Tells whether a block is a step of an integrator."""
 
     def steps(
-        self, block: Term, env: dict[str, Any], counter: str = "", function: Own | None = None
-    ) -> bool:
+        self, block: Term, env: dict[str, Any], counter: str = "",
+        function: FileFunction | None = None,
+    ) -> bool:  # fmt: skip
         """Whether a block advances a state as an integrator does, with the judged function.
 
         Parameters
@@ -47,7 +48,7 @@ class Steps(Machine):
             What is known before.
         counter : str
             What the loop counts with.
-        function : Own, optional
+        function : FileFunction, optional
             Whose body it is.
         """
         if not self.judged.gives:
@@ -75,7 +76,7 @@ class Steps(Machine):
             if result is None and function is not None and function.gives:
                 given = [self._read(n, (), inside) for n in function.gives]
                 result = given[0] if len(given) == 1 else self._row(given)
-        except (NotPlainError, RecursionError, ZeroDivisionError):
+        except (NotFollowedError, RecursionError, ZeroDivisionError):
             return False
         finally:
             self.stepping = False

@@ -14,11 +14,12 @@ from typing import Any
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
+from mechanics.claims.code.call_sites import CallSites
 from mechanics.claims.code.cpp_objects import objects
-from mechanics.claims.code.machine_values import Judged, Own, Words
-from mechanics.claims.code.plain_statements import Term, term, with_names
+from mechanics.claims.code.intermediate_form import Term, term, with_names
+from mechanics.claims.code.interpreter_values import FileFunction, JudgedFunction, SceneNames
 from mechanics.claims.code.python_page import named, safe, tree, within, words
-from mechanics.claims.code.uses import Uses
+from mechanics.claims.code.reachability import reachable
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import plain_symbol
@@ -48,7 +49,7 @@ PROGRAM = frozenset(("main", "setup", "loop"))
 LONGEST = 60
 
 
-def not_judged(
+def unjudged_code(
     text: str, suffix: str, found: Reading, naming: Naming, *, chosen: bool = False
 ) -> tuple[str, ...]:
     """Functions and lines of a file that are neither judged nor a part of what is.
@@ -72,17 +73,18 @@ def not_judged(
     functions = dict(_functions(root, suffix))
     every = {**dict(_idle(root, suffix)), **functions}
     parts = {name: {*_names(node, title)} & every.keys() - {name} for name, node in every.items()}
-    own = _reached(judged, parts)
-    users = {name for name in every if _reached({name}, parts) & {*judged}} - own
+    own = reachable(judged, parts)
+    users = {name for name in every if reachable({name}, parts) & {*judged}} - own
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
     seen = _seen(judged, found, others, lines, naming, title)
-    around = (others, users, Words(naming), int(suffix in LANGUAGES), suffix == ".m", SHOWN | SENDS)
-    uses = Uses(seen, *around)
+    names, brackets = SceneNames(naming), suffix == ".m"
+    around = (others, users, names, int(suffix in LANGUAGES), brackets, SHOWN | SENDS)
+    uses = CallSites(seen, *around)
     said: list[str] = []
     if suffix not in LANGUAGES:
-        made = objects(root, seen, Words(naming).meaning)
-        said += (call.text for kind, call in made if Uses(kind, *around).misuses(call, {}))
+        made = objects(root, seen, names.meaning)
+        said += (call.text for kind, call in made if CallSites(kind, *around).misuses(call, {}))
     known: dict[str, Any] = {}
     for one in lines:
         line = with_names(term(one), title)
@@ -145,7 +147,7 @@ def _idle(root: Any, suffix: str) -> Iterator[tuple[str, Any]]:
             yield safe(words(node.child_by_field_name("name"))), node
 
 
-def _own(node: Any, suffix: str, title: Callable[[str], str]) -> Own:
+def _own(node: Any, suffix: str, title: Callable[[str], str]) -> FileFunction:
     """A function, as its callers see it."""
     gives: tuple[str, ...] = ()
     shared: set[str] = set()
@@ -171,14 +173,14 @@ def _own(node: Any, suffix: str, title: Callable[[str], str]) -> Own:
         entries = [t.parts[0] for t in made.all() if t.kind == "set" and t.parts[0].kind == "entry"]
         shared = {words(i) for i in within(node, "identifier")} & {t.parts[0].name for t in entries}
         shared |= {*takes[:1]} if words(named(one.call)[0]).endswith("!") else set()
-    own = Own(tuple(map(title, takes)), gives, with_names(made, title))
+    own = FileFunction(tuple(map(title, takes)), gives, with_names(made, title))
     return replace(own, shared=frozenset(map(title, shared & {*takes})))
 
 
 def _seen(
-    judged: Collection[str], found: Reading, functions: Mapping[str, Own], lines: Iterable[Any],
-    naming: Naming, title: Callable[[str], str],
-) -> Judged:  # fmt: skip
+    judged: Collection[str], found: Reading, functions: Mapping[str, FileFunction],
+    lines: Iterable[Any], naming: Naming, title: Callable[[str], str],
+) -> JudgedFunction:  # fmt: skip
     """The judged function, as its callers see it."""
     name = next(iter(judged), "")
     takes: tuple[str, ...] = ()
@@ -199,23 +201,14 @@ def _seen(
     )
     single = {m.name: m.meaning for m in found.names if m.name not in takes}
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
-    return Judged(name, takes, meanings, filled, gives, around)
+    return JudgedFunction(name, takes, meanings, filled, gives, around)
 
 
-def _is_set(function: Own, name: str) -> bool:
+def _is_set(function: FileFunction, name: str) -> bool:
     return name in function.fills or any(
         one.kind == "call" and any(part.name == name for part in one.parts)
         for one in function.body.all()
     )  # fmt: skip
-
-
-def _reached(starts: Collection[str], parts: Mapping[str, Collection[str]]) -> set[str]:
-    found, todo = {*starts}, [*starts]
-    while todo:
-        new = {*parts.get(todo.pop(), ())} - found
-        found |= new
-        todo += new
-    return found
 
 
 def _names(node: Any, title: Callable[[str], str]) -> set[str]:

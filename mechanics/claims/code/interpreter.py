@@ -15,22 +15,22 @@ from typing import Any
 from sympy import Expr
 
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.machine_values import (
+from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.interpreter_values import (
     UNKNOWN,
-    Given,
+    FileFunction,
     Handle,
-    Judged,
-    NotPlainError,
-    Own,
+    JudgedFunction,
+    Literal,
+    NotFollowedError,
+    SceneNames,
     Table,
     Unknown,
-    Words,
     number,
     rational,
     root_of,
     targets_of,
 )
-from mechanics.claims.code.plain_statements import Term
 
 FAR = 1000
 """From here on, indices count steps of time."""
@@ -40,17 +40,17 @@ DEPTH = 6
 """Of calls."""
 
 
-class Machine:
+class Interpreter:
     """Runs what stands around a judged function.
 
     Parameters
     ----------
-    judged : Judged
-    own : mapping of str to Own
+    judged : JudgedFunction
+    own : mapping of str to FileFunction
         Other functions of the file.
     users : collection of str
         Those that call it, or call what does.
-    words : Words
+    words : SceneNames
     first : int
         The first index of an array.
     brackets : bool
@@ -63,8 +63,8 @@ class Machine:
     """Whether a step is followed: the state then is any."""
 
     def __init__(
-        self, judged: Judged, own: Mapping[str, Own], users: Collection[str], words: Words,
-        first: int, brackets: bool, shows: Collection[str],
+        self, judged: JudgedFunction, own: Mapping[str, FileFunction], users: Collection[str],
+        words: SceneNames, first: int, brackets: bool, shows: Collection[str],
     ) -> None:  # fmt: skip
         self.judged, self.own, self.users, self.words = judged, own, users, words
         self.first, self.brackets, self.shows = first, brackets, shows
@@ -281,7 +281,7 @@ class Machine:
         if word in self.words.state:
             return isinstance(value, Unknown) or (
                 isinstance(value, Fraction)
-                and (self.stepping or isinstance(value, Given)
+                and (self.stepping or isinstance(value, Literal)
                      or part.kind in ("entry", "field", "call", "name"))
             )  # fmt: skip
         if word in self.words.inputs and meaning == word:
@@ -292,7 +292,7 @@ class Machine:
         )  # fmt: skip
 
     def _fits(self, word: str, value: Any, meaning: str) -> bool:
-        if isinstance(value, Given):
+        if isinstance(value, Literal):
             return self._possible(word, value)
         if isinstance(value, Unknown):
             return True
@@ -378,7 +378,7 @@ class Machine:
             if key or root in self.vectors:
                 env[root] = Table(root)
             elif root in ("pi", "M_PI"):
-                env[root] = Given(355, 113)
+                env[root] = Literal(355, 113)
             elif word and word not in self.words.state:
                 env[root] = number("word", word)
             else:
@@ -415,7 +415,7 @@ class Machine:
         if term.kind == "entry":
             root, key = self._path(term.parts[0], env)
             return root, (*key, *(self._place(p, env) for p in term.parts[1:]))
-        raise NotPlainError
+        raise NotFollowedError
 
     def _place(self, term: Term, env: dict[str, Any]) -> Any:
         if term.kind == "whole":
@@ -434,8 +434,8 @@ class Machine:
                               dict(value.entries), value.size)  # fmt: skip
             env[root] = value
             word = self._meaning(root)
-            if word and isinstance(value, Given) and value > 0 and not self.stepping:
-                env[root] = Given(value) if word in self.words.state else number("word", word)
+            if word and isinstance(value, Literal) and value > 0 and not self.stepping:
+                env[root] = Literal(value) if word in self.words.state else number("word", word)
             return
         table = env.get(root)
         if not isinstance(table, Table):
@@ -458,7 +458,7 @@ class Machine:
         self.misused = False
         try:
             self._run(line, env)
-        except (NotPlainError, RecursionError, ZeroDivisionError):
+        except (NotFollowedError, RecursionError, ZeroDivisionError):
             self._forget(line, env, UNKNOWN)
         return not self.misused
 
@@ -485,7 +485,7 @@ class Machine:
                     or t.text.startswith("continue")
                     for t in term.all()
                 ):
-                    raise NotPlainError
+                    raise NotFollowedError
                 self._forget(term, env, UNKNOWN)
                 return None
             case "other":
@@ -528,10 +528,10 @@ class Machine:
         limits, body = term.parts
         ends = [self._value(one, env) for one in limits.parts]
         if len(ends) != 2 or not all(isinstance(e, Fraction) for e in ends) or not term.name:
-            raise NotPlainError
+            raise NotFollowedError
         first, last = (int(e) for e in ends)
         if last - first > TURNS:
-            raise NotPlainError
+            raise NotFollowedError
         for turn in range(first, last + 1):
             env[term.name] = Fraction(turn)
             self._run(body, env)
@@ -545,20 +545,20 @@ class Machine:
     def _may_be_a_step(self, term: Term, value: Fraction) -> bool:
         match term.kind:
             case "name" | "field":
-                counts = value.denominator == 1 and not isinstance(value, Given)
-                small = not isinstance(value, Given) or value < 1 or term.name in STEPS
+                counts = value.denominator == 1 and not isinstance(value, Literal)
+                small = not isinstance(value, Literal) or value < 1 or term.name in STEPS
                 return small and not counts and not self._meaning(term.name)
             case "number":
                 return value < 1
             case "binary":
-                return term.name == "-" and not isinstance(value, Given)
+                return term.name == "-" and not isinstance(value, Literal)
         return False
 
     def _evaluated(self, term: Term, env: dict[str, Any]) -> Any:
         match term.kind:
             case "number":
                 try:
-                    return Given(term.name)
+                    return Literal(term.name)
                 except ValueError:
                     return UNKNOWN
             case "name":
@@ -566,10 +566,10 @@ class Machine:
             case "entry" | "field":
                 try:
                     return self._read(*self._path(term, env), env)
-                except NotPlainError:
+                except NotFollowedError:
                     return UNKNOWN
             case "minus":
-                return self._operation("*", Given(-1), self._value(term.parts[0], env))
+                return self._operation("*", Literal(-1), self._value(term.parts[0], env))
             case "binary":
                 left, right = (self._value(part, env) for part in term.parts)
                 if term.name == "/" and not self.first and self._whole(term.parts[0]):
@@ -592,8 +592,8 @@ class Machine:
     def _whole_quotient(self, divisor: Term, left: Any, right: Any) -> Any:
         """1/6 is 0 in C, and 1/n where n is an integer."""
         if self._whole(divisor) and right:
-            return Given(int(left) // int(right))
-        if isinstance(right, Given) and right.denominator == 1:
+            return Literal(int(left) // int(right))
+        if isinstance(right, Literal) and right.denominator == 1:
             return UNKNOWN
         return self._operation("/", left, right)
 
@@ -625,7 +625,8 @@ class Machine:
 
     def _operation(self, sign: str, left: Any, right: Any) -> Any:
         if isinstance(left, Fraction) and isinstance(right, Fraction):
-            kind = Given if isinstance(left, Given) and isinstance(right, Given) else Fraction
+            literal = isinstance(left, Literal) and isinstance(right, Literal)
+            kind = Literal if literal else Fraction
             match sign:
                 case "+":
                     return kind(Fraction(left) + Fraction(right))
@@ -671,8 +672,8 @@ class Machine:
         values = [self._value(part, env) for part in term.parts]
         if not self.copies and term.name not in self.shows:
             self._poison(term, env)
-        if values and all(isinstance(v, Given) for v in values):
-            return Given(number("call", term.name, *values))
+        if values and all(isinstance(v, Literal) for v in values):
+            return Literal(number("call", term.name, *values))
         if not values and self.stepping:  # micros()
             return 2 + number(self._count, term.name)
         return UNKNOWN
@@ -690,7 +691,7 @@ class Machine:
 
     def _inlined(self, term: Term, env: dict[str, Any]) -> Any:
         if self.depth > DEPTH:
-            raise NotPlainError
+            raise NotFollowedError
         one = self.own[term.name]
         inside: dict[str, Any] = {}
         for name, part in zip(one.takes, term.parts, strict=False):
