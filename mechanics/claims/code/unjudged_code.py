@@ -86,20 +86,16 @@ def unjudged_code(
         made = objects(root, seen, names.meaning)
         said += (call.text for kind, call in made if CallSites(kind, *around).misuses(call, {}))
     known: dict[str, Any] = {}
-    for one in lines:
-        line = with_names(term(one), title)
+    for node in lines:
+        line = with_names(term(node), title)
         concerned = suffix in LANGUAGES and uses.concerns(line, known)
         quoted = uses.lines(line, known)
-        if quoted and suffix in LANGUAGES:
-            said += quoted
-        elif concerned:
+        if suffix not in LANGUAGES:
             continue
-        elif suffix in LANGUAGES and not chosen and _says(one, own, users, naming, title, judged):
-            said.append(line.text)
-    for one in within(root, "preproc_function_def", "preproc_def"):
-        value = one.child_by_field_name("value")
-        if value is not None and judged & {*re.findall(r"\w+", words(value))}:
-            said.append(words(one))
+        if not (quoted or concerned or chosen) and _says(node, own, users, naming, title, judged):
+            quoted = [line.text]
+        said += quoted
+    said += _macros(root, judged)
     free = {n for name in own & others.keys() for n in others[name].free()}
     for name in (n for n in every if n not in own):
         if suffix not in LANGUAGES:
@@ -111,6 +107,19 @@ def unjudged_code(
         if apart and not _only_shows(node):
             said.insert(0, f"function {name}")
     return tuple(dict.fromkeys(one[:LONGEST] for one in said))
+
+
+def _macros(root: Any, judged: Collection[str]) -> list[str]:
+    """Macros of C that are made of judged functions."""
+    values = [
+        (node, node.child_by_field_name("value"))
+        for node in within(root, "preproc_function_def", "preproc_def")
+    ]
+    return [
+        words(node)
+        for node, value in values
+        if value is not None and {*judged} & {*re.findall(r"\w+", words(value))}
+    ]
 
 
 def _plain(text: str) -> str:
