@@ -4,13 +4,13 @@ getM(q)   getC(q, qd)   getG(q)     ->     getM_getC_getG(q, qd), which returns 
 """
 
 import inspect
-import linecache
 import re
 from collections.abc import Callable, Sequence
 from types import FunctionType
 from typing import Any
 
 from mechanics.claims.code.outputs import MASSES, spoken
+from mechanics.claims.code.python_page import Page, joined
 
 TURNING = re.compile(r"c|coriolis(?: (?:and )?centri\w+)?(?: (?:matrix|vector|terms?|forces?))?")
 FIELD = re.compile(r"g|gravity(?: (?:vector|terms?|forces?))?")
@@ -38,25 +38,16 @@ def together(functions: Sequence[Callable[..., Any]], origin: str) -> tuple[Any,
     every = [*dict.fromkeys(name for names in takes.values() for name in names)]
     names = [one.__name__ for one in ordered]
     title = "_".join(names)
-    space = ordered[0].__globals__
-    if (
-        {*every} & {*names}
-        or title in space
-        or any(one.__globals__ is not space for one in parts.values())
-    ):
+    if {*every} & {*names}:
         return tuple(functions)
-    held = [_free(letter, {*every, *space}) for letter in "MCG"]
-    lines = [f"def {title}({', '.join(every)}):"]
-    lines += [
-        f"    {name} = {one.__name__}({', '.join(takes[one])})"
-        for name, one in zip(held, ordered, strict=True)
-    ]
-    lines.append(f"    return {', '.join(held)}")
-    place = f"{origin} ({title})"
-    text = "\n".join(lines) + "\n"
-    linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    exec(compile(text, place, "exec"), space)
-    return (space[title],)
+    held = [_free(letter, {*every, *names}) for letter in "MCG"]
+    page = Page()
+    page.put(1, 0, f"def {title}({joined(every)}):", opens=True)
+    for name, one in zip(held, ordered, strict=True):
+        page.lines.append(f"    {name} = {one.__name__}({joined(takes[one])})")
+    page.lines.append(f"    return {joined(held)}")
+    made = page.module(f"{origin} ({title})", {one.__name__: one for one in ordered})
+    return (made[title],)
 
 
 def _part(title: str) -> str:
