@@ -38,6 +38,7 @@ TYPES = {
 }  # fmt: skip
 """Types of Modelica's library, and their units; each other one but Real is not read."""
 WHOLE = ("Integer", "Boolean")
+OTHER_UNIT = "the scene's has another unit"
 LIBRARY = ("SI", "SIunits", "Units", "Modelica")
 HARMLESS = ("start", "fixed", "nominal", "displayUnit", "stateSelect", "quantity", "each")
 """Attributes that change no equation."""
@@ -389,7 +390,7 @@ def _unit_of(one: Declared, unit: str, mine: Dimension | None) -> Iterator[str]:
         yield f"the text declares {one.name} in {unit}, which is no coherent unit of the SI"
         return
     if mine is not None and dimension != mine:
-        yield f"the text declares {one.name} in {unit}, the scene's has another unit"
+        yield f"the text declares {one.name} in {unit}, {OTHER_UNIT}"
 
 
 def _dimension(facts: SceneFacts, own: str) -> Dimension | None:

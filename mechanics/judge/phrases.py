@@ -280,7 +280,8 @@ IDIOMS = re.compile(
     r"|\bif \u27e8\w+\u27e9 (?:is|denotes) the (?:(?:mass|length|position|displacement|radius) of"
     r"|distance (?:from|between|of)|angle (?:the|that|between|from|with|which|made|measured))\b"
     r"|[(\uff08]\s*\u2248\s*(?!0+(?:\.0*)?\D)\d[\d.]*[^()\d\uff08\uff09]{0,9}[)\uff09]"
-    r"|(?<=[\u30a0-\u30ff])[\uff1d\u30a0](?=[\u30a0-\u30ff])",
+    r"|(?<=[\u30a0-\u30ff])[\uff1d\u30a0](?=[\u30a0-\u30ff])"
+    r"|\b(?:e\. ?g|i\. ?e|z\. ?b|d\. ?h|u\. ?a|s\. ?t|w\. ?r\. ?t|p\. ?ej|p\. ?es)\b\.?",
     re.IGNORECASE,
 )
 """Where such a word neither denies nor limits a statement."""

@@ -14,7 +14,7 @@ from mechanics.claims.statement import Statement
 from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
-from mechanics.judge.modelica import is_model, model_words
+from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
 from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
@@ -118,7 +118,11 @@ def prose_of(
             hidden.append("a quotation")
         markup = (Limit(f"{one} is not read: it may hide what it holds") for one in hidden)
         limits |= dict.fromkeys(markup)
-        against |= dict.fromkeys(declared_otherwise(facts, text))
+        for words in declared_otherwise(facts, text):
+            if words.endswith(OTHER_UNIT):  # a label of a name, which no formula holds
+                limits[Limit(words, words)] = None
+            else:
+                against[words] = None
     for source in code:
         against |= dict.fromkeys(declared_in_code(facts, source.code(), statements))
     every_name = frozenset(names)

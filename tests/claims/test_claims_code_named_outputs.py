@@ -1,6 +1,9 @@
 """Outputs of code that are named like accelerations are these, in the order of the code."""
 
 import math
+from importlib import import_module
+from pathlib import Path
+from uuid import uuid4
 
 import numpy as np
 import pytest
@@ -8,7 +11,7 @@ import pytest
 from mechanics import check
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
-from systems import elastic_pendulum
+from systems import elastic_pendulum, rod_pendulum
 
 SCENE = elastic_pendulum.scene()
 DET = "(M/3*(M + m) - M*M/4*c*c)"
@@ -78,3 +81,34 @@ def test_an_energy_is_asked_for_as_before() -> None:
 
     found = check(SCENE, energy, about="potential energy", blame=False)
     assert found.verdict is Verdict.REFUTED
+
+
+RATES = '''
+from math import cos, sin
+
+def rate(t, y, u=0.0, m=1.0, l=1.0, g=9.81):
+    theta, theta_dot = y
+    theta_ddot = 3*g/(2*l)*sin(theta) + 3/(m*l**2)*u
+    return {}
+'''
+
+
+@pytest.mark.parametrize(
+    ("returned", "verdict"),
+    [
+        ("[theta_dot, theta_ddot]", "PROVED"),
+        ("(theta_dot, theta_ddot)", "PROVED"),
+        ("{'theta_ddot': theta_ddot, 'theta_dot': theta_dot}", "PROVED"),
+        ("[theta_ddot, theta_dot]", "REFUTED"),
+        ("(theta_ddot, theta_dot)", "REFUTED"),
+        ("list((theta_ddot, theta_dot))", "REFUTED"),
+    ],
+)
+def test_rates_of_a_state_stand_in_its_order_whatever_they_are_called(
+    returned: str, verdict: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name = f"rates_{uuid4().hex}"
+    (tmp_path / f"{name}.py").write_text(RATES.replace("{}", returned, 1))
+    monkeypatch.syspath_prepend(tmp_path)
+    rate = import_module(name).rate
+    assert check(rod_pendulum.scene(), rate, blame=False).verdict.name == verdict

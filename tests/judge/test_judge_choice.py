@@ -148,3 +148,33 @@ def test_a_test_suite_may_choose_too() -> None:
     assert_equivalent(text, rod_pendulum.scene(), only="(6)")
     with pytest.raises(AssertionError):
         assert_equivalent(text, rod_pendulum.scene())
+
+
+MODEL = """
+model Rod
+  parameter Modelica.Units.SI.{} l = 1;
+  parameter Modelica.Units.SI.Mass m = 1;
+  parameter Modelica.Units.SI.Acceleration g = 9.81;
+  input Real u;
+  Real theta;
+  Real w;
+equation
+  der(theta) = w;
+  der(w) = 3*g/(2*l)*sin(theta) + {}/(m*l^2)*u;
+end Rod;
+"""
+
+
+def test_formulas_alone_set_a_unit_of_a_declaration_aside() -> None:
+    right, wrong = MODEL.format("Time", 3), MODEL.format("Time", 2)
+    assert answer(right).verdict is Verdict.UNDECIDED
+    found = answer(right, "formulas")
+    assert found.verdict is Verdict.PROVED
+    assert any("declares l in s" in words for words in found.aside)
+    assert answer(wrong, "formulas").verdict is Verdict.REFUTED
+    assert answer(MODEL.format("Length", 3)).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("words", ["e.g. as in a clock", "i.e. a bar", "z.B. als Pendel"])
+def test_abbreviations_are_no_words_whose_letters_stand_apart(words: str) -> None:
+    assert answer(page(f"A rod, l {words}, moves so:", rf"\[ {RIGHT} \]")).verdict is Verdict.PROVED

@@ -156,7 +156,9 @@ def read_function(
         doubt = doubt_when_repeated(function, given.values, outputs, standing)
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
         notes = (*outputs.notes, *remarks)
-        names_of = outputs.names or called.returned
+        # A list of rates has the order of its state, whatever its entries are called.
+        placed = _is_said(given) and 0 < len(given.state) == len(_all(outputs))
+        names_of = outputs.names or (() if placed else called.returned)
         outputs = replace(outputs, notes=notes, doubt=doubt, names=names_of)
         return with_unwrapped_angles(scene, outputs)
 
