@@ -128,7 +128,8 @@ def _unasked(
     if len(values) == 1 and values[0].shape == (size, size) and size > 1:
         return [("mass matrix", MassMatrix(), (values[0],))]
     moved = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
-    if len(values) == 1 and len(values[0]) == size**2 > 1 and not moved & {*passed}:
+    speedless = bool(passed) and not moved & {*passed}
+    if len(values) == 1 and len(values[0]) == size**2 > 1 and speedless:
         # Without speeds it returns no rates of the state, however many numbers these are.
         if [name.lower() in MASSES for name in outputs.names] == [True]:
             return [("mass matrix", MassMatrix(), (values[0].reshape(size, size),))]
