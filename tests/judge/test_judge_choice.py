@@ -9,6 +9,7 @@ from mechanics import check, check_html, check_json
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.sentences import shortened
 from mechanics.testing import assert_equivalent
 from systems import rod_pendulum
 
@@ -28,7 +29,27 @@ def page(*lines: str) -> str:
 def test_a_statement_is_chosen_by_number_line_or_left_side(what: str) -> None:
     found = answer(page(rf"\[ {RIGHT} \tag{{6}} \]", rf"\[ {WRONG} \tag{{7}} \]"), what)
     assert (found.verdict, len(found.judged)) == (Verdict.PROVED, 1)
-    assert found.aside == ("line 3: " + WRONG,)
+    assert found.aside == ("(7), line 3: " + WRONG,)
+
+
+@pytest.mark.parametrize("what", ["1-2", "(1)-(2)", "(1-2)", "(1) to (2)"])
+def test_a_range_of_numbers_may_have_brackets(what: str) -> None:
+    tagged = [(RIGHT, 1), (RIGHT, 2), (WRONG, 3), (WRONG, 4)]
+    text = page(*(rf"\[ {row} \tag{{{number}}} \]" for row, number in tagged))
+    assert [entry.statement.tag for entry in answer(text, what).judged] == ["(1)", "(2)"]
+    assert [entry.statement.tag for entry in answer(text, "4").judged] == ["(4)"]
+
+
+@pytest.mark.parametrize("what", ["lines 8-5", "4-2", "(4)-(2)"])
+def test_a_range_that_runs_backwards_is_refused(what: str) -> None:
+    with pytest.raises(InputError, match="runs backwards"):
+        answer(rf"\[ {RIGHT} \tag{{4}} \]", what)
+
+
+def test_a_long_quotation_ends_at_a_token_and_says_so() -> None:
+    assert shortened("x" * 120) == "x" * 120
+    assert shortened("a" * 114 + " m*L^{2} + 1") == "a" * 114 + " m*…"
+    assert shortened("a" * 112 + r" + L^2 \theta") == "a" * 112 + " + L^2…"
 
 
 @pytest.mark.parametrize("what", ["theta_ddot", "theta''", r"\ddot\theta", r"\ddot{\theta}"])

@@ -89,7 +89,10 @@ def sides(statement: Statement) -> tuple[str, str]:
 
 MOST_QUOTED = 8
 """Sentences of a person in one line."""
-LONGEST = 90
+LONGEST = 120
+"""Characters of one of them."""
+TOKEN = re.compile(r"(?:\\[A-Za-z]+|\w+)(?:[\^_](?:\{[^{}]*\}|\w))*|\s+|.", re.DOTALL)
+"""A name with its exponent, or another sign."""
 QUANTITY = re.compile(
     r"[\d=%\u2026\u00bd\u2153\u00bc]|(?<![\w'])[^\W\daAI_](?!\w)"
     r"|\b(?:half|halves|thirds?|quarters?|fourths?|fifths?|sixths?|sevenths?|eighths?|ninths?"
@@ -149,9 +152,17 @@ def quoted(
         told = (*scene.q, *scene.input_symbols, *scene.parameters) if scene is not None else ()
         names = {symbol.name for symbol in told}
         shown.sort(key=lambda words: not (QUANTITY.search(words) or _words(words) & names))
-    first = ", ".join(f"'{words[:LONGEST]}'" for words in shown[:MOST_QUOTED])
+    first = ", ".join(f"'{shortened(words)}'" for words in shown[:MOST_QUOTED])
     more = len(sentences) - MOST_QUOTED
     return (f"{why}: {first}{f' and {more} more' if more > 0 else ''}",)
+
+
+def shortened(words: str) -> str:
+    """A sentence; a long one up to the end of a token, with a sign that there is more."""
+    if len(words) <= LONGEST:
+        return words
+    ends = [token.end() for token in TOKEN.finditer(words) if token.end() < LONGEST]
+    return words[: ends[-1] if ends else LONGEST - 1].rstrip() + "\u2026"
 
 
 def _words(sentence: str) -> set[str]:
