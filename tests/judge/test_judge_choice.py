@@ -164,6 +164,21 @@ def test_the_answer_its_page_and_its_json_say_what_was_set_aside() -> None:
     assert json.dumps(check_json(found)["aside"]) == json.dumps(["line 1: F_1 = - m g"])
 
 
+def test_an_answer_that_is_not_shown_begins_with_how_many_were_chosen() -> None:
+    found = answer(page(*[rf"\[ {RIGHT} \]"] * 2, r"\[ F_1 = - m g \]", rf"\[ {WRONG} \]"), "4")
+    assert found.verdict is Verdict.REFUTED
+    words = "1 statement judged, 3 set aside, as you asked."
+    assert str(found).startswith(words) and words in check_html(found)
+
+
+def test_no_choice_is_suggested_where_it_changes_nothing() -> None:
+    code = "double acc(float theta, double m, double l, double g, double u)\n{\n"
+    code += "  float s = sinf(theta);\n  return 1.5*g/l*s + 3*u/(m*l*l);\n}\n"
+    found = answer(code, notation="c")
+    assert (found.verdict, found.suggested) == (Verdict.UNDECIDED, ())
+    assert not answer(code, "formulas", notation="c").ok
+
+
 def test_a_test_suite_may_choose_too() -> None:
     text = page(rf"\[ {WRONG} \]", rf"\[ {RIGHT} \tag{{6}} \]")
     assert_equivalent(text, rod_pendulum.scene(), only="(6)")

@@ -10,6 +10,7 @@ from mechanics.blame.result import Edit
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.kernel import Verdict
+from mechanics.nearest import plural
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
@@ -106,7 +107,7 @@ QUANTITY = re.compile(
 
 
 def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -> str:
-    """That formulas are shown and sentences are not; empty where there is nothing to be said.
+    """What of all is shown, or was chosen; empty where there is nothing to be said.
 
     Parameters
     ----------
@@ -117,8 +118,11 @@ def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -
         How many lines and sentences were set aside, as the person asked.
     """
     shown = (Verdict.CERTIFIED, Verdict.PROVED)
-    if not (unjudged or aside) or not verdicts or not {*verdicts} <= {*shown}:
+    if not (unjudged or aside) or not verdicts:
         return ""
+    if not {*verdicts} <= {*shown}:
+        judged = f"{plural(len(verdicts), 'statement')} judged"
+        return f"{judged}, {aside} set aside, as you asked." if aside else ""
     verdict = next(v.name for v in shown if v in verdicts)
     what = "What you chose is" if aside else "The formulas are"
     parts = [f"{aside} set aside, as you asked"] if aside else []
