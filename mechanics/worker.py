@@ -11,8 +11,10 @@ import multiprocessing
 import os
 import pickle
 import signal
+import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -139,7 +141,8 @@ def _work(function: Callable[[T], Any], argument: T, answer: Connection, limits:
     """In the worker: limit it, run, send what became of it."""
     _limit(limits)
     try:
-        outcome: Any = function(argument)
+        with redirect_stdout(sys.stderr):  # the answer alone is on stdout
+            outcome: Any = function(argument)
         data = pickle.dumps(outcome)
     except MechanicsError as error:
         data = pickle.dumps(Failed(str(error)))

@@ -127,7 +127,9 @@ def decoded(data: bytes, origin: str) -> str:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
-        raise InputError(f"{origin}, line {line}, column {column}: no UTF-8 text") from None
+        raise InputError(
+            f"{origin}, line {line}, column {column}: the file is no UTF-8 text: save it as UTF-8"
+        ) from None
     refuse_private_use(text, origin)
     return text
 

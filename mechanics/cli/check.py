@@ -4,6 +4,7 @@ import inspect
 import json
 import re
 import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -122,7 +123,8 @@ def check(
         values = {}
     elif step:
         raise InputError("--step belongs to a black box: add --black-box")
-    with Console(stderr=True).status(f"checking against {scene.name}"):
+    status = Console(stderr=True).status(f"checking against {scene.name}")
+    with status, redirect_stdout(sys.stderr):  # functions are traced, and may print
         found = run(
             scene, parts, names=names_of(name or []), notation=notation, about=about,
             convention=convention or (), function=function, values=values, where=where or (),

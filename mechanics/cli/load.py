@@ -6,8 +6,10 @@ A name runs nothing but what comes with the program; a file is run, so only a pe
 import importlib.util
 import inspect
 import re
+import sys
 import traceback
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -188,7 +190,8 @@ def run_file(path: Path) -> ModuleType:
         raise InputError(f"file {path}: Python cannot load it")
     module = importlib.util.module_from_spec(spec)
     try:
-        exec(code, module.__dict__)
+        with redirect_stdout(sys.stderr):  # the answer alone is on stdout
+            exec(code, module.__dict__)
     except MechanicsError:
         raise
     except (Exception, SystemExit) as error:
@@ -199,14 +202,17 @@ def run_file(path: Path) -> ModuleType:
 def _made(scene: object, name: str, path: Path) -> Any:
     """A scene, or a model that is taken as one."""
     try:
-        made = scene()  # type: ignore[operator]
+        with redirect_stdout(sys.stderr):
+            made = scene()  # type: ignore[operator]
     except MechanicsError:
         raise
     except (Exception, SystemExit) as error:
         raise InputError(_located(path, error)) from None
     if not isinstance(made, Scene) and not is_model(made):
+        kind = type(made).__name__
+        article = "an" if kind[0].lower() in "aeiou" else "a"
         raise InputError(
-            f"file {path}: {name}() returned a {type(made).__name__}; it has to return a Scene, or"
+            f"file {path}: {name}() returned {article} {kind}; it has to return a Scene, or"
             " a System, KanesMethod or LagrangesMethod of SymPy's"
         )
     return made

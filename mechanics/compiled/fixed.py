@@ -25,7 +25,7 @@ Fixed = Mapping[Symbol, Expr]
 
 
 def read_fixed(
-    scene: Scene, given: Mapping[str, Any], *, turns: bool = False
+    scene: Scene, given: Mapping[str, Any], *, turns: bool = False, option: str = "fixed"
 ) -> dict[Symbol, Expr]:
     """Exact values by symbol; what a scene defines by fixed parameters is fixed too.
 
@@ -35,6 +35,8 @@ def read_fixed(
         By name of a parameter, or of a symbol that the definition of one uses.
     turns : bool
         Whether a value may be a multiple of pi, which is no rational.
+    option : str
+        Where a person gives them, for messages.
 
     Raises
     ------
@@ -43,17 +45,17 @@ def read_fixed(
         negative where the parameter is declared positive.
     """
     if not isinstance(given, Mapping):
-        raise InputError(f"fixed: {given!r} found: write a mapping such as {{'g': 9.81}}")
+        raise InputError(f"{option}: {given!r} found: write a mapping such as {{'g': 9.81}}")
     definitions = {s: sympy.sympify(e) for s, e in scene.definitions.items()}
     named = {s.name: s for s in _used(scene.parameters, definitions)}
     table: dict[Symbol, Expr] = {}
     for name, value in given.items():
         if name not in named:
             raise InputError(
-                f"fixed {name!r}: {scene.name} has no such parameter:"
+                f"{option} {name!r}: {scene.name} has no such parameter:"
                 f" {instead(name, sorted(named), 'parameters')}"
             )
-        table[named[name]] = _number(named[name], value, turns)
+        table[named[name]] = _number(named[name], value, turns, option)
     for _ in definitions:
         for symbol, expression in definitions.items():
             value = expression.xreplace(table)
@@ -75,25 +77,25 @@ def _used(symbols: Iterable[Symbol], definitions: Mapping[Symbol, Expr]) -> set[
     return found
 
 
-def _number(symbol: Symbol, value: Any, turns: bool) -> Expr:
+def _number(symbol: Symbol, value: Any, turns: bool, option: str) -> Expr:
     try:
         # The text of a float is the shortest decimal that gives it: what was typed.
         number, turned = with_pi(str(value)) if turns else (rational(str(value)), False)
         rounded = float(number)
     except (ValueError, ZeroDivisionError):
         raise InputError(
-            f"fixed {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
+            f"{option} {symbol.name}: {value!r} is no number: write 9.81 or 1/3"
             f"{' or 2*pi' if turns else ''}"
         ) from None
     except RangeError as error:
-        raise InputError(f"fixed {symbol.name}: {error}") from None
+        raise InputError(f"{option} {symbol.name}: {error}") from None
     except OverflowError:
-        raise InputError(f"fixed {symbol.name}: {value} is beyond 1.8e308") from None
+        raise InputError(f"{option} {symbol.name}: {value} is beyond 1.8e308") from None
     if number and not rounded:
-        raise InputError(f"fixed {symbol.name}: {value} is below the smallest double")
+        raise InputError(f"{option} {symbol.name}: {value} is below the smallest double")
     if number < 0 and symbol.is_positive:
         raise InputError(
-            f"fixed {symbol.name}: {value} is negative: the parameter is declared positive"
+            f"{option} {symbol.name}: {value} is negative: the parameter is declared positive"
         )
     return Rational(number.numerator, number.denominator) * (sympy.pi if turned else 1)
 

@@ -13,6 +13,7 @@ from mechanics.blame.reference import Reference
 from mechanics.errors import InputError
 from mechanics.grading.grade import REQUIRE, RIGHT, UNJUDGED, Grade, grade
 from mechanics.grading.submission import things_in
+from mechanics.judge.at_values import read_values
 from mechanics.judge.check import derived
 from mechanics.judge.scene_laws import verify
 from mechanics.scene import Scene
@@ -86,7 +87,7 @@ def grade_files(
     SceneError
         When the key is not right.
     InputError
-        When there is no file, or another requirement.
+        When there is no file, another requirement, or a value that the key cannot have.
     """
     if not files:
         raise InputError("grade: there is no submission: name files")
@@ -94,6 +95,7 @@ def grade_files(
         raise InputError(f"require {require!r}: it can be {', '.join(REQUIRE)}")
     reference = Reference(derived(scene))
     verify(reference.truth)
+    read_values(scene, (options or {}).get("values") or {})  # a bad one is no submission's fault
     found: dict[int, Grade] = {}
 
     def one(path: Path) -> Grade:

@@ -38,6 +38,8 @@ from mechanics.scene.quantities import (
 
 Values = Mapping[Symbol, Expr]
 
+OPTION = "--value (values=)"
+
 KINDS = (EquationOfMotion, ReactionValue, Identity)
 """What is compared with nothing but the equations."""
 
@@ -62,11 +64,11 @@ def read_values(scene: Scene, given: Mapping[str, Any]) -> dict[Symbol, Expr]:
     InputError
         For a name or a value that the scene cannot have, or one that stands elsewhere, too.
     """
-    table = read_fixed(scene, given, turns=True)
+    table = read_fixed(scene, given, turns=True, option=OPTION)
     for symbol in table:
         if symbol in _elsewhere(scene):
             raise InputError(
-                f"value of {symbol.name}: it occurs in constraints, definitions or speeds of"
+                f"{OPTION} {symbol.name}: it occurs in constraints, definitions or speeds of"
                 f" {scene.name}: write the statement with the symbol, or give the scene the value"
             )
     return table

@@ -20,13 +20,15 @@ from mechanics.claims.unread_names import described_names, mentioned, possibly_a
 from mechanics.errors import InputError
 from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.sentences import shortened
 from mechanics.scene.quantities import Identity
 from mechanics.scene.symbols import DOTS
 
 FORMULAS = "formulas"
 """What sets sentences aside, whichever statements are chosen."""
 LINES = re.compile(r"lines?\s+(\d+)(?:\s*(?:-|\u2013|to)\s*(\d+))?")
-NUMBERS = re.compile(r"(\d+)\s*(?:-|\u2013|to)\s*(\d+)")
+NUMBERS = re.compile(r"\(?(\d+)\)?(?:\s*(?:-|\u2013|to)\s*\(?(\d+)\)?)?")
+"""One number, or a range; those without brackets are numbers and places, too."""
 LINE = re.compile(r"line (\d+)$")
 ACCENT = re.compile(
     r"\\(d{1,3}ot)\s*\{?\s*\\?([A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}?(_(?:\w|\{\w+\}))?"
@@ -88,6 +90,7 @@ def chosen(choice: Choice, statements: Sequence[Statement]) -> tuple[bool, ...]:
         return (True,) * len(statements)
     is_chosen = [False] * len(statements)
     for what in choice.whats:
+        _refuse_backwards(what)
         fits = [_is(what, statement) for statement in statements]
         if not any(fits):
             raise InputError(
@@ -98,6 +101,16 @@ def chosen(choice: Choice, statements: Sequence[Statement]) -> tuple[bool, ...]:
     return tuple(is_chosen)
 
 
+def _refuse_backwards(what: str) -> None:
+    for form, lines in ((LINES, "lines "), (NUMBERS, "")):
+        ends = form.fullmatch(what)
+        if ends and ends[2] and int(ends[2]) < int(ends[1]):
+            raise InputError(
+                f"--only {what!r} (only=): the range runs backwards: write"
+                f" {f'{lines}{ends[2]}-{ends[1]}'!r}"
+            )
+
+
 def _is(what: str, statement: Statement) -> bool:
     if lines := LINES.fullmatch(what):
         first, last = int(lines[1]), int(lines[2] or lines[1])
@@ -105,8 +118,10 @@ def _is(what: str, statement: Statement) -> bool:
     tag = statement.tag.partition(" row ")[0]
     if what in (statement.tag, tag):
         return True
-    if (numbers := NUMBERS.fullmatch(what)) and tag.isdecimal():
-        return int(numbers[1]) <= int(tag) <= int(numbers[2])
+    number = tag.strip("()")
+    if (ends := NUMBERS.fullmatch(what)) and number.isdecimal():
+        in_kind = tag != number or "(" not in what
+        return in_kind and int(ends[1]) <= int(number) <= int(ends[2] or ends[1])
     return _spelled(what) in {_spelled(statement.source.split("=")[0]), _left(statement)}
 
 
@@ -151,8 +166,11 @@ def judged_only(
 
 
 def _shown(statement: Statement) -> str:
-    line = line_of(statement)
-    return f"line {line}: {statement.source}" if line else statement.source
+    """Its number where it has one, its line, and what is written."""
+    line, tag = line_of(statement), statement.tag
+    where = [tag] if tag.startswith("(") and tag != statement.source else []
+    where += [f"line {line}"] if line else []
+    return f"{', '.join(where)}: {statement.source}" if where else statement.source
 
 
 def beside(entry: Judged, others: Sequence[Judged]) -> Judged:
@@ -162,7 +180,7 @@ def beside(entry: Judged, others: Sequence[Judged]) -> Judged:
     used = _used(entry.statement)
     for other in others:
         if described := used & _described(other, used):
-            where, letters = _shown(other.statement)[:90], ", ".join(sorted(described))
+            where, letters = shortened(_shown(other.statement)), ", ".join(sorted(described))
             words = (
                 f"it is right as the scene has it, but it uses {letters}, of which"
                 f" '{where}' says something that is not shown"

@@ -32,6 +32,12 @@ def suggested(prose: Prose, before: Sequence[Judged], judged: Sequence[Judged]) 
     doubt = Verdict.UNDECIDED in verdicts and Verdict.REFUTED not in verdicts
     if not doubt or any(entry.open for entry in judged):
         return ()
+    # What is in doubt for another reason than a sentence stays so, whatever is chosen.
+    now = as_meant([as_told(one, limits_on(prose, one.statement)) for one in before])
+    before = [
+        other if other.verdict is Verdict.UNDECIDED and said.finding.shown else one
+        for one, said, other in zip(before, now, judged, strict=True)
+    ]
     alone, formulas = (_right(prose, before, judged, formulas=one) for one in (False, True))
     statements = [entry.statement for entry in judged]
     if all(formulas):

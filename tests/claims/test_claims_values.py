@@ -65,7 +65,7 @@ def test_values_that_no_parameter_has(values: dict, words: str) -> None:
 def test_values_that_stand_elsewhere_too_are_refused() -> None:
     scene = four_bar.scene()
     name = scene.parameters[0].name
-    with pytest.raises(InputError, match=f"value of {name}: it occurs in constraints"):
+    with pytest.raises(InputError, match=rf"--value \(values=\) {name}: it occurs in constraints"):
         check(scene, "0 = 0", values={name: 1})
     with pytest.raises(InputError, match="values, convention and where exclude each other"):
         check(SCENE, RIGHT, values={"g": 9.81}, convention="other vertical")

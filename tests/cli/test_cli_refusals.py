@@ -97,6 +97,7 @@ FILES = [
     ("scene = 3", "no function scene()"),
     ("", "no function scene()"),
     ("def scene():\n    pass", "returned a NoneType return a Scene"),
+    ("def scene():\n    return 3", "returned an int return a Scene"),
     ("def scene():\n    raise KeyError('mass')", "line 2 KeyError 'mass'"),
     ("def scene():\n    assert False, 'no\\nway'", "line 2 AssertionError no way"),
     ("def scene():\n    return m", "line 2 NameError 'm'"),

@@ -139,6 +139,8 @@ def test_no_submission_and_an_unknown_requirement_are_refused(folder: Path) -> N
         grade_files(SCENE, [])
     with pytest.raises(InputError, match="require 'some': it can be all, motion, right"):
         grade_files(SCENE, [folder / "right.tex"], require="some")
+    with pytest.raises(InputError, match=r"--value \(values=\) 'q': .* no such parameter"):
+        grade_files(SCENE, [folder / "right.tex"], options={"values": {"q": 1}})
 
 
 def test_what_a_notebook_does_not_show_is_not_graded(tmp_path: Path) -> None:

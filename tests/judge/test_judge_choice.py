@@ -9,6 +9,7 @@ from mechanics import check, check_html, check_json
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.sentences import shortened
 from mechanics.testing import assert_equivalent
 from systems import rod_pendulum
 
@@ -28,7 +29,27 @@ def page(*lines: str) -> str:
 def test_a_statement_is_chosen_by_number_line_or_left_side(what: str) -> None:
     found = answer(page(rf"\[ {RIGHT} \tag{{6}} \]", rf"\[ {WRONG} \tag{{7}} \]"), what)
     assert (found.verdict, len(found.judged)) == (Verdict.PROVED, 1)
-    assert found.aside == ("line 3: " + WRONG,)
+    assert found.aside == ("(7), line 3: " + WRONG,)
+
+
+@pytest.mark.parametrize("what", ["1-2", "(1)-(2)", "(1-2)", "(1) to (2)"])
+def test_a_range_of_numbers_may_have_brackets(what: str) -> None:
+    tagged = [(RIGHT, 1), (RIGHT, 2), (WRONG, 3), (WRONG, 4)]
+    text = page(*(rf"\[ {row} \tag{{{number}}} \]" for row, number in tagged))
+    assert [entry.statement.tag for entry in answer(text, what).judged] == ["(1)", "(2)"]
+    assert [entry.statement.tag for entry in answer(text, "4").judged] == ["(4)"]
+
+
+@pytest.mark.parametrize("what", ["lines 8-5", "4-2", "(4)-(2)"])
+def test_a_range_that_runs_backwards_is_refused(what: str) -> None:
+    with pytest.raises(InputError, match="runs backwards"):
+        answer(rf"\[ {RIGHT} \tag{{4}} \]", what)
+
+
+def test_a_long_quotation_ends_at_a_token_and_says_so() -> None:
+    assert shortened("x" * 120) == "x" * 120
+    assert shortened("a" * 114 + " m*L^{2} + 1") == "a" * 114 + " m*…"
+    assert shortened("a" * 112 + r" + L^2 \theta") == "a" * 112 + " + L^2…"
 
 
 @pytest.mark.parametrize("what", ["theta_ddot", "theta''", r"\ddot\theta", r"\ddot{\theta}"])
@@ -141,6 +162,21 @@ def test_the_answer_its_page_and_its_json_say_what_was_set_aside() -> None:
     assert r"not judged, as you asked: 'line 1: F_1 = - m g'" in str(found)
     assert "Not judged, as you asked: 1" in check_html(found)
     assert json.dumps(check_json(found)["aside"]) == json.dumps(["line 1: F_1 = - m g"])
+
+
+def test_an_answer_that_is_not_shown_begins_with_how_many_were_chosen() -> None:
+    found = answer(page(*[rf"\[ {RIGHT} \]"] * 2, r"\[ F_1 = - m g \]", rf"\[ {WRONG} \]"), "4")
+    assert found.verdict is Verdict.REFUTED
+    words = "1 statement judged, 3 set aside, as you asked."
+    assert str(found).startswith(words) and words in check_html(found)
+
+
+def test_no_choice_is_suggested_where_it_changes_nothing() -> None:
+    code = "double acc(float theta, double m, double l, double g, double u)\n{\n"
+    code += "  float s = sinf(theta);\n  return 1.5*g/l*s + 3*u/(m*l*l);\n}\n"
+    found = answer(code, notation="c")
+    assert (found.verdict, found.suggested) == (Verdict.UNDECIDED, ())
+    assert not answer(code, "formulas", notation="c").ok
 
 
 def test_a_test_suite_may_choose_too() -> None:

@@ -10,6 +10,7 @@ from mechanics.blame.result import Edit
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
 from mechanics.kernel import Verdict
+from mechanics.nearest import plural
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion, Identity, ReactionValue
 
@@ -89,7 +90,10 @@ def sides(statement: Statement) -> tuple[str, str]:
 
 MOST_QUOTED = 8
 """Sentences of a person in one line."""
-LONGEST = 90
+LONGEST = 120
+"""Characters of one of them."""
+TOKEN = re.compile(r"(?:\\[A-Za-z]+|\w+)(?:[\^_](?:\{[^{}]*\}|\w))*|\s+|.", re.DOTALL)
+"""A name with its exponent, or another sign."""
 QUANTITY = re.compile(
     r"[\d=%\u2026\u00bd\u2153\u00bc]|(?<![\w'])[^\W\daAI_](?!\w)"
     r"|\b(?:half|halves|thirds?|quarters?|fourths?|fifths?|sixths?|sevenths?|eighths?|ninths?"
@@ -103,7 +107,7 @@ QUANTITY = re.compile(
 
 
 def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -> str:
-    """That formulas are shown and sentences are not; empty where there is nothing to be said.
+    """What of all is shown, or was chosen; empty where there is nothing to be said.
 
     Parameters
     ----------
@@ -114,8 +118,11 @@ def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -
         How many lines and sentences were set aside, as the person asked.
     """
     shown = (Verdict.CERTIFIED, Verdict.PROVED)
-    if not (unjudged or aside) or not verdicts or not {*verdicts} <= {*shown}:
+    if not (unjudged or aside) or not verdicts:
         return ""
+    if not {*verdicts} <= {*shown}:
+        judged = f"{plural(len(verdicts), 'statement')} judged"
+        return f"{judged}, {aside} set aside, as you asked." if aside else ""
     verdict = next(v.name for v in shown if v in verdicts)
     what = "What you chose is" if aside else "The formulas are"
     parts = [f"{aside} set aside, as you asked"] if aside else []
@@ -149,9 +156,17 @@ def quoted(
         told = (*scene.q, *scene.input_symbols, *scene.parameters) if scene is not None else ()
         names = {symbol.name for symbol in told}
         shown.sort(key=lambda words: not (QUANTITY.search(words) or _words(words) & names))
-    first = ", ".join(f"'{words[:LONGEST]}'" for words in shown[:MOST_QUOTED])
+    first = ", ".join(f"'{shortened(words)}'" for words in shown[:MOST_QUOTED])
     more = len(sentences) - MOST_QUOTED
     return (f"{why}: {first}{f' and {more} more' if more > 0 else ''}",)
+
+
+def shortened(words: str) -> str:
+    """A sentence; a long one up to the end of a token, with a sign that there is more."""
+    if len(words) <= LONGEST:
+        return words
+    ends = [token.end() for token in TOKEN.finditer(words) if token.end() < LONGEST]
+    return words[: ends[-1] if ends else LONGEST - 1].rstrip() + "\u2026"
 
 
 def _words(sentence: str) -> set[str]:
