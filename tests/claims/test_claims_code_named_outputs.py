@@ -83,14 +83,14 @@ def test_an_energy_is_asked_for_as_before() -> None:
     assert found.verdict is Verdict.REFUTED
 
 
-RATES = '''
+RATES = """
 from math import cos, sin
 
 def rate(t, y, u=0.0, m=1.0, l=1.0, g=9.81):
     theta, theta_dot = y
     theta_ddot = 3*g/(2*l)*sin(theta) + 3/(m*l**2)*u
     return {}
-'''
+"""
 
 
 @pytest.mark.parametrize(
