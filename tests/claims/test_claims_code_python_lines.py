@@ -245,3 +245,29 @@ def test_a_quoted_line_puts_a_grade_in_doubt_and_stands_in_the_answer(tmp_path: 
     assert "not judged: 'y = y - dt*rate(t, y, *p)'" in shown.output
     path.write_text(path.read_text().replace("y - dt", "y + dt"))
     assert grade(Reference(derived(ROD)), "a", things_in(path, run_python=True)).verdict == "right"
+
+
+OBJECT = """class Rod:
+    def __init__(self, m=1.0, l=1.0, g=9.81, k=1.5):
+        self.m, self.l, self.g = m, l, g
+        self.k = k
+    def rate(self, t, y):
+        return [y[1], self.k*self.g/self.l*np.sin(y[0])]
+rod = Rod()
+"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["rod.k = 1.0", "rod.k *= 2", "rod = Rod(k=1.0)", "rod = Rod(1.0, 1.0, 9.81, 1.0)",
+     "vars(rod).update(k=1.0)", "setattr(rod, 'k', 1.0)"],
+)  # fmt: skip
+def test_what_an_object_gets_that_the_scene_has_no_name_for_is_quoted(line: str) -> None:
+    assert lines_around(f"{OBJECT}{line}\n", {"rate"}, NAMING) == (line,)
+
+
+@pytest.mark.parametrize(
+    "line", ["rod = Rod(m=2.0, l=0.5)", "rod.l = 0.3", "rod.history = []", "rod = Rod()"]
+)
+def test_parameters_of_an_object_are_no_law(line: str) -> None:
+    assert lines_around(f"{OBJECT}{line}\n", {"rate"}, NAMING) == ()

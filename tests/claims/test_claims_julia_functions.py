@@ -32,6 +32,11 @@ prob = ODEProblem(f!, [0.1, 0.0], (0.0, 10.0))
 """
 
 
+@pytest.mark.parametrize("entry", ["x - 1.5", "x-1.5", "(x -1.5)", "x - 1.5 + 0"])
+def test_a_difference_with_blanks_on_both_sides_is_one_entry(entry: str) -> None:
+    assert value(f"a = [{entry}, 7.0]\na[1]", x=3.0) == 1.5
+
+
 def functions(text: str, *names: str):
     return in_python(text, "page.jl", set(names).__contains__).functions
 
@@ -84,6 +89,9 @@ def test_arrays_records_and_broadcasting() -> None:
         "m₁ = x\nm1 = 2x\nm₁ + m1",  # one name here
         "while x > 0\nx -= 1\nend\nx",
         "@show x = 2\nx",
+        "a = [x -1.5]\na[1]",  # two columns in Julia
+        "a = [2x +1; 3 4]\na[1]",
+        "a = Float64[x -1.5]\na[1]",
         "g(y)\nx",
     ],
 )

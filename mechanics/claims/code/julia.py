@@ -921,6 +921,24 @@ def _is_single(text: str) -> bool:
     return Fraction(text) == float32(float(text))
 
 
+def _one_entry(node: Any) -> None:
+    """Refuse [a -b], which has two columns: its grammar has one difference."""
+    if node.type not in ("binary_expression", "unary_expression", "juxtaposition_expression"):
+        return
+    for part in node.children:
+        if (
+            part.type == "operator"
+            and words(part) in ("+", "-", ".+", ".-")
+            and (
+                (before := part.prev_sibling) is not None
+                and before.end_byte < part.start_byte
+                and part.end_byte == part.next_sibling.start_byte
+            )
+        ):
+            raise refuse(node, f"[{words(node)}] has two columns in Julia: write a comma or blanks")
+        _one_entry(part)
+
+
 def _macro(node: Any) -> str:
     """The name of a macro."""
     return words(named(node)[0]).lstrip("@")
@@ -979,8 +997,12 @@ def expression(node: Any, one: Function) -> str:
         case "open_tuple" | "tuple_expression":
             return "(" + "".join(f"{expression(part, one)}, " for part in named(node)) + ")"
         case "vector_expression":
+            for part in named(node):
+                _one_entry(part)
             return f"array([{joined([expression(part, one) for part in named(node)])}])"
         case "matrix_expression":
+            for part in [entry for row in named(node) for entry in named(row)]:
+                _one_entry(part)
             rows = ["(" + "".join(f"{part}, " for p in named(row) for part in _row(p, one)) + ")"
                     for row in named(node)]  # fmt: skip
             return f"block({joined(rows)})"

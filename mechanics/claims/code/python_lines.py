@@ -189,6 +189,13 @@ def _methods(tree: ast.Module, own: Collection[str]) -> dict[str, Defined]:
     }  # fmt: skip
 
 
+def attributes_of(methods: Sequence[Defined]) -> frozenset[str]:
+    """Attributes of their object that methods use, but for other methods: self.k."""
+    every = [n for method in methods for n in ast.walk(method) if isinstance(n, ast.Attribute)]
+    called = {id(n.func) for method in methods for n in ast.walk(method) if isinstance(n, ast.Call)}
+    return frozenset(n.attr for n in every if word(n.value) == "self" and id(n) not in called)
+
+
 class _File:
     def __init__(self, tree: ast.Module, own: set[str], naming: Naming) -> None:
         self.tree, self.own, self.naming = tree, own, naming
@@ -203,6 +210,7 @@ class _File:
              for part in kind.body if isinstance(part, DEFINED) and part.name == name}
             for name in ("__init__", "__call__")
         )  # fmt: skip
+        self.held = attributes_of([*judged.values()])
         self.calls = Calls(tree, judged, naming)
         scene = naming.vocabulary.scene
         self.size = len(scene.q) + len(scene.u)
@@ -298,10 +306,10 @@ class _Scope:
                 if not self._is_plain(one):
                     yield one
             elif isinstance(one, ast.Assign):
-                if self._is_motion(one) or self._exchanges(one):
+                if self._is_motion(one) or self._exchanges(one) or self._changes_object(one):
                     yield one
             elif isinstance(one, ast.AugAssign):
-                if self._is_scaled(one):
+                if self._is_scaled(one) or self._changes_object(one):
                     yield one
             elif isinstance(one, ast.Dict) and self._has_excluded(one):
                 yield one
@@ -517,8 +525,35 @@ class _Scope:
         name = word(node.func)
         hides = name in HIDDEN | LINEAR | INSIDE or any(k.arg == "out" for k in node.keywords)
         wrong = self.file.calls.wrong(node, id(node) in self.right, self.moving)
-        if hides or wrong or self._is_excluded(node) or self._is_reversed(node):
+        opens = name == "vars" or (name == "setattr" and bool(self.file.held))
+        other = self._is_excluded(node) or self._is_reversed(node) or self._sets_attribute(node)
+        if hides or opens or wrong or other:
             yield node
+
+    def _sets_attribute(self, node: ast.Call) -> bool:
+        """Whether a maker gets what a judged method uses and the scene has no name for."""
+        maker = self.file.makers.get(word(node.func))
+        if maker is None:
+            return False
+        names = [a.arg for a in maker.args.args if a.arg not in ("self", "cls")]
+        given = {k.arg for k in node.keywords if k.arg} | {*names[: len(node.args)]}
+        kept = [
+            line.value for line in _assigned([*_within(maker.body)])
+            if any(name.rpartition(".")[2] in self.file.held for name in line.targets)
+        ]  # fmt: skip
+        used = {word(n) for value in kept for n in ast.walk(value)}
+        return any(self.file.naming.lookup(name) is None for name in given & used)
+
+    def _changes_object(self, node: ast.Assign | ast.AugAssign) -> bool:
+        """Whether an object gets what a judged method uses and the scene has no name for."""
+        targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+        places = [p for target in targets for p in ast.walk(target) if isinstance(p, ast.Attribute)]
+        return any(
+            p.attr in self.file.held
+            and word(p.value) not in ("self", "cls")
+            and self.file.naming.lookup(p.attr) is None
+            for p in places
+        )
 
     def _is_excluded(self, node: ast.Call) -> bool:
         """Whether a call gives a parameter a number that it cannot have."""
