@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 import mechanics
+from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from systems import rod_pendulum
 
@@ -428,3 +429,21 @@ def test_a_function_that_leaves_out_an_input_which_it_takes_is_wrong(tmp_path: P
     path.write_text(GIVEN + SOLVED.format("rate(t, y, m, l, g, u)")
                     + MATLAB.replace(" + 3*u/(m*l^2)", " + 0*u"))  # fmt: skip
     assert mechanics.check(ROD, path, blame=False).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("suffix", [".c", ".cpp"])
+@pytest.mark.parametrize("change", ["k = 1.0;", "double *q = &k; *q = 1.0;", "k++;"])
+def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, change: str) -> None:
+    path = tmp_path / f"rod{suffix}"
+    text = (
+        "#include <math.h>\nstatic double k = 1.5;\n"
+        "double accel(double theta, double u, double m, double l, double g)\n"
+        "{ return k*g/l*sin(theta) + 3*u/(m*l*l); }\n"
+        "int main(void) { %s return accel(0.1, 0.0, 1.0, 1.0, 9.81) > 0; }\n"
+    )
+    path.write_text(text % "")
+    assert mechanics.check(rod_pendulum.scene(), path, blame=False).verdict is Verdict.PROVED
+    for function in (None, "accel"):
+        path.write_text(text % change)
+        with pytest.raises(InputError):
+            mechanics.check(rod_pendulum.scene(), path, blame=False, function=function)

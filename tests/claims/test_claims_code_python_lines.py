@@ -271,3 +271,24 @@ def test_what_an_object_gets_that_the_scene_has_no_name_for_is_quoted(line: str)
 )
 def test_parameters_of_an_object_are_no_law(line: str) -> None:
     assert lines_around(f"{OBJECT}{line}\n", {"rate"}, NAMING) == ()
+
+
+DEFAULT = """def rate(t, y, m, l, g, k=1.5):
+    return [y[1], k*g/l*np.sin(y[0])]
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("s = solve_ivp(lambda t, y: rate(t, y, 1.0, 1.0, 9.81, k=1.0), (0, 9), y)", True),
+        ("s = solve_ivp(partial(rate, k=1.0), (0, 9), y, args=(1.0, 1.0, 9.81))", True),
+        ("s = solve_ivp(rate, (0, 9), y, args=(1.0, 1.0, 9.81, 1.0))", True),
+        ("s = solve_ivp(rate, (0, 9), y, args=(1.0, 1.0, 9.81, 1.5))", False),
+        ("s = solve_ivp(rate, (0, 9), y, args=(1.0, 1.0, 9.81))", False),
+    ],
+)
+def test_a_number_that_a_call_gives_otherwise_than_its_default_is_quoted(
+    line: str, quoted: bool
+) -> None:
+    assert bool(lines_around(f"{DEFAULT}{line}\n", {"rate"}, NAMING)) is quoted

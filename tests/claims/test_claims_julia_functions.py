@@ -32,6 +32,15 @@ prob = ODEProblem(f!, [0.1, 0.0], (0.0, 10.0))
 """
 
 
+@pytest.mark.parametrize("row", ["x -1.5", "3x +1.5", "2 (x)", "1.5 x", "-x (x)"])
+def test_entries_of_a_row_that_blanks_part_are_several(row: str) -> None:
+    first, second = (value(f"a = [{row}]\na[{k}]", x=3.0) for k in (1, 2))
+    assert (first, second) == {
+        "x -1.5": (3, -1.5), "3x +1.5": (9, 1.5), "2 (x)": (2, 3), "1.5 x": (1.5, 3),
+        "-x (x)": (-3, 3),
+    }[row]  # fmt: skip
+
+
 @pytest.mark.parametrize("entry", ["x - 1.5", "x-1.5", "(x -1.5)", "x - 1.5 + 0"])
 def test_a_difference_with_blanks_on_both_sides_is_one_entry(entry: str) -> None:
     assert value(f"a = [{entry}, 7.0]\na[1]", x=3.0) == 1.5
@@ -89,9 +98,8 @@ def test_arrays_records_and_broadcasting() -> None:
         "m₁ = x\nm1 = 2x\nm₁ + m1",  # one name here
         "while x > 0\nx -= 1\nend\nx",
         "@show x = 2\nx",
-        "a = [x -1.5]\na[1]",  # two columns in Julia
-        "a = [2x +1; 3 4]\na[1]",
-        "a = Float64[x -1.5]\na[1]",
+        "a = [x * 2 (x)]\na[1]",  # two columns in Julia
+        "a = [x -1.5, 2.0]\na[1]",
         "g(y)\nx",
     ],
 )

@@ -287,6 +287,8 @@ def _tree(text: str) -> Any:
 def without_main(text: str) -> str:
     """The text with blanks for ``main``, which only uses other functions; as it is without these.
 
+    A variable of the file that ``main`` alone sets loses the value that the file begins with.
+
     Parameters
     ----------
     text : str
@@ -296,10 +298,34 @@ def without_main(text: str) -> str:
     main = [n for n in nodes if _title(n) == "main"]
     if len(main) != 1 or len(nodes) == 1 or main[0].has_error:
         return text
-    data, (node,) = bytearray(text.encode()), main
-    for k in range(node.start_byte, node.end_byte):
-        data[k] = data[k] if data[k] in b"\n\r" else ord(" ")
+    others = {name for node in nodes if node not in main for name in _written(node)}
+    changed = _written(main[0]) - others
+    values = [
+        one for part in named(root) if part.type == "declaration"
+        for one in within(part, "init_declarator") if words(within(one, "identifier")[0]) in changed
+    ]  # fmt: skip
+    data = bytearray(text.encode())
+    spans = [(one.child_by_field_name("declarator").end_byte, one.end_byte) for one in values]
+    for start, end in (*spans, (main[0].start_byte, main[0].end_byte)):
+        for k in range(start, end):
+            data[k] = data[k] if data[k] in b"\n\r" else ord(" ")
     return data.decode()
+
+
+def _written(node: Any) -> set[str]:
+    """Names of others that a function sets, or of which it takes the address."""
+    own = {
+        words(within(one, "identifier")[0])
+        for part in within(node, "declaration", "parameter_declaration")
+        for one in part.children_by_field_name("declarator") if within(one, "identifier")
+    }  # fmt: skip
+    places = [one.child_by_field_name("left") for one in within(node, "assignment_expression")]
+    places += [one.child_by_field_name("argument") for one in within(node, "update_expression")]
+    places += [
+        one.child_by_field_name("argument") for one in within(node, "pointer_expression")
+        if words(one).startswith("&")
+    ]  # fmt: skip
+    return {words(i) for place in places for i in (place, *within(place, "identifier"))} - own
 
 
 def functions_of(root: Any) -> tuple[dict[str, Any], dict[str, Unread]]:
@@ -434,6 +460,7 @@ def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str
             _refuse_inexact(one, number)
             kinds[safe(name)] = literal
     scope = Scope([], {}, {}, {}, constants=constants, kinds=kinds, bits=bits)
+    changed = {name for node in within(root, "function_definition") for name in _written(node)}
     for node in within(root, "declaration", "field_declaration"):
         fixed = {"const", "constexpr"} & {*words(node).split()}
         if _owner(node) if node.type == "declaration" else not fixed:
@@ -446,7 +473,10 @@ def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str
             value = declarator.child_by_field_name("value") or (values[0] if values else None)
             if value is None or len(values) > 1:
                 continue
-            name = safe(words(within(declarator, "identifier", "field_identifier")[0]))
+            title = words(within(declarator, "identifier", "field_identifier")[0])
+            if title in changed and node.type == "declaration":
+                continue  # what it begins with is not what it holds
+            name = safe(title)
             own = replace(scope, free={}, numbers=True)
             try:
                 number = _constant(node, declarator, value, own)

@@ -921,24 +921,6 @@ def _is_single(text: str) -> bool:
     return Fraction(text) == float32(float(text))
 
 
-def _one_entry(node: Any) -> None:
-    """Refuse [a -b], which has two columns: its grammar has one difference."""
-    if node.type not in ("binary_expression", "unary_expression", "juxtaposition_expression"):
-        return
-    for part in node.children:
-        if (
-            part.type == "operator"
-            and words(part) in ("+", "-", ".+", ".-")
-            and (
-                (before := part.prev_sibling) is not None
-                and before.end_byte < part.start_byte
-                and part.end_byte == part.next_sibling.start_byte
-            )
-        ):
-            raise refuse(node, f"[{words(node)}] has two columns in Julia: write a comma or blanks")
-        _one_entry(part)
-
-
 def _macro(node: Any) -> str:
     """The name of a macro."""
     return words(named(node)[0]).lstrip("@")
@@ -997,12 +979,13 @@ def expression(node: Any, one: Function) -> str:
         case "open_tuple" | "tuple_expression":
             return "(" + "".join(f"{expression(part, one)}, " for part in named(node)) + ")"
         case "vector_expression":
-            for part in named(node):
-                _one_entry(part)
+            parted = [_row(part, one) for part in named(node)]
+            if len(parted) == 1 and len(parted[0]) > 1:  # [a -b], for the grammar a vector
+                return f"block(({joined(parted[0])}))"
+            if any(len(row) > 1 for row in parted):
+                raise refuse(node)
             return f"array([{joined([expression(part, one) for part in named(node)])}])"
         case "matrix_expression":
-            for part in [entry for row in named(node) for entry in named(row)]:
-                _one_entry(part)
             rows = ["(" + "".join(f"{part}, " for p in named(row) for part in _row(p, one)) + ")"
                     for row in named(node)]  # fmt: skip
             return f"block({joined(rows)})"
@@ -1022,17 +1005,45 @@ def expression(node: Any, one: Function) -> str:
 
 
 def _row(node: Any, one: Function) -> list[str]:
-    """Entries of a row: ``a -b`` is two, which the grammar takes for a difference."""
+    """Entries of a row: ``a -b`` and ``2 (a)`` are two, which the grammar takes for one."""
+    if node.type == "juxtaposition_expression":
+        left, right = named(node)
+        if left.end_byte < right.start_byte:
+            return [*_row(left, one), _entry_of_row(right, one)]
     if node.type != "binary_expression":
-        return [expression(node, one)]
+        return [_entry_of_row(node, one)]
     left, sign, right = named(node)
-    apart = node.start_byte < sign.start_byte and left.end_byte < sign.start_byte
-    if words(sign) in "+-" and apart and sign.end_byte == right.start_byte:
-        return [*_row(left, one), f"({words(sign)}{expression(right, one)})"]
+    if words(sign) in "+-" and _is_one_sided(left, sign, right):
+        return [*_row(left, one), f"({words(sign)}{_entry_of_row(right, one)})"]
     if words(sign) in "+-" and left.type == "binary_expression":
         *before, last = _row(left, one)
-        return [*before, f"{OPERATIONS[words(sign)]}({last}, {expression(right, one)})"]
-    return [expression(node, one)]
+        return [*before, f"{OPERATIONS[words(sign)]}({last}, {_entry_of_row(right, one)})"]
+    return [_entry_of_row(node, one)]
+
+
+def _entry_of_row(node: Any, one: Function) -> str:
+    """One entry; refused where a blank in it may part two in Julia."""
+    if _is_parted(node):
+        raise refuse(
+            node, f"[{words(node)}] has several columns in Julia: write commas or brackets"
+        )
+    return expression(node, one)
+
+
+def _is_parted(node: Any) -> bool:
+    if node.type == "juxtaposition_expression":
+        left, right = named(node)
+        return bool(left.end_byte < right.start_byte) or _is_parted(left) or _is_parted(right)
+    if node.type == "binary_expression":
+        left, sign, right = named(node)
+        parted = words(sign).strip(".") in "+-" and _is_one_sided(left, sign, right)
+        return parted or _is_parted(left) or _is_parted(right)
+    return node.type == "unary_expression" and _is_parted(named(node)[-1])
+
+
+def _is_one_sided(left: Any, sign: Any, right: Any) -> bool:
+    """Whether a blank stands before a sign and none behind it."""
+    return bool(left.end_byte < sign.start_byte and sign.end_byte == right.start_byte)
 
 
 def _binary(node: Any, one: Function) -> str:

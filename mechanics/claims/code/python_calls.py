@@ -177,7 +177,22 @@ class Calls:
         pairs = self._matched(called, slots, args, keywords)
         if not step and self._misplaced(pairs):
             return True
-        return any(not self._is_same(called, slot, arg, step) for slot, arg in pairs)
+        return any(
+            not self._is_same(called, slot, arg, step) or self._is_overridden(called, slot, arg)
+            for slot, arg in pairs
+        )
+
+    def _is_overridden(self, called: Called, slot: Slot, argument: ast.expr) -> bool:
+        """Whether an argument without a meaning gets another number than the one it is read as."""
+        arguments = self.nodes[called.name].args
+        placed = [*arguments.posonlyargs, *arguments.args]
+        defaults = dict(zip([a.arg for a in placed][::-1], arguments.defaults[::-1], strict=False))
+        pairs = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+        defaults |= {a.arg: value for a, value in pairs if value is not None}
+        default = defaults.get(slot[0])
+        if slot[1] != "other" or default is None or number_of(default) is None:
+            return False
+        return number_of(argument) != number_of(default)
 
     def _pairs(self, called: Called, node: ast.Call) -> list[tuple[Slot, ast.expr]]:
         return self._matched(called, called.slots, node.args, node.keywords)
