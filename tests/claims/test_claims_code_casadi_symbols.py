@@ -1,7 +1,5 @@
 """Python functions that make CasADi's symbols themselves, and such that take columns of NumPy."""
 
-import importlib.util
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,6 +7,7 @@ from typing import Any
 import pytest
 
 from mechanics import check
+from mechanics.cli.load import run_file
 from mechanics.errors import InputError
 from systems import rod_pendulum
 
@@ -35,13 +34,7 @@ def model(x, u, m, l, g):
 def _model(text: str, folder: Path) -> Callable[..., Any]:
     path = folder / "handed_in.py"
     path.write_text(text)
-    spec = importlib.util.spec_from_file_location("handed_in", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["handed_in"] = module
-    spec.loader.exec_module(module)
-    return module.model
+    return run_file(path).model
 
 
 def _verdict(text: str, folder: Path) -> str:
