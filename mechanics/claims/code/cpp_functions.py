@@ -460,7 +460,11 @@ def _numbers(root: Any, nodes: dict[str, Any], bits: int) -> tuple[dict[str, str
             _refuse_inexact(one, number)
             kinds[safe(name)] = literal
     scope = Scope([], {}, {}, {}, constants=constants, kinds=kinds, bits=bits)
-    changed = {name for node in within(root, "function_definition") for name in _written(node)}
+    judged = {node.start_byte for node in nodes.values()}
+    changed = {
+        name for node in within(root, "function_definition") if node.start_byte not in judged
+        for name in _written(node)
+    }  # fmt: skip
     for node in within(root, "declaration", "field_declaration"):
         fixed = {"const", "constexpr"} & {*words(node).split()}
         if _owner(node) if node.type == "declaration" else not fixed:
