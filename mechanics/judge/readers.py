@@ -122,11 +122,11 @@ def read(
         known = thing.suffix in LANGUAGES and notation is None
         text = file_text(thing) if known else ""
         if known and has_function(text):
-            found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+            found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
             return _with_rest(found, scene, thing, text, names, function)
         if known and thing.suffix == ".m" and has_solved_handle(text):
             with suppress(InputError):  # else a page of equations
-                found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+                found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
                 return _with_rest(found, scene, thing, text, names, function)
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):

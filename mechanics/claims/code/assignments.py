@@ -97,9 +97,10 @@ def recorded(
             raise InputError(failed[-1])
         if id(frame) in lines:
             for name, value in frame.f_locals.items():
+                place = f"{words} {lines[id(frame)]}"
                 for own, number in _numbers(name, value, *entry):
-                    place = f"{words} {lines[id(frame)]}"
-                    number.formula = given_a_name(number.formula, own, place, found)
+                    if number.formula is not None:
+                        number.formula = given_a_name(number.formula, own, place, found)
         lines[id(frame)] = frame.f_lineno
         if event == "return":
             del lines[id(frame)]
@@ -142,7 +143,7 @@ def _numbers(
             places = ", ".join(str(first + k) for k in (index[1:] if row else index))
             own = f"{name}{opening}{places}{closing}"
             yield from _numbers(own, entry, opening, first, closing, both)
-    if isinstance(value, Traced) and value.formula is not None:
+    if isinstance(value, Traced):
         yield name, value
 
 

@@ -7,7 +7,7 @@ page is compiled under the name of the author's file, so that what is said of a 
 import ast
 import keyword
 import linecache
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -190,6 +190,18 @@ def safe(name: str) -> str:
     if name.startswith("__"):
         raise Unread(f"the name {name} is not read: it begins with two underscores")
     return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def refuse_absent(chosen: str, functions: Iterable[str]) -> None:
+    """Refuse a function that a file has not.
+
+    Raises
+    ------
+    Unread
+    """
+    if safe(chosen) not in functions:
+        told = ", ".join(functions) or "none"
+        raise Unread(f"there is no function {chosen}: there are {told}")
 
 
 def refuse(node: Any, what: str = "") -> Unread:
