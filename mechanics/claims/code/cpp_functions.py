@@ -41,6 +41,7 @@ from mechanics.claims.code.python_page import (
     named,
     refuse,
     refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -1060,6 +1061,8 @@ def _changed(node: Any, scope: Scope) -> str:
         return f"{name} = {value}"
     if node.type in ("comma_expression", "binary_expression"):
         return _streamed(node, scope)
+    if node.type == "call_expression" and (name := _called(named(node)[0])) not in scope.functions:
+        raise refuse_call(node, name, named(node)[1:])
     if node.type != "assignment_expression":
         raise refuse(node)
     left, right = (node.child_by_field_name(f) for f in ("left", "right"))

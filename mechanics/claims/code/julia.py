@@ -30,6 +30,7 @@ from mechanics.claims.code.python_page import (
     named,
     refuse,
     refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -745,6 +746,8 @@ def _statement(page: Page, node: Any, depth: int, one: Function) -> None:
                 raise refuse(node)
         case "identifier" if words(node) in ("nothing", one.filled):
             page.put(line, depth, "pass")
+        case "call_expression" if words(named(node)[0]) not in one.others:
+            raise refuse_call(node, words(named(node)[0]), named(node)[1:])
         case _:
             raise refuse(node)
 

@@ -23,6 +23,7 @@ from mechanics.claims.code.python_page import (
     named,
     refuse,
     refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -524,6 +525,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")
         case "identifier" if words(node) in SHOWN:
             page.put(line, depth, "pass")
+        case "function_call" if safe(words(_name(node))) not in scope.functions:
+            raise refuse_call(node, words(_name(node)))
         case _:
             raise refuse(node)
 

@@ -211,6 +211,27 @@ def refuse(node: Any, what: str = "") -> Unread:
     return Unread(f"{where}: {what or f'{text[:60]!r} is not read'}")
 
 
+def refuse_call(node: Any, name: str, given: Sequence[Any] = ()) -> Unread:
+    """What is said of a statement that calls a function of another file.
+
+    Parameters
+    ----------
+    node
+        The statement.
+    name : str
+        Of the function.
+    given : sequence of node
+        Arguments that it may change.
+    """
+    names = (words(i) for part in given for i in (part, *within(part, "identifier")))
+    changed = joined([*dict.fromkeys(n for n in names if n.isidentifier())])
+    return refuse(
+        node,
+        f"{name}() is not in this file, and may change {changed or 'what it reaches'}: put it into"
+        " the file, or leave the call out if it changes nothing",
+    )
+
+
 def joined(parts: Sequence[str]) -> str:
     """Arguments of a call."""
     return ", ".join(parts)
