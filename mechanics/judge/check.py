@@ -166,7 +166,10 @@ def check(
     statements = of_one_dimension(truth, every)
     is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
-        raise InputError("check: values, convention and where exclude each other: give one")
+        raise InputError(
+            "--value (values=), --convention (convention=) and --where (where=) exclude each other:"
+            " give one"
+        )
     known = [match for reading in readings for match in reading.names]
     declared = read_declared(convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
