@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import islice, product
 
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 
 from mechanics.blame.difference import differences
 from mechanics.blame.reference import Reference
@@ -49,6 +49,7 @@ def blame(
     kept: frozenset[int | str] = frozenset(),
     budget: Budget | None = None,
     put: Mapping[Symbol, Expr] | None = None,
+    beside: Expr = S.Zero,
 ) -> Blame:
     """Which term of a refuted statement is wrong.
 
@@ -65,6 +66,8 @@ def blame(
     put : mapping of Symbol to Expr, optional
         What stands for the person's symbols, by a convention or as values of parameters; then what
         differs is not shown term by term.
+    beside : Expr, optional
+        What makes of an energy with potentials of forces the scene's own; the same then.
 
     Returns
     -------
@@ -79,6 +82,7 @@ def blame(
         return Blame((), (), searched="not searched: it could not be read")
     own = Budget(STEPS)
     try:
+        claim = replace(claim, beside=beside)
         return _searched(claim, statement, kept, own)
     finally:
         if budget is not None:
@@ -106,7 +110,7 @@ def _searched(
         except Untreeable:
             return str(expression)
 
-    if claim.written.put:
+    if claim.written.put or claim.beside:
         return Blame((), repairs, searched=words)
     try:
         terms, doubt = differences(claim.reference, statement, repaired=row, spell=spell), ""

@@ -295,14 +295,16 @@ def _is_hamiltonian(first: Node, side: Node, naming: Naming) -> bool:
     factors = power.factors if isinstance(power, Product) else ()
     names_of = [(f.name.partition("_")[0], f.order) for f in factors if isinstance(f, Name)]
     last = minus.factors[-1] if isinstance(minus, Product) else None
+    coordinates = {q.name for q in naming.vocabulary.scene.q}
+    only = coordinates if len(coordinates) == 1 else set()  # its momentum is any p
     return (
         len(factors) == 2
-        and sorted(names_of) == [("p", 0), ("q", 1)]
+        and sorted(names_of, key=lambda pair: pair[1]) in [[("p", 0), (q, 1)] for q in ("q", *only)]
         and isinstance(minus, Product)
         and [constant(f) for f in minus.factors[:-1]] == [-1]
         and isinstance(last, Name)
         and ENERGY_NAMES.get(last.name) == "Lagrangian"
-        and all(naming.lookup(n.name) is None or n.name == "p" for n in names(side))
+        and all(naming.lookup(n.name) is None or n.name in ("p", *only) for n in names(side))
     )
 
 

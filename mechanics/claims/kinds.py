@@ -33,7 +33,10 @@ def kinds(name: str) -> frozenset[str]:
 
 
 def angular(scene: Scene) -> set[Symbol]:
-    """Coordinates that are angles: those whose sine or cosine places or turns a body."""
+    """Coordinates that are angles: those whose sine or cosine places or turns a body.
+
+    An arc s is none, which does so by s/R.
+    """
     found: set[Symbol] = set()
     for body in scene.bodies:
         matrices = [scene.position(body.centre)]
@@ -41,7 +44,8 @@ def angular(scene: Scene) -> set[Symbol]:
             matrices.append(scene.rotation(body.frame))
         for matrix in matrices:
             for function in matrix.atoms(sin, cos):
-                found |= function.free_symbols & set(scene.q)
+                (of,) = function.args
+                found |= {q for q in of.free_symbols & {*scene.q} if of.diff(q).is_number}
     return found - rolled(scene)
 
 

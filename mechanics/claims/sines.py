@@ -2,9 +2,9 @@ r"""Sines and cosines by one letter, as in robotics: s_1, c_{12}, c_\psi, s\thet
 
 s_1 = sin(theta_1)      c_12 = cos(theta_1 + theta_2)      c_{1-2} = cos(theta_1 - theta_2)
 
-Only where both letters are used so, or in a matrix, as that of masses holds cosines only; the scene
-has no such name, the text defines none, and the scene has no damper or spring left that the letter
-could name.
+Only where both letters are used so, or in a matrix, as that of masses holds cosines only, or where
+dimensions ask for a number; the scene has no such name, the text defines none, and the scene has no
+damper or spring left that the letter could name.
 """
 
 import re
@@ -13,6 +13,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from mechanics.claims.definitions import definitions
+from mechanics.claims.dimension import dimension
 from mechanics.claims.kinds import ANGLES, angular
 from mechanics.claims.lines import Aside, Entry, Line
 from mechanics.claims.names import Naming
@@ -23,6 +24,7 @@ from mechanics.claims.tree import (
     Name,
     Node,
     Product,
+    Sum,
     Table,
     ended,
     names,
@@ -55,10 +57,27 @@ def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
     both = letters >= {"s", "c"}
     tables = (names(side) for side in sides if isinstance(side, Table) and len(side.rows) > 1)
     numbered = {name.name for held in tables for name in held} & {*short}
-    if not (both or several or numbered):
+    if not (both or several or numbered or _as_numbers(lines, naming, short)):
         return list(lines)
     told = [Aside(_words(name, found), 0) for name, found in short.items()]
     return [*told, *(_replaced(line, naming, {*free}, short) for line in lines)]
+
+
+def _as_numbers(lines: Sequence[Entry], naming: Naming, short: Mapping[str, Call]) -> bool:
+    """Whether short names are sines of angles of their number, and all that is added or equal where
+    they stand has one dimension so: with a length s it has not. A c may be a coefficient.
+    """
+    if not all(n[0] in "sS" and names(call)[0].name.endswith(n[-1]) for n, call in short.items()):
+        return False
+    sides = [line.sides for line in lines if isinstance(line, Line)]
+    using = [some for some in sides if any(n.name in short for side in some for n in names(side))]
+    with_numbers = replace(naming, own={**naming.own, **short})
+    terms = [
+        [t for side in some for t in (side.terms if isinstance(side, Sum) else (side,))]
+        for some in using
+    ]
+    found = [{dimension(with_numbers, term) for term in some} for some in terms]
+    return bool(using) and all(len(one) == 1 and None not in one for one in found)
 
 
 def _left(naming: Naming, used: Iterable[str]) -> bool:

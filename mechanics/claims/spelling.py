@@ -173,7 +173,9 @@ class Spelling:
                 return rf"\{base.function}^{{{self(exponent)}}}{self._argument(base.arguments[0])}"
             return rf"{self._base(base)}^{{{self(exponent)}}}"
         mark = "^" if self.written.notation == "text" and "**" not in self.written.text else "**"
-        return f"{self.tight(base, ATOM)}{mark}{self.tight(exponent, ATOM)}"
+        halves = self.written.notation == "code" and number is not None and number.denominator == 2
+        above = str(float(number)) if halves else self.tight(exponent, ATOM)  # type: ignore[arg-type]
+        return f"{self.tight(base, ATOM)}{mark}{above}"
 
     def _base(self, base: Node) -> str:
         text = self.tight(base, ATOM)

@@ -64,11 +64,17 @@ def with_values(reference: Reference, judged: tuple[Judged, ...]) -> tuple[Judge
 def likely(
     reference: Reference, judged: Sequence[Judged], rows: Sequence[Published]
 ) -> Iterator[dict[Symbol, Integer]]:
-    """Values of parameters that no statement holds: those of gravity, those of the scene, and 1."""
+    """Values of parameters that no statement holds: those of gravity, those of the scene, and 1.
+
+    Or those that code gives its parameters beside other numbers.
+    """
     truth = reference.truth
     plain = [in_plain_symbols(truth.kinematics, row) for row in rows]
     held = held_by(truth.scene, plain)
     free = [p for p in truth.scene.parameters if p not in held]
+    own = {s: v for e in judged for s, v in e.statement.code_values if s in held}
+    if own:
+        yield own
     numbers = [number * times for times in TIMES for number in numbers_in(plain)]
     units = units_in([e.statement for e in judged]) or not held & {*truth.scene.parameters}
     if not free or not (numbers or units):

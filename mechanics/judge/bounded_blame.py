@@ -15,6 +15,7 @@ from mechanics.blame.result import Blame, Edit
 from mechanics.blame.search.budget import Budget
 from mechanics.blame.search.claim import Claim, claim_of, used
 from mechanics.blame.shared_edits import shared
+from mechanics.checks.force_potentials import potentials_beside
 from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.place import Refused
 from mechanics.claims.statement import Statement
@@ -158,17 +159,31 @@ def _search(
     put: Mapping[Symbol, Expr] | None,
 ) -> Blame:  # fmt: skip
     """The blame; the verdict stands whatever the search meets."""
-    statement = solved(reference.truth, judged[k].statement)
 
     def search(one: Statement) -> Blame:
-        return blame_of(reference, one, shown_with(reference, judged, k), budget, put)
+        kept = shown_with(reference, judged, k)
+        own = blame_of(reference, one, kept, budget, put)
+        if one.row is None or put:
+            return own
+        sums = (added for added, _ in potentials_beside(reference.truth.scene, one.row))
+        others = (blame_of(reference, one, kept, budget, beside=added) for added in sums)
+        # Who writes what such a force has as a potential counts it.
+        return min((*others, own), key=lambda blame: _length(blame)[0])
 
     try:
-        blame = blame_by_branch(reference.truth, statement, judged[k].finding, search)
-        return blame or search(statement)
+        some = solved(reference.truth, judged[k].statement)
+        blame = blame_by_branch(reference.truth, some[0], judged[k].finding, search)
+        return blame or min(map(search, some), key=_length)
     except (MechanicsError, Refused, RecursionError) as error:
         words = str(error) if not isinstance(error, RecursionError) else "it is nested too deeply"
         return Blame((), (), searched=f"not searched: {words}")
+
+
+def _length(blame: Blame) -> tuple[int, int]:
+    """Of the first repair: edits, and letters in them."""
+    edits = blame.repairs[0].edits if blame.repairs else ()
+    size = sum(len(edit.written) + len(edit.right) for edit in edits)
+    return (len(edits), size) if edits else (MOST, 0)
 
 
 def _explained(reference: Reference, judged: Sequence[Judged]) -> Sequence[tuple[str, ...]]:

@@ -38,6 +38,7 @@ from mechanics.judge.guesses import other_guesses
 from mechanics.judge.idle_values import idle_values
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
+from mechanics.judge.named_energies import with_named_energies
 from mechanics.judge.one_document import of_one_document
 from mechanics.judge.options import refuse_unused
 from mechanics.judge.other_conventions import helpful_changes
@@ -163,7 +164,7 @@ def check(
         parts, [_read(truth, part, names, notation, about, function) for part in parts]
     )
     every = [s for reading in readings for s in reading.statements]
-    statements = of_one_dimension(truth, every)
+    statements = with_named_energies(truth, of_one_dimension(truth, every))
     is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError(

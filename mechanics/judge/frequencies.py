@@ -11,7 +11,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr, Symbol, degree, expand, factor, numer, sqrt, together
+from sympy import Expr, Symbol, degree, expand, factor, factor_list, numer, sqrt, together
 
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Statement
@@ -73,27 +73,28 @@ def one_root_each(
     return tuple(found)
 
 
-def solved(truth: Equations, statement: Statement) -> Statement:
-    """The statement of the one frequency of a scene with its square on a side of its own.
+def solved(truth: Equations, statement: Statement) -> list[Statement]:
+    """The statement of a frequency with its square on a side of its own, for each root.
 
     What the square of it has to be stands beside what was written, so that edits can be searched.
     """
     row, letter = statement.row, statement.letter
     if row is None or letter is None:
-        return statement
+        return [statement]
     for meaning in SQUARES.keys() & {*meanings_of(statement)}:
         for candidate in candidates(truth, meaning):
             if row not in candidate.rows(row, letter.sides) or candidate.vanishing is None:
                 continue
             square = Symbol("square", positive=True)
-            above = expand(numer(together(candidate.vanishing.subs(ROOT, sqrt(square)))))
-            while above != 0 and above.coeff(square, 0) == 0:  # what moves freely has none
-                above = expand(above / square)
-            if above.has(square) and degree(above, square) == 1:
-                root = -above.coeff(square, 0) / above.coeff(square, 1)
-                sides = (*(side**2 for side in letter.sides), factor(root))
-                return replace(statement, row=replace(row, sides=sides))
-    return statement
+            above = numer(together(candidate.vanishing.subs(ROOT, sqrt(square))))
+            squares = [side**2 for side in letter.sides]
+            _, parts = factor_list(above, square)
+            linear = [part for part, _ in parts if degree(part, square) == 1 and part != square]
+            roots = [-part.coeff(square, 0) / part.coeff(square, 1) for part in map(expand, linear)]
+            if roots:
+                rows = [replace(row, sides=(*squares, factor(root))) for root in roots]
+                return [replace(statement, row=each) for each in rows]
+    return [statement]
 
 
 def _other_kind(truth: Equations, statement: Statement) -> str:

@@ -7,6 +7,7 @@ from functools import partial
 
 from sympy.matrices import MatrixBase
 
+from mechanics.checks.force_potentials import right_with_potentials
 from mechanics.checks.ledger import check_row
 from mechanics.claims.demands import Demand
 from mechanics.claims.statement import Statement
@@ -16,7 +17,6 @@ from mechanics.errors import ExpressionError, InputError, SceneError, SingularEr
 from mechanics.judge.at_values import Values, judged_at
 from mechanics.judge.cases import check_cases, has_guard, with_case
 from mechanics.judge.definedness import where_defined
-from mechanics.judge.force_potentials import right_with_potentials
 from mechanics.judge.limits import limited
 from mechanics.judge.principal import on_principal_range
 from mechanics.judge.vacuous import as_step, with_content

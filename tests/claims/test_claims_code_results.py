@@ -98,3 +98,30 @@ def test_rows_of_a_manipulator_may_be_divided_or_exchanged(
             check(double_pendulum.scene(), model, blame=False)
         return
     assert check(double_pendulum.scene(), model, blame=False).verdict.name == verdict
+
+
+CUT = "function out = rod(theta, u, m, l, g)\nk = 3/(m*l^2);\nacc = k*(m*g*l/2*sin(theta) + u)%s\n"
+
+
+@pytest.mark.parametrize(
+    ("behind", "expected"),
+    [
+        (";", "UNDECIDED"),  # as it stands, it returns nothing
+        ("/2;", "REFUTED"),
+        (";\nout = acc;", "PROVED"),
+        (";\nplot(acc);", None),  # it is used
+        (";\nk = acc + k;", None),
+    ],
+)
+def test_a_function_that_is_cut_returns_what_it_computes_last(
+    behind: str, expected: str | None, tmp_path: Path
+) -> None:
+    path = tmp_path / "rod.m"
+    path.write_text(CUT % behind + "end\n")
+    if expected is None:
+        with pytest.raises(InputError):
+            check(SCENE, path, blame=False)
+        return
+    found = check(SCENE, path, blame=False)
+    assert found.verdict.name == expected
+    assert ("computes last" in str(found)) == (expected == "UNDECIDED")

@@ -217,3 +217,16 @@ def test_a_paragraph_ends_an_equation() -> None:
         cartpole.scene(), rf"\[ {row} \par \ddot\theta = 0 \]", notation="latex", blame=False
     )
     assert [e.finding.verdict.name for e in found.judged] == ["PROVED", "REFUTED"]
+
+
+@pytest.mark.parametrize("written", ["[+ 2 k x]", r"\; [\;+\; 2 k x \;]", r"\left(+ 2 k x\right)"])
+def test_a_term_in_brackets_with_a_plus_may_be_left_out_and_is_read_as_there(written: str) -> None:
+    text = SIX.replace("+2 k x", written)
+    assert text != SIX
+    found = mechanics.check(PENDULUM, text, blame=False)
+    assert found.verdict is Verdict.PROVED
+    assert any("read as a term" in note for note in found.judged[0].statement.notes)
+    wrong = mechanics.check(PENDULUM, text.replace("2 k x", "3 k x"), blame=False)
+    assert wrong.verdict is Verdict.REFUTED
+    with pytest.raises(InputError, match="or a factor"):
+        mechanics.check(PENDULUM, text.replace(written, written + " m"), blame=False)

@@ -50,10 +50,11 @@ Vector Arm::getG(Vector& q)
 FILES = {"arm.m": MATLAB, "arm.cpp": CPP}
 
 
-def _checked(folder: Path, name: str, text: str, **how: object) -> Check:
+def _checked(folder: Path, name: str, text: str, *, heavy: bool = True, **how: object) -> Check:
     q1, q2, t1, t2 = dynamicsymbols("q1 q2 t1 t2")
     m1, m2, l1, l2, g = P("m1:kg m2:kg l1:m l2:m g:m/s^2")
-    scene = two_link_arm((q1, q2), l1, (m1, l1, 0), (m2, l2, 0), g, (t1, t2), (t1, t2))
+    weight = g if heavy else 0
+    scene = two_link_arm((q1, q2), l1, (m1, l1, 0), (m2, l2, 0), weight, (t1, t2), (t1, t2))
     path = folder / name
     path.write_text(text)
     return mechanics.check(scene, path, blame=False, **how)
@@ -95,6 +96,18 @@ def test_functions_of_other_names_are_not_put_together(
     assert written in FILES[name]
     with pytest.raises(InputError):
         _checked(tmp_path, name, FILES[name].replace(written, other))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_without_gravity_two_functions_are_all(name: str, tmp_path: Path) -> None:
+    last = "function G" if name == "arm.m" else "Vector Arm::getG"
+    text = FILES[name][: FILES[name].index(last)]
+    assert _checked(tmp_path, name, text, heavy=False).verdict.name == "PROVED"
+    wrong = text.replace("l2*sin", "l2*cos")
+    assert wrong != text
+    assert _checked(tmp_path, name, wrong, heavy=False).verdict.name == "REFUTED"
+    with pytest.raises(InputError, match="2 functions"):
+        _checked(tmp_path, name, text)
 
 
 def test_signs_of_parts_are_left_open(tmp_path: Path) -> None:

@@ -1,7 +1,10 @@
 """What books on robotics write: s_1, c_12, columns by one letter, matrices by their entries."""
 
 import pytest
+from sympy.physics.mechanics import dynamicsymbols
 
+import mechanics
+from benchmarks.corpus.builders import P, pendulum
 from tests.notation_scenes import judged, verdicts
 
 CRAIG = r"""
@@ -91,3 +94,20 @@ def test_the_mistake_is_mended_where_it_was_written() -> None:
     (entry,) = judged("arm", wrong, blame=True).judged
     assert entry.blame is not None
     assert entry.blame.repairs[0].repaired == ELBOW
+
+
+@pytest.mark.parametrize(
+    ("right", "verdict"),
+    [
+        (r"-\frac{g}{l} s_1", "PROVED"),
+        (r"-\frac{2 g}{l} s_1", "REFUTED"),
+        (r"-\frac{g}{l^2} s_1", "UNDECIDED"),  # an arc, it may be
+        (r"-\frac{g}{l} c_1", "UNDECIDED"),  # a coefficient
+        (r"-\frac{g}{l} s_2", "UNDECIDED"),
+    ],
+)
+def test_a_sine_alone_is_told_by_its_dimension_and_number(right: str, verdict: str) -> None:
+    m, l, g = P("m:kg l:m g:m/s^2")
+    scene = pendulum(dynamicsymbols("theta1"), m, 0, l, g)
+    found = mechanics.check(scene, rf"\ddot\theta_1 = {right}", blame=False)
+    assert found.verdict.name == verdict

@@ -211,3 +211,15 @@ def test_derivatives_of_brackets_by_rates_and_before_names(
 def test_an_operator_of_another_power_below_is_no_derivative() -> None:
     found = mechanics.check(ROD, "d^2/dt theta = 3*g/(2*l)*sin(theta)", notation="text")
     assert [entry.finding.verdict.name for entry in found.judged] == ["UNDECIDED"]
+
+
+@pytest.mark.parametrize("words", ["acceleration", "the angular acceleration", "Acceleration"])
+def test_a_word_before_a_name_says_what_it_is(words: str) -> None:
+    scene = rod_pendulum.scene()
+    plain = "theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
+    assert check(scene, plain, blame=False).verdict.name == "PROVED"
+    told = f"torque {plain.replace('3*u', '6*u')}"
+    assert check(scene, f"{words} {plain}", blame=False).verdict.name == "PROVED"
+    assert check(scene, told, blame=False).verdict.name == "REFUTED"
+    product = f"{words.split()[-1]} + {plain}"
+    assert check(scene, product, blame=False).verdict.name == "UNDECIDED"

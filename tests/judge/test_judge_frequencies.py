@@ -6,6 +6,7 @@ import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import mechanics
+from benchmarks.corpus.load import HERE, scene_of
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
@@ -210,3 +211,11 @@ NATURAL, OF_MOTION, RESONANT = r"\sqrt{k/m}", r"\sqrt{k/m - c^2/(4m^2)}", r"\sqr
 def test_a_damper_makes_three_frequencies(text: str, verdict: str) -> None:
     (entry,) = mechanics.check(damped(), text, blame=False).judged
     assert entry.finding.verdict.name == verdict
+
+
+def test_an_edit_is_searched_for_each_root() -> None:
+    """A pendulum on a spring: its length at rest is l + m g/k."""
+    scene = scene_of(HERE / "scenes" / "bobs_and_hinged_rods.py", "spring_x")
+    (entry,) = mechanics.check(scene, r"\[ \omega_2 = \sqrt{\frac{g}{l - \frac{m g}{k}}} \]").judged
+    assert entry.blame is not None
+    assert [(e.written, e.right) for e in entry.blame.repairs[0].edits] == [("-", "+")]

@@ -8,7 +8,7 @@ potential, sum of energies, Lagrangian: side at two states, up to a constant
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.blame.reference import Reference
@@ -48,6 +48,8 @@ class Claim:
         Entries and definitions that are not edited: others are shown with them.
     derived : bool
         Whether one of the entries is the scene's own.
+    beside : Expr
+        What makes of an energy with potentials of forces the scene's own.
     """
 
     reference: Reference
@@ -56,6 +58,7 @@ class Claim:
     entries: Trees
     kept: frozenset[int | str] = frozenset()
     derived: bool = False
+    beside: Expr = S.Zero
 
     @property
     def truth(self) -> Equations:
@@ -143,7 +146,7 @@ def problems(claim: Claim) -> Iterator[Problem]:
         for k in range(rows, size):
             yield from _problems(claim, (k % rows, k), None)
         return
-    for k, target in enumerate(targets(claim.truth, claim.row)):
+    for k, target in enumerate(targets(claim, claim.truth)):
         yield from _problems(claim, (k,), target)
 
 
@@ -156,7 +159,7 @@ def at_once(claim: Claim) -> Iterator[tuple[Claim, Problem]]:
     An equation without accelerations as one of motion: an acceleration may have lost its dots.
     """
     if isinstance(claim.row.quantity, q.TotalEnergy | q.Lagrangian | q.Hamiltonian):
-        for k, target in enumerate(targets(claim.truth, claim.row)):
+        for k, target in enumerate(targets(claim, claim.truth)):
 
             def wanted(point: Point, target: Expr = target) -> int:
                 return point.value(target)
@@ -182,15 +185,15 @@ def _width(row: Published) -> int:
     return len(first) if isinstance(first, MatrixBase) else 1
 
 
-def targets(truth: Equations, row: Published) -> list[Expr]:
+def targets(claim: Claim, truth: Equations) -> list[Expr]:
     """What each entry has to be, in plain symbols."""
-    quantity = row.quantity
+    row, quantity = claim.row, claim.row.quantity
     if isinstance(quantity, q.ReactionValue):
         return [Symbol(quantity.name, real=True)] * len(row.sides)
     if isinstance(quantity, q.MassMatrix):
         return list(truth.kinematics.mass_matrix) * len(row.sides)
     if isinstance(quantity, ENERGIES):
-        return [energy_of(truth.kinematics, quantity)] * len(row.sides)
+        return [energy_of(truth.kinematics, quantity) - claim.beside] * len(row.sides)
     found = derived(truth.kinematics, quantity)
     chosen = [found[min(i, len(found) - 1)] for i in range(len(row.sides))]
     return [e for side in chosen for e in (side if isinstance(side, MatrixBase) else [side])]

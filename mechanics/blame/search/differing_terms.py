@@ -115,7 +115,7 @@ def _against(
 def _meant(claim: Claim, problem: Problem) -> list[Meant]:
     builder = claim.written.builder()
     sides = [builder(claim.entries[number]) for number in problem.numbers]
-    other = sides[1] if len(sides) > 1 else targets(claim.truth, claim.row)[0]
+    other = sides[1] if len(sides) > 1 else targets(claim, claim.truth)[0]
     plain = momenta_written_out(claim.truth.kinematics, sides[0] - other)
     return nearly(*claim.reference.folded(plain), MEANT)
 
@@ -126,7 +126,7 @@ def _sides(claim: Claim, problem: Problem) -> tuple[Terms, Terms]:
     own = claim.written.builder()(claim.entries[number])
     plain = momenta_written_out(claim.truth.kinematics, own)
     other, expression = claim.reference.folded(plain)
-    right = targets(other.truth, claim.row)[number]
+    right = targets(claim, other.truth)[number]
     scene = other.truth.scene
     one, two = terms_of([scene.plain(side) for side in (expression, right)])
     return one, two

@@ -24,6 +24,7 @@ from mechanics.blame.search.change import (
 from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.syntax_tree import SyntaxTree, edited
 from mechanics.blame.search.words import Words
+from mechanics.claims.dimension import NONE, dimension
 from mechanics.claims.kinds import angular
 from mechanics.claims.tree import (
     Call,
@@ -32,6 +33,7 @@ from mechanics.claims.tree import (
     Number,
     Product,
     Sum,
+    inverse,
     names,
     parts,
     product,
@@ -109,8 +111,10 @@ class Inside:
             yield from self._lacking(index, part)
 
     def _lacking(self, index: int, part: Node) -> Iterator[Inner]:
-        """What an argument may lack: the time in cos(omega), an angle in cos(theta_2)."""
+        """What an argument may lack: the time in cos(omega), an angle in cos(theta_2), a radius."""
         held = {word for name in names(part) if (word := self.words.word(name)) is not None}
+        if isinstance(part, Name):
+            yield from self._over_a_length(index, part)
         turned = "coordinate" in {word.kind for word in held}
         for word in self.words.symbols:
             if word.kind == "time":
@@ -118,6 +122,15 @@ class Inside:
             if turned and word.kind == "coordinate" and word not in held:
                 yield index, plus(word.name, part), Mistake.MISSING, TOKEN + SECOND
                 yield index, plus(minus(word.name), part), Mistake.MISSING, TOKEN + SECOND + HINT
+
+    def _over_a_length(self, index: int, part: Name) -> Iterator[Inner]:
+        """What has a unit is no angle: s/l for an arc s."""
+        naming, parameters = self.words.written.naming, self.words.truth.scene.parameters
+        unit = dimension(naming, part)
+        for other in self.words.symbols if unit not in (None, NONE) else ():
+            if other.symbol in parameters and dimension(naming, other.name) == unit:
+                over = times(part, inverse(other.name))
+                yield index, over, Mistake.FACTOR, TOKEN + SECOND
 
     def _lowered(self, node: Node) -> Node | None:
         """theta_2 - theta_1 for the difference of their rates."""

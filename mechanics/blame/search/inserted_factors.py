@@ -1,6 +1,6 @@
-"""Factors in front of a term: numbers where it has none, symbols, their inverses, sines, cosines.
+"""Factors in front of a term: numbers where it has none, symbols, roots, their inverses, sines.
 
-k x  ->  2 k x, m k x, k x / m, cos(theta) k x, ...
+k x  ->  2 k x, m k x, k x / m, k x / sqrt(x^2 + y^2), cos(theta) k x, ...
 """
 
 from collections.abc import Iterator
@@ -13,7 +13,11 @@ from mechanics.blame.search.change import HINT, RATIOS, SECOND, TOKEN, Change, s
 from mechanics.blame.search.circular import Circular
 from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, scaled
+from mechanics.blame.search.syntax_tree import is_root
 from mechanics.claims.tree import Call, Node, Number, Power, Product
+
+MOST_ROOTS = 3
+"""Roots of a statement that are tried as factors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,14 +38,22 @@ class Inserted:
                 )
         yield from self._turned(index, far)
         p, has = self.make.p, self.make.has(index)
-        for word in self.make.words.symbols:
-            values = tuple(a * b % p for a, b in zip(has, word.values, strict=True))
+        named = [(word.name, word.values) for word in self.make.words.symbols]
+        for node, worths in (*named, *self._roots):
+            values = tuple(a * b % p for a, b in zip(has, worths, strict=True))
             cost = TOKEN + far + SECOND
-            yield self.make.wrapped(index, partial(times, word.name), Mistake.FACTOR, cost, values)
-            if all(word.values):
-                over = Power(0, word.name, Number(0, Fraction(-1)))
-                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, word.values, strict=True))
+            yield self.make.wrapped(index, partial(times, node), Mistake.FACTOR, cost, values)
+            if all(worths):
+                over = Power(0, node, Number(0, Fraction(-1)))
+                values = tuple(a * pow(b, -1, p) % p for a, b in zip(has, worths, strict=True))
                 yield self.make.wrapped(index, partial(times, over), Mistake.FACTOR, cost, values)
+
+    @cached_property
+    def _roots(self) -> tuple[tuple[Node, tuple[int, ...]], ...]:
+        """Roots that were written: a distance by which a force is divided."""
+        tree = self.make.tree
+        found = {node: self.make.has(k) for k, node in enumerate(tree.nodes) if is_root(node)}
+        return tuple(found.items())[:MOST_ROOTS]
 
     def _turned(self, index: int, far: float) -> Iterator[Change]:
         """Sines, cosines and tangents in front of a term."""

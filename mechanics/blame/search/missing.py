@@ -14,7 +14,18 @@ from mechanics.blame.search.factors import Series
 from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.products import Products
-from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum, constant, parts
+from mechanics.claims.tree import (
+    Call,
+    Name,
+    Node,
+    Number,
+    Power,
+    Product,
+    Sum,
+    constant,
+    names,
+    parts,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,4 +134,20 @@ class Missing:
         change = added(self.problem, index, term, cost)
         if change is not None and isinstance(node, Number) and node.value == 0:
             change = replace(change, mistake=Mistake.TERM, wrap=None)  # it stands in place of that
+        elif change is not None and isinstance(self._around(index), Product):
+            change = self._collected(change, change.node)
         yield from () if change is None else (change,)
+
+    def _collected(self, change: Change, node: Node | None) -> Change:
+        """A factor with what is added to it, collected where that is shorter: of names alone.
+
+        x - y for 2 x - (x + y)
+        """
+        own = self.homogeneity.claim.definitions
+        if node is None or any(name.name in own for name in names(node)):
+            return change
+        whole = self.problem.sheets[0].builder(node).expand()
+        other = self.homogeneity.claim.written.tree(whole)
+        if len(names(other)) < len(names(node)):
+            return replace(change, node=other, wrap=None)
+        return change

@@ -12,7 +12,7 @@ from itertools import pairwise, takewhile
 from sympy.matrices import MatrixBase
 
 from mechanics.blame.result import Edit, Mistake
-from mechanics.blame.search.change import Change, is_minus, minus, raised
+from mechanics.blame.search.change import Change, is_minus, minus
 from mechanics.blame.search.claim import Claim
 from mechanics.blame.search.syntax_tree import SyntaxTree
 from mechanics.claims.claim import Trees
@@ -26,6 +26,7 @@ from mechanics.claims.tree import (
     Product,
     Sum,
     constant,
+    names,
     parts,
     with_parts,
 )
@@ -66,9 +67,11 @@ def edit_of(claim: Claim, spelling: Spelling, tree: SyntaxTree, change: Change) 
         arguments = [new if k == change.index else tree.nodes[k] for k in kids]
         call = with_parts(around, tuple(arguments))
         return edit_of(claim, spelling, tree, replace(change, index=above, node=call, wrap=None))
-    if _divides(node) and new is not None and isinstance(new, Power) and _divides(new):
+    above_line = constant(new.exponent) if isinstance(new, Power) else None
+    if _divides(node) and isinstance(new, Power) and above_line is not None and above_line < 0:
         # r^2 for r below a line, not 1/r^2.
-        below = raised(new.base, -int(constant(new.exponent) or -1))
+        exponent = Number(new.at, -above_line)
+        below = new.base if above_line == -1 else Power(new.base.at, new.base, exponent)
         base = tree.kids[change.index][0]
         return edit_of(claim, spelling, tree, replace(change, index=base, node=below, wrap=None))
     sign = None if span is None else _sign_before(claim, span)
@@ -76,7 +79,9 @@ def edit_of(claim: Claim, spelling: Spelling, tree: SyntaxTree, change: Change) 
         mark = claim.written.text[sign[0]]
         return _edit(claim, change, mark, "-" if mark == "+" else "+", sign)
     if _adds(tree, change) and isinstance(new, Sum):
-        at = None if span is None else (span[1], span[1])
+        beside = spelling.span(_neighbour(new)) if span else None
+        end = _with_brackets(claim.written.text, beside)[1] if beside else (span or (0, 0))[1]
+        at = (end, end) if span else None
         return _edit(claim, change, "", _signed(spelling, new.terms[-1]), at)
     if new is None and tree.side(change.index):
         return _edit(claim, change, spelling(node), "0", span)
@@ -131,6 +136,18 @@ def _shape(node: Node) -> str:
     own = f"{node.name}{node.order}" if isinstance(node, Name) else type(node).__name__
     function = node.function if isinstance(node, Call) else ""
     return f"{own}{function}({','.join(inside)})"
+
+
+def _neighbour(new: Sum) -> Node:
+    """The term that the last one of a sum belongs behind: of the same rates, with its names."""
+    *terms, added = new.terms
+
+    def alike(term: Node) -> tuple[bool, int]:
+        one, other = ({name for name in names(node)} for node in (term, added))
+        rates = [max((name.order for name in some), default=0) for some in (one, other)]
+        return rates[0] == rates[1], len({n.name for n in one} & {n.name for n in other})
+
+    return max(reversed(terms), key=alike)
 
 
 def _divides(node: Node) -> bool:

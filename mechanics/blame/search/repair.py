@@ -3,7 +3,7 @@
 statement with the edits  --check_row-->  PROVED or CERTIFIED,    else it is no repair
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from mechanics.blame.result import Repair
 from mechanics.blame.search.change import Change
@@ -12,6 +12,7 @@ from mechanics.blame.search.find import Solution
 from mechanics.blame.search.notation import edit_of, spliced
 from mechanics.blame.search.point import Family, Point
 from mechanics.blame.search.syntax_tree import SyntaxTree
+from mechanics.checks.force_potentials import with_potentials
 from mechanics.checks.ledger import check_row
 from mechanics.claims.claim import Trees, Written, row_of
 from mechanics.claims.place import Refused
@@ -55,7 +56,7 @@ def proved(
         return None
     try:
         if finding is None:
-            finding = check_row(claim.truth.scene, row, claim.truth)
+            finding = check_row(claim.truth.scene, with_potentials(row, claim.beside), claim.truth)
     except (InputError, SceneError, ExpressionError):
         return None
     if not finding.shown or check_energy(claim.truth, row) is not None:
@@ -64,7 +65,7 @@ def proved(
     edits = tuple(
         edit_of(claim, spelling, solution.problem.tree, change)
         for solution in chosen
-        for change in solution.changes
+        for change in _shown(solution)
     )
     new = edited_claim(claim, _changes(chosen))
     changed = list(dict.fromkeys(edit.definition for edit in edits if edit.definition))
@@ -76,6 +77,18 @@ def proved(
         joint = r", \text{with } " if spelling.latex else ", with "
         words += f"{joint}{spelling(Name(0, name))} = {spelling(new.definitions[name])}"
     return Repair(edits, words, finding, row, new.written)
+
+
+def _shown(solution: Solution) -> Iterator[Change]:
+    """The edits, but for one that stands in a part of a definition that is told with it."""
+    tree = solution.problem.tree
+    whole = {
+        change.index
+        for change in solution.changes
+        if change.wrap and change.node != change.wrap(tree.nodes[change.index])
+        and isinstance(tree.place[change.index][0], str) and not tree.side(change.index)
+    }  # fmt: skip
+    return (c for c in solution.changes if whole.isdisjoint(tree.ways_up(c.index)[1:]))
 
 
 def _larger(claim: Claim, entries: Trees, chosen: Sequence[Solution]) -> bool:
@@ -98,19 +111,22 @@ def assigned(written: Written, names: Sequence[str]) -> str:
 
 
 def _returns(claim: Claim, chosen: Sequence[Solution]) -> bool:
-    """Whether code still computes what it returns of what it had: of no further acceleration."""
+    """Whether code still computes what it returns of what it had: of no further acceleration,
+    nor, where the scene has speeds of its own, of a rate of a coordinate.
+    """
     if claim.written.notation != "code" or len(claim.entries) < 2:
         return True
-    before, after = map(_accelerations, (claim, edited_claim(claim, _changes(chosen))))
+    before, after = map(_rates, (claim, edited_claim(claim, _changes(chosen))))
     return after <= before
 
 
-def _accelerations(claim: Claim) -> set[str]:
-    """Names of accelerations in what is returned and in the code's own names."""
-    lookup = claim.written.naming.lookup
+def _rates(claim: Claim) -> set[tuple[str, int]]:
+    """What code does not compute with, in what is returned and in the code's own names."""
+    lookup, slowest = claim.written.naming.lookup, 1 if claim.truth.scene.speeds else 2
     trees = (*claim.entries[1:], *claim.definitions.values())
     held = {name for tree in trees for name in names(tree)}
-    return {n.name for n in held if (lookup(n.name) or ("", 0))[1] + n.order > 1}
+    orders = ((n.name, (lookup(n.name) or ("", 0))[1] + n.order) for n in held)
+    return {(name, order) for name, order in orders if order >= slowest}
 
 
 def _says_nothing(claim: Claim, row: Published) -> bool:

@@ -22,6 +22,7 @@ from mechanics.blame.search.change import (
 )
 from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
+from mechanics.blame.search.moved_brackets import moved
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -70,6 +71,7 @@ class Tokens:
             yield from self._powers(index, node, (2,))
         if isinstance(node, Sum | Product):
             yield from self._operators(index, node)
+            yield from moved(self.make, index, node)
         if isinstance(node, Name | Call | Product):
             yield from self._turned_over(index, node)
 
@@ -190,7 +192,9 @@ class Tokens:
                 yield self.make.change(index, number, Mistake.FACTOR, TOKEN + HINT, values)
 
     def _exponent(self, index: int, node: Power) -> Iterator[Change]:
-        """Exponents one and two away, and of the other sign."""
+        """Exponents one and two away, and of the other sign; of a sum, those of its root."""
+        if isinstance(node.base, Sum):
+            yield from self._of_root(index, node)
         exponent = integer_exponent(node)
         if exponent is None:
             return
@@ -209,6 +213,21 @@ class Tokens:
             if worths is not None:
                 yield self.make.change(index, turning, Mistake.POWER, TOKEN + SECOND, worths)
         yield from self._split(index, node, base, exponent)
+
+    def _of_root(self, index: int, node: Power) -> Iterator[Change]:
+        """(x^2 + y^2)^(3/2) for x^2 + y^2 or its root: the distance with another exponent."""
+        exponent = constant(node.exponent)
+        if exponent is None:
+            return
+        for step in (1, -1, 2, -2):
+            other = exponent + Fraction(step, 2)
+            if {exponent.denominator, other.denominator} <= {1} or not other:
+                continue
+            new = Power(node.at, node.base, Number(node.at, other))
+            worths = worth(self.make.sheets, new)
+            if worths is not None:
+                cost = TOKEN + HINT * abs(step)
+                yield self.make.change(index, new, Mistake.POWER, cost, worths)
 
     def _split(self, index: int, node: Power, base: int, exponent: int) -> Iterator[Change]:
         """x**3 as x**2 y and x y**2: SymPy puts together what was written apart."""

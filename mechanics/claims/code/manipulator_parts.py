@@ -1,6 +1,8 @@
 """M, C and G as three functions of a file, which are an equation only together.
 
 getM(q)   getC(q, qd)   getG(q)     ->     getM_getC_getG(q, qd), which returns all three
+
+Where nothing but inputs drives a scene, M and C are all of it, and G is zero.
 """
 
 import inspect
@@ -9,15 +11,16 @@ from collections.abc import Callable, Sequence
 from types import FunctionType
 from typing import Any
 
-from mechanics.claims.code.outputs import MASSES, spoken
+from mechanics.claims.code.outputs import MASSES, is_settled, spoken
 from mechanics.claims.code.python_page import Page, joined
+from mechanics.scene import Gravity, Scene
 
 TURNING = re.compile(r"c|coriolis(?: (?:and )?centri\w+)?(?: (?:matrix|vector|terms?|forces?))?")
 FIELD = re.compile(r"g|gravity(?: (?:vector|terms?|forces?))?")
 """What functions of the second and third part are called, without `get_`."""
 
 
-def together(functions: Sequence[Callable[..., Any]], origin: str) -> tuple[Any, ...]:
+def together(functions: Sequence[Callable[..., Any]], origin: str, scene: Scene) -> tuple[Any, ...]:
     """One function for three that return M, C and G by their names; else these.
 
     Parameters
@@ -26,14 +29,17 @@ def together(functions: Sequence[Callable[..., Any]], origin: str) -> tuple[Any,
         Of one page.
     origin : str
         The author's file.
+    scene : Scene
     """
     parts: dict[str, FunctionType] = {}
     for one in functions:
         if isinstance(one, FunctionType):
             parts.setdefault(_part(one.__name__), one)
-    if len(functions) != len(parts) or parts.keys() != {"M", "C", "G"}:
+    drifts = is_settled(scene) and not any(isinstance(load, Gravity) for load in scene.loads)
+    free = drifts and parts.keys() == {"M", "C"}
+    if len(functions) != len(parts) or not (free or parts.keys() == {"M", "C", "G"}):
         return tuple(functions)
-    ordered = [parts[letter] for letter in "MCG"]
+    ordered = [parts[letter] for letter in "MCG" if letter in parts]
     takes = {one: [*inspect.signature(one).parameters] for one in ordered}
     every = [*dict.fromkeys(name for names in takes.values() for name in names)]
     names = [one.__name__ for one in ordered]
@@ -43,8 +49,10 @@ def together(functions: Sequence[Callable[..., Any]], origin: str) -> tuple[Any,
     held = [_free(letter, {*every, *names}) for letter in "MCG"]
     page = Page()
     page.put(1, 0, f"def {title}({joined(every)}):", opens=True)
-    for name, one in zip(held, ordered, strict=True):
+    for name, one in zip(held, ordered, strict=False):
         page.lines.append(f"    {name} = {one.__name__}({joined(takes[one])})")
+    if free:
+        page.lines.append(f"    {held[-1]} = 0*{held[0]}[:, 0]")
     page.lines.append(f"    return {joined(held)}")
     made = page.module(f"{title} of {origin}", {one.__name__: one for one in ordered})
     return (made[title],)

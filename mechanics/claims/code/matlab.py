@@ -8,7 +8,7 @@ Numbers that are assigned once are constants of the file: `m = 0.5;` stands for 
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -100,11 +100,14 @@ class Translated:
     remarks : tuple of str
     elsewhere : tuple of str
         Names that nothing here gives a value, where a file that is not here may.
+    assumed : tuple of str
+        What has to be so for it to be right, where the file is cut.
     """
 
     functions: tuple[Callable[..., Any], ...]
     remarks: tuple[str, ...]
     elsewhere: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
 
 
 def in_python(
@@ -157,13 +160,18 @@ def in_python(
     page.constants({name: scopes[name].constants for name, _ in bodies})
     space = page.module(origin, _arrays())
     remarks = tuple(f"{name} is read as true" for name in flags)
+    own = ((n, outputs_of(nodes[n]), scopes[n].outputs) for n in tops)
+    assumed = tuple(
+        f"{n} returns {joined(last)}, which it computes last, and not {joined(wanted)}, which"
+        " it does not set" for n, wanted, last in own if wanted != last
+    )  # fmt: skip
     runs = any(words(_name(one)) == "run" for one in within(root, "function_call"))
     free = (
         dict.fromkeys(n for name, _ in bodies for n, of in scopes[name].free.items() if not of)
         if runs
         else ()
     )
-    return Translated(tuple(space[name] for name in tops), remarks, tuple(free))
+    return Translated(tuple(space[name] for name in tops), remarks, tuple(free), assumed)
 
 
 def _refuse_shared(nodes: dict[str, Any]) -> None:
@@ -361,6 +369,7 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
     arguments, outputs = arguments_of(node), outputs_of(node)
     targets = list(_targets(node))
     names = [_base(target) for target, _ in targets]
+    outputs = _last_computed(node, targets) if not {*outputs} & {*names, *arguments} else outputs
     counted = {safe(words(i)) for loop in within(node, "iterator") for i in named(loop)[:1]}
     constants = {
         _base(target): _number(value)
@@ -377,6 +386,14 @@ def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scop
     return Scope(
         arguments, inside, functions, constants, outputs, known, handles=frozenset(handles)
     )
+
+
+def _last_computed(node: Any, targets: Sequence[tuple[Any, Any]]) -> list[str]:
+    """What a function computes last and uses nowhere, which one that is cut would return."""
+    last = targets[-1][0] if targets else None
+    if last is None or last.type != "identifier" or _uses(node, last) > 1:
+        return outputs_of(node)
+    return [safe(words(last))] if len(outputs_of(node)) == 1 else outputs_of(node)
 
 
 def _uses(block: Any, target: Any) -> int:

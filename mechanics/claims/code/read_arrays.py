@@ -66,9 +66,14 @@ def read_arrays(
     with located(origin):
         translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows, function)
     told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
-    functions = together(translated.functions, origin)
+    functions = together(translated.functions, origin, scene)
     readings = [read_function(scene, one, names, about, told) for one in functions]
     found = _together(readings, translated.remarks)
+    assumption = " and ".join(translated.assumed)
+    if assumption:
+        found = replace(
+            found, statements=tuple(replace(s, assumption=assumption) for s in found.statements)
+        )
     return _elsewhere(found, translated.elsewhere, names, "a file that is read first")
 
 
@@ -80,7 +85,7 @@ def read_cpp(
     keeps_keywords(text, origin)
     with located(origin):
         translated = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
-    functions = together(translated.functions, origin)
+    functions = together(translated.functions, origin, scene)
     readings = [read_function(scene, one, names, about, text) for one in functions]
     found = _together(readings).rounded(translated.rounded)
     missing_code = ""

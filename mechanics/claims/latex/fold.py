@@ -33,6 +33,7 @@ from mechanics.claims.tree import (
 )
 
 SLASH = "a / b c is read as (a / b) c"
+OPTIONAL = "what stands in [+ ...] is read as a term that is there"
 ONE, GLUED, ALL = "one", "glued", "all"
 """How many factors stand below a slash: one, those without a space between, or all."""
 FIRST = "first"
@@ -76,9 +77,17 @@ class Fold:
         return total(items[0].at, terms)
 
     def _ends(self, items: list[Item], begin: int, i: int) -> bool:
-        """Whether a term ends before item i: at a sign that does not follow an operator."""
+        """Whether a term ends before item i: at a sign that does not follow an operator, or at a
+        last ``[+ F]``, which is a term that may be left out.
+        """
         after = i > begin and items[i - 1].kind in ("times", "slash")
-        return items[i].kind == "sign" and not after
+        if items[i].kind == "sign" or i == begin or after:
+            return items[i].kind == "sign" and not after
+        last = i + 1 == len(items) or items[i + 1].kind == "sign"
+        optional = last and items[i].kind == "bracket" and items[i].text == "+"
+        if optional and OPTIONAL not in self.notes:
+            self.notes.append(OPTIONAL)
+        return optional
 
     def _term(self, items: list[Item], at: int) -> Node:
         if not items:
@@ -158,7 +167,7 @@ class Fold:
             self.notes.append("(a, b) is read as a column")
             return stacked(item.at, item.arguments)
         if item.kind == "bracket" and item.text == "+" and before and not operator:
-            words = "[+ ...] behind a factor is a term that may be left out, or a factor"
+            words = "[+ ...] between factors is a term that may be left out, or a factor"
             raise Refused(item.at, f"{words}: write it without the bracket, or with \\cdot")
         if isinstance(node, Number) and before and not operator and isinstance(before[-1], Number):
             raise Refused(item.at, "two numbers side by side: write \\cdot between them")

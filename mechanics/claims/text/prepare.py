@@ -72,10 +72,13 @@ LEADS = re.compile(
     r"|(?<=[\w)])[ \t]+(?:then|hence|thus|so|therefore|where|with)[ \t]*$"
     r"|^[ \t]*(?:[^\W\d_]+[ \t]+){2,8}where[ \t]+(?=\w+(?:\(\w\))?[ \t]*=)|(?<=[\w)]):[ \t]*$"
     r"|(?<=[\w)\]])[ \t]+\((?=[^()\n]*\b(?:of|the|in|on|is|for|from)\b)[a-z][\w ,'-]*\)[ \t]*$"
-    r"|^[ \t]*\*\*[^\W\d_][\w ,'-]*\*\*[ \t]*(?:\([\w ,'-]*\))?[ \t]*:[ \t]*$",
+    r"|^[ \t]*\*\*[^\W\d_][\w ,'-]*\*\*[ \t]*(?:\([\w ,'-]*\))?[ \t]*:[ \t]*$"
+    r"|(?:^|(?<=[,;]))[ \t]*(?:the[ \t]+)?(?:(?:angular|normal|static)[ \t]+)?"
+    r"(?:acceleration|velocity|speed|force|friction|tension|torque|moment|momentum|reaction)[ \t]+"
+    r"(?=[^\W\d]\w*'*[ \t]*=(?!=))",
     re.MULTILINE | re.IGNORECASE,
 )
-"""Words between equations, and behind them."""
+"""Words between equations, behind them, and before what they name: friction f = ..."""
 CALLED = re.compile(
     r"^(?P<before>[ \t]*)(?:the[ \t]+)?(?:(?P<kinetic>kinetic)|(?P<potential>potential)|total"
     r"|mechanical)[ \t]+energy(?=[ \t]*=)",

@@ -115,3 +115,20 @@ def driven() -> Scene:
 )
 def test_a_drive_beside_a_spring_is_no_part_of_its_potential(text: str, verdict: Verdict) -> None:
     assert check(driven(), text).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "edit"),
+    [
+        (roller, r"V = \frac12 k (2x)^2 - \frac12 k x^2", ("-", "+")),
+        (driven, r"L = \frac12 m \dot y^2 - \frac12 k (y + l)^2", ("+", "-")),
+    ],
+)
+def test_a_mistake_in_the_potential_of_a_force_is_named(
+    scene: Callable[[], Scene], text: str, edit: tuple[str, str]
+) -> None:
+    (entry,) = check(scene(), text).judged
+    assert entry.blame is not None
+    edits = [edit for repair in entry.blame.repairs for edit in repair.edits]
+    assert edit in [(one.written, one.right) for one in edits]
+    assert len(edits) == len(entry.blame.repairs)

@@ -40,19 +40,30 @@ def right_with_potentials(
     check : callable
         The finding of another row.
     """
-    sign = SIGNS.get(type(row.quantity))
-    if sign is None or any(isinstance(side, MatrixBase) for side in row.sides):
-        return None
-    for added, names in _sums(scene):
-        sides = tuple(side + sign * added for side in row.sides)
-        finding = check(replace(row, sides=sides))
+    for added, names in potentials_beside(scene, row):
+        whole = with_potentials(row, added)
+        finding = check(whole)
         moved = added.free_symbols & {*scene.input_symbols}
         # The ledger leaves an energy a part of inputs alone; a spring has none of its own.
-        own = any(not is_zero(scene.plain(side).diff(z)) for side in sides for z in moved)
+        own = any(not is_zero(scene.plain(side).diff(z)) for side in whole.sides for z in moved)
         if finding.shown and not own:
             words = f"{finding.evidence}, with the potential of {' and '.join(names)}"
             return replace(finding, evidence=words)
     return None
+
+
+def potentials_beside(scene: Scene, row: Published) -> Iterator[tuple[Expr, tuple[str, ...]]]:
+    """What makes of an energy with potentials of forces the scene's own, and which forces."""
+    sign = SIGNS.get(type(row.quantity))
+    if sign is None or any(isinstance(side, MatrixBase) for side in row.sides):
+        return
+    for added, names in _sums(scene):
+        yield sign * added, names
+
+
+def with_potentials(row: Published, added: Expr) -> Published:
+    """A row with something added to all sides."""
+    return replace(row, sides=tuple(side + added for side in row.sides)) if added else row
 
 
 def _sums(scene: Scene) -> Iterator[tuple[Expr, tuple[str, ...]]]:

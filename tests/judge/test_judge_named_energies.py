@@ -1,0 +1,43 @@
+"""An energy by its letter in what another one is said to be."""
+
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from benchmarks.corpus.builders import P, of_one_particle
+from mechanics import check
+from mechanics.scene import Scene, force
+
+T = r"\frac12 m (\dot r^2 + r^2 w^2)"
+H = r"\frac12 m (\dot r^2 - r^2 w^2)"
+
+
+def whirled(stiffness: bool = False) -> Scene:
+    """A bead on a rod that turns in its horizontal plane by w, held by a spring or free."""
+    r, (m, w, k) = dynamicsymbols("r"), P("m:kg w:1/s k:N/m")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (w * dynamicsymbols._t, N.z))
+    C = O.locatenew("C", r * A.x)
+    pull = (force("pull", C, -k * r * A.x, on="bead"),) if stiffness else ()
+    return of_one_particle("rod", N, O, (r,), ("bead", C, m), pull, side=A.y, up=N.z)
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (rf"H = {H} = E - m w^2 r^2", "PROVED"),
+        (rf"H = \dot r p - L = {H} = E - m w^2 r^2", "PROVED"),
+        (rf"H = {H} = E - \frac12 m w^2 r^2", "REFUTED"),
+        (rf"H = {T} = E - m w^2 r^2", "REFUTED"),
+        (rf"H = {H} = E", "UNDECIDED"),  # E may be the value that is kept
+        (rf"H = {H} = 2 E - m w^2 r^2", "UNDECIDED"),
+    ],
+)
+def test_a_letter_of_an_energy_is_the_scenes_own(text: str, verdict: str) -> None:
+    found = check(whirled(), rf"\[ {text} \]", blame=False)
+    assert found.verdict.name == verdict
+    assert verdict != "PROVED" or "E is read as the energy" in found.judged[0].statement.notes
+
+
+def test_beside_a_force_with_a_potential_it_is_left_open() -> None:
+    text = rf"\[ H = {H} + \frac12 k r^2 = E - m w^2 r^2 \]"
+    assert check(whirled(stiffness=True), text, blame=False).verdict.name == "UNDECIDED"
