@@ -8,7 +8,7 @@ All else is quoted.
 """
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -66,6 +66,7 @@ class CallSites(IntegratorSteps):
         self.parts = parts
         self.made: set[str] = set()
         self.problems: set[str] = set()
+        self.unpacked: list[list[str]] = []
 
     def lines(self, block: Term, env: dict[str, Any]) -> list[str]:
         """Lines of a block that are not innocent; it is run in `env`.
@@ -91,8 +92,8 @@ class CallSites(IntegratorSteps):
                 for part in one.parts if one.kind == "case" else (one,):
                     found += self._lines(part, env, made, moving)
                 continue
-            own = one.kind == "set" and one.parts[0].name == self.judged.name
-            if own and self.judged.name not in self.own:
+            own = one.parts[0].name if one.kind == "set" else ""
+            if own in self.judged and own not in self.own:
                 continue  # the function without a name that is judged
             concerned = bool(self._concerned(one, env, made))
             if one.kind == "loop" and concerned:
@@ -105,32 +106,36 @@ class CallSites(IntegratorSteps):
                     found += self._lines(body, env, made, moving | self._moving(body, env))
                 self._forget(one, env, UNKNOWN)
                 continue
-            reset = self._resets(one, env) or self._changes(one, moving)
-            if reset or (concerned and not self._innocent(one, env, made)):
-                found.append(one.text)
-            elif not concerned:
+            wrong = self._resets(one, env) or self._changes(one, moving)
+            if concerned:
+                wrong = wrong or not self._innocent(one, env, made)
+            else:
                 self._try(one, env)
+            if wrong or self._is_another_number(one, env):
+                found.append(one.text)
             if concerned:
                 made |= self._filled(one)
+                if one.kind == "set" and one.parts[0].kind == "list":
+                    self.unpacked.append([root_of(t) for t in targets_of(one.parts[0])])
                 if one.kind == "set" and self._holds(one, env):
                     made |= {root_of(t) for t in targets_of(one.parts[0])}
         return found
 
-    def function(self, name: str, around: Mapping[str, Any]) -> list[str]:
+    def function(self, one: FileFunction, around: Mapping[str, Any]) -> list[str]:
         """Lines of one of the other functions that are not innocent."""
-        one = self.own[name]
         if self.steps(one.body, dict(around), "", one):
             return []
         self._start()
         self._vectors(one.body)
-        env = {n: v for n, v in around.items() if n not in one.takes}
+        env = {n: v for n, v in around.items() if n not in one.takes and n not in one.local}
         return self._lines(one.body, env, set(), self._states_around(one))
 
     def _states_around(self, function: FileFunction) -> frozenset[str]:
         """Names of the file that hold the state, and that a function has no own ones for."""
         declared = {root_of(t.parts[0]) for t in function.body.all()
                     if t.kind == "set" and not t.text.startswith(root_of(t.parts[0]))}  # fmt: skip
-        states = {n for n, word in self.judged.around.items() if word in self.words.state}
+        states = {n for judged in self.judged.values() for n, word in judged.around.items()
+                  if word in self.words.state}  # fmt: skip
         return frozenset(states - declared - {*function.takes})
 
     def changed(self, function: FileFunction, free: Collection[str]) -> list[str]:
@@ -143,10 +148,9 @@ class CallSites(IntegratorSteps):
             Names that the judged function uses, and that are none of its own.
         """
         found = []
-        parameters = {*map(str, self.words.scene.parameters)}
         for one in (t for t in function.body.all() if t.kind == "set"):
             root = root_of(one.parts[0])
-            if root not in free or self._meaning(root) not in parameters:
+            if root not in free or self._meaning(root) not in self.words.parameters:
                 continue
             value = one.parts[1]
             if one.name or value.kind != "number" or value.name.startswith("-"):
@@ -157,9 +161,9 @@ class CallSites(IntegratorSteps):
         """Names of states that a loop, or what it calls, advances or asks the function about."""
         found: set[str] = set()
         for one in body.all():
-            if one.kind == "call" and one.name == self.judged.name:
-                state = {n for n, m in self.judged.meanings.items() if {*m} & {*self.words.state}}
-                pairs = zip(self.judged.takes, one.parts, strict=False)
+            if one.kind == "call" and (judged := self.judged.get(one.name)) is not None:
+                state = {n for n, m in judged.meanings.items() if {*m} & {*self.words.state}}
+                pairs = zip(judged.takes, one.parts, strict=False)
                 found |= {root_of(part) for name, part in pairs if name in state}
             if one.kind == "call" and one.name in self.users:
                 pairs = zip(self.own[one.name].takes, one.parts, strict=False)
@@ -193,9 +197,9 @@ class CallSites(IntegratorSteps):
                 return True
         if any(self._kicks(one) for one in line.all() if one.kind == "set"):
             return True
-        methods = [one for one in line.all() if one.kind == "call" and not self.first
-                   and one.name.endswith(f".{self.judged.name}")]  # fmt: skip
-        if any(self.misuses(replace(one, name=self.judged.name), env) for one in methods):
+        methods = [(one, n) for one in line.all() if one.kind == "call" and self.language.pointers
+                   for n in self.judged if one.name.endswith(f".{n}")]  # fmt: skip
+        if any(self.misuses(replace(one, name=name), env) for one, name in methods):
             return True
         return any(
             self._alters(one, env) if one.kind == "call" else self._is_impossible(one, env)
@@ -218,10 +222,28 @@ class CallSites(IntegratorSteps):
         own = word and word in {self._meaning(n) for n in value.names()}
         return bool(own) and isinstance(self._value(value, env), Unknown)
 
+    def _is_another_number(self, line: Term, env: dict[str, Any]) -> bool:
+        """Whether a line makes a parameter another one, or another number than it was: g = -g."""
+        if line.kind != "set":
+            return False
+        parameters = self.words.parameters.keys()
+        others = {number("word", w): w for w in parameters | self.words.inputs}
+        for target in targets_of(line.parts[0]):
+            word = self._meaning(target.name) if target.kind == "name" else ""
+            value = env.get(target.name)
+            if word not in parameters or not isinstance(value, Fraction):
+                continue
+            own = bool(line.name) or word in map(self._meaning, line.parts[1].names())
+            if others.get(Fraction(value), word) != word:
+                return True
+            if own and not isinstance(value, Literal) and Fraction(value) not in others:
+                return True
+        return False
+
     def _word(self, one: Term) -> str:
         """Which parameter of the scene a name or a field is called."""
         word = self._meaning(one.name) if one.kind in ("name", "field") else ""
-        return word if word in map(str, self.words.scene.parameters) else ""
+        return word if word in self.words.parameters else ""
 
     def _is_another_word(self, target: Term, value: Term) -> bool:
         word, other = self._word(target), self._word(value)
@@ -230,7 +252,8 @@ class CallSites(IntegratorSteps):
     def _kicks(self, line: Term) -> bool:
         """Whether it makes a field of an object, which holds the state, into another: a.w *= 2."""
         target, value = line.parts
-        state = target.kind == "field" and self.judged.around.get(target.name) in self.words.state
+        around = {judged.around.get(target.name, "") for judged in self.judged.values()}
+        state = target.kind == "field" and not around.isdisjoint(self.words.state)
         return state and bool(line.name or target.name in value.names())
 
     def misuses(self, call: Term, env: dict[str, Any]) -> bool:
@@ -253,6 +276,11 @@ class CallSites(IntegratorSteps):
         """Whether a call sets options of a solver that are not known, or changes what it solves."""
         if call.name in UNFOLLOWED:
             return True
+        if call.name in self.own:
+            takes = self.own[call.name].takes
+            pairs = zip(takes, call.parts, strict=False)
+            if any(self._excludes(name, self._value(part, env)) for name, part in pairs):
+                return True
         if call.name in ("odeset", "struct"):
             names = [p.text.strip("'\"") for p in call.parts[::2]]
             if call.name == "struct":
@@ -267,7 +295,7 @@ class CallSites(IntegratorSteps):
         head = call.text.partition("(")[0].rpartition(".")[2].strip()
         if given in self.problems and head.endswith("!") and head not in STEPPED:
             return True
-        if self.brackets or self.first != 1 or not self._is_solver(call.name):
+        if self.language.name != "Julia" or not self._is_solver(call.name):
             return False
         for one in (part for part in call.all() if part is not call and part.kind == "set"):
             name = one.parts[0].name
@@ -285,10 +313,12 @@ class CallSites(IntegratorSteps):
         return [part for part in inner if part.kind == "set"]
 
     def _is_parameter_list(self, part: Term, env: dict[str, Any]) -> bool:
-        takes = self.judged.takes
-        name = takes[-2] if takes[-1:] == ("t",) and len(takes) > 2 else ""
-        meanings = self.judged.meanings.get(name, ())
-        return self._accepted(name, meanings, part, self._value(part, env))
+        for judged in self.judged.values():
+            takes = judged.takes
+            name = takes[-2] if takes[-1:] == ("t",) and len(takes) > 2 else ""
+            if not self._accepted(judged, name, part, self._value(part, env)):
+                return False
+        return True
 
     def _is_impossible(self, one: Term, env: dict[str, Any]) -> bool:
         """Whether a field or an option is a number that its parameter cannot have."""
@@ -312,9 +342,9 @@ class CallSites(IntegratorSteps):
         """What calls of the function in a line set."""
         return {
             root_of(part)
-            for call in line.all() if call.kind == "call" and call.name == self.judged.name
-            for name, part in zip(self.judged.takes, call.parts, strict=False)
-            if name in self.judged.fills
+            for call in line.all() if call.kind == "call" and call.name in self.judged
+            for name, part in zip(self.judged[call.name].takes, call.parts, strict=False)
+            if name in self.judged[call.name].fills
         }  # fmt: skip
 
     def _concerned(self, line: Term, env: Mapping[str, Any], made: set[str]) -> set[str]:
@@ -343,7 +373,8 @@ class CallSites(IntegratorSteps):
             handed = self._by_name(call, env)
             if handed and call.name in self.own and not self._taken(call, handed, env):
                 return False
-            if handed and call.name not in self.own and not self._solved(call, env):
+            solver = self.language.name != "Python" or self._is_solver(call.name)
+            if handed and call.name not in self.own and solver and not self._solved(call, env):
                 return False
             if call.name in self.users and not self._called_plainly(call, env):
                 return False
@@ -371,33 +402,28 @@ class CallSites(IntegratorSteps):
 
     def _solved(self, call: Term, env: dict[str, Any]) -> bool:
         """Whether it hands the function to a solver, and parameters in their order."""
-        takes, handed = self.judged.takes, [*call.parts]
         if not SOLVERS.search(call.name) or not self._in_order(call, env):
             return False
-        beside = zip(takes[2:], handed[4:], strict=False)  # ode45(@f, span, start, options, m, l)
-        if self.judged.takes[-1:] == ("t",) and len(takes) > 2:
-            still = call.name in ("NonlinearProblem", "SteadyStateProblem")  # these have no span
-            beside = zip(takes[-2:-1], handed[3 - still : 4 - still], strict=False)
         return all(
-            self._accepted(name, self.judged.meanings.get(name, ()), part, self._value(part, env))
-            for name, part in beside
+            self._accepted(judged, name, part, self._value(part, env))
+            for judged in self.judged.values()
+            for name, part in _beside(judged.takes, call)
         )
 
     def _in_order(self, call: Term, env: dict[str, Any]) -> bool:
         """Whether a solver calls what it is handed with time and state in their order."""
         late = call.name in STATE_FIRST
-        if not self.brackets or not (call.name.startswith("ode") or late):
+        ordered = self.brackets and (call.name.startswith("ode") or late)
+        if not ordered and self.language.name != "Python":
             return True
         texts = [";" in part.text for part in call.parts[1:3] if part.kind == "list"]
         if not late and texts == [True, False]:
             return False  # the state for the span of time
         for part in (call.parts[k] for k in self._by_name(call, env)):
             handle = self._handle(part, env)
-            if part.kind == "name" and part.name == self.judged.name:
-                moving = {
-                    n for n, words in self.judged.meanings.items() if {*words} & {*self.words.state}
-                }
-                if moving and moving.isdisjoint(self.judged.takes[not late : 2 - late]):
+            if part.kind == "name" and (judged := self.judged.get(part.name)) is not None:
+                moving = {n for n, m in judged.meanings.items() if {*m} & {*self.words.state}}
+                if moving and moving.isdisjoint(judged.takes[not late : 2 - late]):
                     return False
             elif isinstance(handle, Handle) and handle.body is not None:
                 one = Term("handle", " ".join(handle.takes), (handle.body,))
@@ -410,21 +436,46 @@ class CallSites(IntegratorSteps):
         if line.kind == "handle" or (line.kind == "call" and line.name in TESTS):
             return False
         inner = line.parts
+        keeps = self.language.keeps
+        if line.kind == "call" and keeps is not None:
+            inert = line.name in keeps or line.name in functions or line.name in self.own
+            if not inert and self._results(line, functions, made):
+                return True
         if line.kind in ("binary", "minus") and self._results(line, functions, made):
+            return True
+        if self._reorders(line, functions, made):
             return True
         if line.kind == "set":
             target, value = line.parts
             if line.name and (self._results(value, functions, made) or root_of(target) in made):
                 return True
-            if value.kind == "list" and self._results(value, functions, made):
+            if value.kind == "list" and keeps is None and self._results(value, functions, made):
                 return True
-            if value.kind == "call" and value.name == self.judged.name:
+            if value.kind == "call" and value.name in self.judged:
                 given = {root_of(p) for p in value.parts}
                 if {root_of(t) for t in targets_of(target)} & given - {""}:
                     return True
             if self._results(value, functions, made) and self._moved(target, value):
                 return True
         return any(self._computes(part, functions, made) for part in inner)
+
+    def _reorders(self, line: Term, functions: set[str], made: set[str]) -> bool:
+        """Whether it has entries of a result in another order: [d[1], d[0]], d[[1, 0]], d[::-1]."""
+        if line.kind == "other":
+            return any(self._results(part, functions, made) for part in line.parts)
+        if line.kind == "entry" and line.parts[1].kind == "list":
+            numbers = [p.name for p in line.parts[1].parts if p.kind == "number"]
+            return numbers != sorted(numbers) and self._results(line.parts[0], functions, made)
+        if line.kind != "list":
+            return False
+        entries = [p for p in line.parts if p.kind == "entry" and p.parts[1].kind == "number"
+                   and self._results(p.parts[0], functions, made)]  # fmt: skip
+        places = [p.parts[1].name for p in entries]
+        if places != sorted(places) and len({p.parts[0].text for p in entries}) == 1:
+            return True
+        names = [p.name for p in line.parts if p.kind == "name"]
+        return any([n for n in one if n in names] != [n for n in names if n in one]
+                   for one in self.unpacked)  # fmt: skip
 
     def _moved(self, target: Term, value: Term) -> bool:
         """Whether an entry becomes another one: y(1) = d(2)."""
@@ -451,13 +502,9 @@ class CallSites(IntegratorSteps):
             for k, (name, part) in enumerate(zip(one.takes, call.parts, strict=False))
             if k in handed
         }
-        other = CallSites(
-            self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
-        )
+        other = CallSites(self.judged, self.own, self.users, self.words, self.language)
         if not other.steps(one.body, dict(given), "", one):
-            other = CallSites(
-                self.judged, self.own, self.users, self.words, self.first, self.brackets, self.shows
-            )
+            other = CallSites(self.judged, self.own, self.users, self.words, self.language)
             other._vectors(one.body)
             if other._lines(one.body, dict(given), set()):
                 return False
@@ -477,13 +524,13 @@ class CallSites(IntegratorSteps):
         places: dict[str, str] = {}
         if len(takes) == 1:
             places = {"state": takes[0]}
-        elif self.brackets and len(takes) == 2:
+        elif len(takes) == 2 and self.language.name in ("MATLAB", "Python"):
             after = takes[1] in TIMES if late is None else late
             order = ("state", "time") if after else ("time", "state")
             places = dict(zip(order, takes, strict=True))
-        elif len(takes) == 3:
+        elif len(takes) == 3 and self.language.name != "Python":
             places = dict(zip(("state", "parameters", "time"), takes, strict=True))
-        elif len(takes) == 4:
+        elif len(takes) == 4 and self.language.name != "Python":
             places = dict(zip(("out", "state", "parameters", "time"), takes, strict=True))
         if "state" not in places:
             return self._renamed(handle, takes, env)
@@ -498,8 +545,9 @@ class CallSites(IntegratorSteps):
             result = self._value(handle.parts[0], inside)
             filled = inside.get(places.get("out", ""))
             fits = not self.misused and (
-                self._rates_at(state, result, filled) if self.judged.gives
-                else handle.parts[0].kind == "call" and handle.parts[0].name == self.judged.name
+                self._rates_at(state, result, filled)
+                if any(judged.gives for judged in self.judged.values())
+                else handle.parts[0].kind == "call" and handle.parts[0].name in self.judged
             )  # fmt: skip
         except NotFollowedError:
             fits = False
@@ -511,7 +559,7 @@ class CallSites(IntegratorSteps):
         body = handle.parts[0]
         while body.kind in ("block", "return") and len(body.parts) == 1:
             (body,) = body.parts
-        if body.kind != "call" or body.name != self.judged.name:
+        if body.kind != "call" or body.name not in self.judged:
             return False
         return self._try(body, {n: v for n, v in env.items() if n not in takes})
 
@@ -526,6 +574,16 @@ class CallSites(IntegratorSteps):
             rates = self._all_rates(at)
             if [*values] == [rates[w] for w in order]:
                 return True
-            if self.judged.gives and [*values] == [rates[w] for w in self.judged.gives]:
+            if any(judged.gives and [*values] == [rates[w] for w in judged.gives]
+                   for judged in self.judged.values()):  # fmt: skip
                 return True
         return False
+
+
+def _beside(takes: Sequence[str], call: Term) -> Iterator[tuple[str, Term]]:
+    """What a solver is handed for the function, beside time and state."""
+    if takes[-1:] == ("t",) and len(takes) > 2:
+        still = call.name in ("NonlinearProblem", "SteadyStateProblem")  # these have no span
+        yield from zip(takes[-2:-1], call.parts[3 - still : 4 - still], strict=False)
+    else:
+        yield from zip(takes[2:], call.parts[4:], strict=False)  # ode45(@f, span, start, o, m, l)

@@ -51,7 +51,7 @@ class IntegratorSteps(Interpreter):
         function : FileFunction, optional
             Whose body it is.
         """
-        if not self.judged.gives:
+        if not any(judged.gives for judged in self.judged.values()):
             return False
         self._start()
         self._count += 1
@@ -61,10 +61,14 @@ class IntegratorSteps(Interpreter):
             if not isinstance(inside.get(name), Handle):
                 inside.pop(name, None)
         self._vectors(block)
+        for name in self.vectors:
+            if isinstance(inside.get(name), Fraction):
+                del inside[name]  # another thing of the same name
+        self.called_in = block.names()
         if counter:
             inside[counter] = Fraction(FAR + 7)
         for one in block.all():
-            apart = {*self.own, *self.shows, self.judged.name}
+            apart = {*self.own, *self.language.shows, *self.judged}
             if one.kind == "entry" or (
                 one.kind == "call" and self.brackets and one.name not in apart
             ):
@@ -84,7 +88,7 @@ class IntegratorSteps(Interpreter):
             return False
         sets = {root_of(t) for one in block.all() if one.kind == "set"
                 for t in targets_of(one.parts[0])}  # fmt: skip
-        calls = [one for one in block.all() if one.kind == "call" and one.name == self.judged.name]
+        calls = [one for one in block.all() if one.kind == "call" and one.name in self.judged]
         if any(self.is_another(call, sets | {*STEPS}) for call in calls):
             return False
         for places in self._located(inside):
@@ -101,7 +105,7 @@ class IntegratorSteps(Interpreter):
         words = {root: self._meaning(root) for root in sets & env.keys()}
         return any(
             not self._fits(word, env[root], word) for root, word in words.items()
-            if word not in apart and word in map(str, self.words.scene.parameters)
+            if word not in apart and word in self.words.parameters
         )  # fmt: skip
 
     advanced: tuple[Place, ...] = ()
@@ -154,13 +158,13 @@ class IntegratorSteps(Interpreter):
     def _is_step(self, start: Mapping[str, Fraction], after: Mapping[str, Any]) -> bool:
         if not all(isinstance(v, Fraction) for v in after.values()):
             return False
-        scene, symbols = self.words.scene, self.words.symbols
+        symbols = self.words.symbols
         rates = {symbols[w]: self._rate(w) for w in self.words.state}
         begun = {symbols[w]: rational(start[w]) for w in self.words.state}
         wanted = {symbols[w]: rational(after[w]) for w in self.words.state}
         spans = [rational(h) for h in self.scalars if h > 0 and h not in start.values()]
         for advance in INTEGRATORS.values():
-            made = advance(scene, rates, begun)
+            made = advance(self.words, rates, begun)
             values = [(made[s].expand() if hasattr(made[s], "expand") else made[s], wanted[s])
                       for s in made]  # fmt: skip
             if any(all(one.subs(STEP, h) == other for one, other in values) for h in spans):

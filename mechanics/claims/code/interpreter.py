@@ -21,6 +21,7 @@ from mechanics.claims.code.interpreter_values import (
     FileFunction,
     Handle,
     JudgedFunction,
+    Language,
     Literal,
     NotFollowedError,
     SceneNames,
@@ -38,6 +39,10 @@ TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
 """Of calls."""
+MADE = frozenset(
+    ("zeros", "ones", "empty", "linspace", "arange", "full", "eye", "repmat", "fill", "similar")
+)
+"""Calls that make an array."""
 
 
 class Interpreter:
@@ -45,29 +50,24 @@ class Interpreter:
 
     Parameters
     ----------
-    judged : JudgedFunction
+    judged : mapping of str to JudgedFunction
     own : mapping of str to FileFunction
         Other functions of the file.
     users : collection of str
         Those that call it, or call what does.
     words : SceneNames
-    first : int
-        The first index of an array.
-    brackets : bool
-        Whether y(1) may be an entry.
-    shows : collection of str
-        Calls that only show something.
+    language : Language
     """
 
     stepping = False
     """Whether a step is followed: the state then is any."""
 
     def __init__(
-        self, judged: JudgedFunction, own: Mapping[str, FileFunction], users: Collection[str],
-        words: SceneNames, first: int, brackets: bool, shows: Collection[str],
+        self, judged: Mapping[str, JudgedFunction], own: Mapping[str, FileFunction],
+        users: Collection[str], words: SceneNames, language: Language,
     ) -> None:  # fmt: skip
         self.judged, self.own, self.users, self.words = judged, own, users, words
-        self.first, self.brackets, self.shows = first, brackets, shows
+        self.language, self.first, self.brackets = language, language.first, language.brackets
         self.explained: set[str] = set()
         self._count = 0
         self._start()
@@ -78,12 +78,14 @@ class Interpreter:
         self.misused = False
         self.scalars: set[Fraction] = set()
         self.vectors: set[str] = set()
+        self.rows: set[str] = set()
         self.places: set[str] = set()
         self.depth = 0
+        self.called_in: set[str] = set()
 
     def _functions(self, env: Mapping[str, Any]) -> set[str]:
         handles = {n for n, v in env.items() if isinstance(v, Handle)}
-        return {self.judged.name, *self.users, *handles}
+        return {*self.judged, *self.users, *handles}
 
     def _handle(self, term: Term, env: dict[str, Any]) -> Any:
         if term.kind == "handle":
@@ -92,19 +94,17 @@ class Interpreter:
 
     def _orders(self) -> list[tuple[str, ...]]:
         q, u = self.words.coordinates, self.words.speeds
-        vectors = [m for m in self.judged.meanings.values() if {*m} >= {*q, *u}]
+        vectors = [m for judged in self.judged.values() for m in judged.meanings.values()
+                   if {*m} >= {*q, *u}]  # fmt: skip
         if vectors:
             return vectors
         pairs = tuple(w for pair in zip(q, u, strict=False) for w in pair)
         return [*dict.fromkeys(((*q, *u), pairs, (*u, *q)))]
 
-    @property
-    def copies(self) -> bool:
-        """Whether arrays are copied when they are passed."""
-        return self.first == 1
-
-    def _taken_words(self) -> tuple[str, ...]:
-        return tuple(w for m in self.judged.meanings.values() for w in m)
+    def _taken_words(self) -> set[str]:
+        """Entries of the state that functions ask for which the block calls."""
+        called = self.called_in & self.judged.keys() or self.judged.keys()
+        return {w for n in called for m in self.judged[n].meanings.values() for w in m}
 
     def _rate(self, word: str) -> Expr:
         """The rate of an entry of the state, as a formula of the state."""
@@ -130,7 +130,8 @@ class Interpreter:
 
     def _judged(self, call: Term, env: dict[str, Any]) -> Any:
         """A call of the judged function."""
-        takes = self.judged.takes
+        judged = self.judged[call.name]
+        takes = judged.takes
         if len(call.parts) > len(takes):
             self.misused = True
             return UNKNOWN
@@ -138,15 +139,17 @@ class Interpreter:
         entries: dict[str, list[tuple[int, Any]]] = {}
         out: list[Term] = []
         for name, part in zip(takes, call.parts, strict=False):
+            if part.kind == "absent":
+                continue
             if part.kind == "set":  # by its name: accel(x; l=1)
                 self.misused = True
                 continue
-            if name in self.judged.fills:
+            if name in judged.fills:
                 out.append(part)
                 continue
             value = self._value(part, env)
-            words = self.judged.meanings.get(name, ())
-            if not self._accepted(name, words, part, value):
+            words = judged.meanings.get(name, ())
+            if not self._accepted(judged, name, part, value):
                 self.misused = True
             if len(words) == 1 and part.kind in ("entry", "call") and isinstance(value, Fraction):
                 places = part.parts[1:] if part.kind == "entry" else part.parts
@@ -168,16 +171,16 @@ class Interpreter:
         if not self.stepping and any(not self._ordered(one) for one in entries.values()):
             self.misused = True
         result: Any = UNKNOWN
-        if all(isinstance(v, Fraction) for v in at.values()) and self.judged.gives:
+        if all(isinstance(v, Fraction) for v in at.values()) and judged.gives:
             self.called.append({w: Fraction(v) for w, v in at.items()})
             needed = {w: at.get(w, number("missing", w)) for w in self.words.state}
             rates = self._all_rates(needed)
             values = [rates[w] if w in at or w not in self.words.coordinates else UNKNOWN
-                      for w in self.judged.gives]  # fmt: skip
+                      for w in judged.gives]  # fmt: skip
             if any(w in self.words.coordinates and self._speed_of(w) not in at
-                   for w in self.judged.gives):  # fmt: skip
+                   for w in judged.gives):  # fmt: skip
                 values = [UNKNOWN if w in self.words.coordinates else v
-                          for w, v in zip(self.judged.gives, values, strict=True)]  # fmt: skip
+                          for w, v in zip(judged.gives, values, strict=True)]  # fmt: skip
             result = values[0] if len(values) == 1 else Table(
                 entries={(k + self.first,): v for k, v in enumerate(values)}, size=len(values)
             )  # fmt: skip
@@ -198,11 +201,16 @@ class Interpreter:
         moving : collection of str
             Names that change around the call, beside those that the call has for the state.
         """
-        parameters = {*map(str, self.words.scene.parameters)}
-        pairs = [*zip(self.judged.takes, call.parts, strict=False)]
+        parameters = self.words.parameters.keys()
+        judged = self.judged[call.name]
+        pairs = [*zip(judged.takes, call.parts, strict=False)]
         fixed = [(name, part) for name, part in pairs
-                 if {*self.judged.meanings.get(name, ())} & parameters]  # fmt: skip
-        others = {self._place_of(pair[1]) for pair in pairs if pair not in fixed}
+                 if {*judged.meanings.get(name, ())} & parameters]  # fmt: skip
+        still = self.words.parameters.keys() | self.words.inputs
+        others = {
+            self._place_of(part) for name, part in pairs
+            if not {*judged.meanings.get(name, ())} & still
+        }  # fmt: skip
         others = (others | {*moving}) - {""}
         return any(self._place_of(p) in others and self._place_of(p) != n for n, p in fixed)
 
@@ -236,15 +244,19 @@ class Interpreter:
 
     def _meaning(self, name: str) -> str:
         """What a name is, by what the judged function calls so, else by the scene."""
-        if name in self.judged.meanings:
-            words = self.judged.meanings[name]
-            return words[0] if len(words) == 1 else ""
-        return self.words.meaning(name) or self.judged.around.get(name, "")
+        for judged in self.judged.values():
+            if words := judged.meanings.get(name):
+                return words[0] if len(words) == 1 else ""
+        around = (judged.around.get(name, "") for judged in self.judged.values())
+        return self.words.meaning(name) or next(filter(None, around), "")
 
-    def _accepted(self, name: str, words: Sequence[str], part: Term, value: Any) -> bool:
+    def _accepted(self, judged: JudgedFunction, name: str, part: Term, value: Any) -> bool:
         """Whether an argument is what the function takes at its place."""
-        own = part.name if part.kind in ("name", "field") else ""
-        if own != name and own in self.judged.takes and own:
+        words = judged.meanings.get(name, ())
+        if not words and name in judged.defaults:
+            return bool(value == judged.defaults[name])
+        own = part.name.rpartition(".")[2] if part.kind in ("name", "field") else ""
+        if own != name and own in judged.takes and own:
             return False
         if isinstance(value, Table) and any(isinstance(k[0], str) for k in value.entries):
             pairs = ((self._meaning(str(k[0])), v) for k, v in value.entries.items())
@@ -267,7 +279,12 @@ class Interpreter:
             if not isinstance(value, Table):
                 return False
             if {*words} & {*self.words.state}:
-                return value.name != "parameters"
+                named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
+                pairs = zip(words, named, strict=False)
+                return value.name != "parameters" and all(
+                    self._meaning(one.name) in ("", word) for word, one in pairs
+                    if one.kind in ("name", "field")
+                )  # fmt: skip
             if not value.entries:
                 return True
             dense = [value.entries.get((k + self.first,), UNKNOWN) for k in range(len(words))]
@@ -279,6 +296,9 @@ class Interpreter:
         if meaning and meaning != word:
             return False
         if word in self.words.state:
+            made = part.kind in ("minus", "binary") and not self.stepping
+            if made and word in map(self._meaning, part.names()):
+                return False  # accel(-th, w)
             return isinstance(value, Unknown) or (
                 isinstance(value, Fraction)
                 and (self.stepping or isinstance(value, Literal)
@@ -300,7 +320,7 @@ class Interpreter:
 
     def _possible(self, word: str, value: Fraction) -> bool:
         """Whether a number is one that the scene allows a parameter."""
-        symbols = {str(s): s for s in self.words.scene.parameters}
+        symbols = self.words.parameters
         if word not in symbols:
             return value >= 0 or word in self.words.inputs
         return not (
@@ -310,16 +330,29 @@ class Interpreter:
 
     def _vectors(self, block: Term) -> None:
         """Names that are arrays: those with entries, and those that are passed for one."""
-        known = self.judged
         for one in block.all():
             if one.kind in ("entry", "field"):
                 self.vectors.add(root_of(one))
-            if one.kind == "call" and one.name == known.name:
+            if one.kind == "call" and (known := self.judged.get(one.name)) is not None:
                 for name, part in zip(known.takes, one.parts, strict=False):
-                    if part.kind == "name" and (len(known.meanings.get(name, ())) > 1):
-                        self.vectors.add(part.name)
+                    if len(known.meanings.get(name, ())) > 1:
+                        self._holds_vector(part)
+            if one.kind == "call" and one.name in self.own:
+                for name, part in zip(self.own[one.name].takes, one.parts, strict=False):
+                    if name in self.vectors:
+                        self._holds_vector(part)
             if one.kind == "call" and self.brackets and one.name not in self.own:
                 self.vectors.add(one.name)
+        for one in block.all():
+            if one.kind == "set" and one.parts[0].name in self.vectors:
+                self._holds_vector(one.parts[1])
+
+    def _holds_vector(self, part: Term) -> None:
+        """Take what a part names for an array, or for an array of such."""
+        if part.kind == "name":
+            self.vectors.add(part.name)
+        elif part.kind == "entry" and len(part.parts) == 2 and part.parts[1].kind != "whole":
+            self.rows.add(root_of(part))
 
     def _forget(self, block: Term, env: dict[str, Any], value: Any = None) -> None:
         """Take away what a block changes."""
@@ -327,9 +360,9 @@ class Interpreter:
             roots: set[str] = set()
             if one.kind == "set":
                 roots = {root_of(t) for t in targets_of(one.parts[0])}
-            if one.kind == "call" and one.name == self.judged.name:
-                roots = {root_of(p) for n, p in zip(self.judged.takes, one.parts, strict=False)
-                         if n in self.judged.fills}  # fmt: skip
+            if one.kind == "call" and (known := self.judged.get(one.name)) is not None:
+                roots = {root_of(p) for n, p in zip(known.takes, one.parts, strict=False)
+                         if n in known.fills}  # fmt: skip
             if one.kind == "call" and one.name in self.own:
                 other = self.own[one.name]
                 if not other.gives:
@@ -373,11 +406,11 @@ class Interpreter:
     def _read(self, root: str, key: tuple[Any, ...], env: dict[str, Any]) -> Any:
         if root not in env:
             word = self._meaning(root)
-            if not key and (root == self.judged.name or root in self.own):
+            if not key and (root in self.judged or root in self.own):
                 return Handle((), None, {"": root})
             if key or root in self.vectors:
                 env[root] = Table(root)
-            elif root in ("pi", "M_PI"):
+            elif root.rpartition(".")[2] in ("pi", "M_PI"):
                 env[root] = Literal(355, 113)
             elif word and word not in self.words.state:
                 env[root] = number("word", word)
@@ -390,19 +423,40 @@ class Interpreter:
             return value
         if not isinstance(value, Table):
             return UNKNOWN
-        axes = [k for k, place in enumerate(key) if place is None]
-        if len(axes) > 1 or any(isinstance(place, Unknown) for place in key):
+        if any(isinstance(place, Unknown) for place in key):
             return UNKNOWN
-        if not axes:
-            return self._entry(value, key)
-        (axis,) = axes
+        keys = self._keys(root, value, key)
+        if keys is None:
+            return self._entry(value, self._from_end(value, key))
         if key == (None,):
             return value
-        size = len(self.words.state)
-        keys = [(*key[:axis], k + self.first, *key[axis + 1 :]) for k in range(size)]
-        return Table(
-            "", {(k + self.first,): self._entry(value, one) for k, one in enumerate(keys)}, size
-        )
+        return self._row([self._entry(value, one) for one in keys])
+
+    def _keys(self, root: str, table: Table, key: tuple[Any, ...]) -> list[tuple[Any, ...]] | None:
+        """Places of a row or a part of an array; None for a single one."""
+        key = self._from_end(table, key)
+        whole = [k for k, place in enumerate(key) if place is None or isinstance(place, range)]
+        inner = (k for k in table.entries if len(k) == len(key) + 1 and k[:-1] == key)
+        if not whole and (root in self.rows or any(isinstance(k[-1], int) for k in inner)):
+            key, whole = (*key, None), [len(key)]
+        if not whole:
+            return None
+        if len(whole) > 1:
+            raise NotFollowedError
+        size = table.size if table.size and len(key) == 1 else len(self.words.state)
+        axis, places = whole[0], key[whole[0]]
+        if places is None:
+            places = range(self.first, self.first + size)
+        elif places.stop == FAR:
+            places = range(places.start, self.first + size)
+        return [(*key[:axis], k, *key[axis + 1 :]) for k in places]
+
+    def _from_end(self, table: Table, key: tuple[Any, ...]) -> tuple[Any, ...]:
+        """A place that counts from the end: of a list of times, that is the present one."""
+        if self.first or not any(isinstance(k, int) and k < 0 for k in key):
+            return key
+        end = table.size or FAR + 8 + table.added
+        return tuple(k + end if isinstance(k, int) and k < 0 else k for k in key)
 
     def _path(self, term: Term, env: dict[str, Any]) -> tuple[str, tuple[Any, ...]]:
         if term.kind == "name":
@@ -420,6 +474,11 @@ class Interpreter:
     def _place(self, term: Term, env: dict[str, Any]) -> Any:
         if term.kind == "whole":
             return None
+        if term.kind == "range":
+            ends = [self._place(part, env) for part in term.parts]
+            if not isinstance(ends[0], int) or not isinstance(ends[1], int | None):
+                return UNKNOWN
+            return range(ends[0], FAR if ends[1] is None else ends[1] + 1)
         value = self._value(term, env)
         if isinstance(value, Fraction) and value.denominator == 1:
             return int(value)
@@ -434,8 +493,9 @@ class Interpreter:
                               dict(value.entries), value.size)  # fmt: skip
             env[root] = value
             word = self._meaning(root)
-            if word and isinstance(value, Literal) and value > 0 and not self.stepping:
-                env[root] = Literal(value) if word in self.words.state else number("word", word)
+            if word and isinstance(value, Literal) and not self.stepping:
+                known = word in self.words.state or not self._possible(word, value)
+                env[root] = Literal(value) if known else number("word", word)
             return
         table = env.get(root)
         if not isinstance(table, Table):
@@ -443,15 +503,18 @@ class Interpreter:
         if any(isinstance(place, Unknown) for place in key):
             env[root] = UNKNOWN
             return
-        if None in key:
-            axis, dense = key.index(None), self._dense(value)
-            if dense is None:
-                env[root] = UNKNOWN
-                return
-            for k, entry in enumerate(dense):
-                table.entries[(*key[:axis], k + self.first, *key[axis + 1 :])] = entry
+        keys = self._keys(root, table, key)
+        dense = self._dense(value) if isinstance(value, Table) else None
+        if keys is None and dense is not None:
+            key = self._from_end(table, key)
+            keys = [(*key, k + self.first) for k in range(len(dense))]
+        if keys is None:
+            table.entries[self._from_end(table, key)] = value
             return
-        table.entries[key] = value
+        if dense is None or len(dense) != len(keys):
+            env[root] = UNKNOWN
+            return
+        table.entries.update(zip(keys, dense, strict=True))
 
     def _try(self, line: Term, env: dict[str, Any]) -> bool:
         """Run a line; whether it uses the function as it is."""
@@ -518,6 +581,11 @@ class Interpreter:
         self._store(target, made, env)
 
     def _several(self, targets: Sequence[Term], value: Term, env: dict[str, Any]) -> None:
+        if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
+            each = [self._value(part, env) for part in value.parts]
+            for one, other in zip(targets, each, strict=True):
+                self._store(one, other, env)
+            return
         made = self._value(value, env)
         entries = self._dense(made) if isinstance(made, Table) else None
         for k, one in enumerate(targets):
@@ -572,7 +640,7 @@ class Interpreter:
                 return self._operation("*", Literal(-1), self._value(term.parts[0], env))
             case "binary":
                 left, right = (self._value(part, env) for part in term.parts)
-                if term.name == "/" and not self.first and self._whole(term.parts[0]):
+                if term.name == "/" and self.language.integers and self._whole(term.parts[0]):
                     return self._whole_quotient(term.parts[1], left, right)
                 return self._operation(term.name, left, right)
             case "list":
@@ -583,6 +651,9 @@ class Interpreter:
                 return self._run_last(term, env)
             case "call":
                 return self._call(term, env)
+            case "choice":
+                for part in term.parts:
+                    self._value(part, env)
         return UNKNOWN
 
     def _whole(self, term: Term) -> bool:
@@ -655,11 +726,44 @@ class Interpreter:
         made = [self._operation(sign, one, other) for one, other in pairs]
         return self._row(made)
 
+    def _spread(self, term: Term, env: dict[str, Any]) -> Term:
+        """A call with its arguments one by one: rate(t, y, *p)."""
+        if not any(part.kind == "star" for part in term.parts):
+            return term
+        parts: list[Term] = []
+        for part in term.parts:
+            if part.kind != "star":
+                parts.append(part)
+                continue
+            (inner,) = part.parts
+            value = self._value(inner, env)
+            if inner.kind == "list":
+                parts += inner.parts
+            elif isinstance(value, Table) and value.size:
+                places = (Term("number", str(k + self.first)) for k in range(value.size))
+                parts += (Term("entry", "", (inner, place), inner.text) for place in places)
+            else:
+                break
+        return replace(term, parts=tuple(parts))
+
+    def _append(self, term: Term, env: dict[str, Any]) -> Any:
+        """A value at the end of a list of times."""
+        target, part = term.parts
+        value, root = self._value(part, env), root_of(target)
+        if target.kind == "name" and not isinstance(env.get(root), Table):
+            env[root] = Table(root)
+        if isinstance(table := env.get(root), Table) and target.kind == "name":
+            table.size, table.added = None, table.added + 1
+            place = Term("number", str(FAR + 7 + table.added))
+            self._store(Term("entry", "", (target, place)), value, env)
+        return UNKNOWN
+
     def _call(self, term: Term, env: dict[str, Any]) -> Any:
+        term = self._spread(term, env)
         known = env.get(term.name)
         if isinstance(known, Handle):
             return self._of_handle(known, term, env)
-        if term.name == self.judged.name:
+        if term.name in self.judged:
             return self._judged(term, env)
         array = self.brackets and term.name in self.vectors and term.name not in self.own
         if term.parts and (isinstance(known, Table) or (array and known is None)):
@@ -669,10 +773,14 @@ class Interpreter:
         if term.name == "memcpy" and len(term.parts) == 3:
             self._store(term.parts[0], self._value(term.parts[1], env), env)
             return UNKNOWN
+        if term.name == "append" and len(term.parts) == 2 and not self.first:
+            return self._append(term, env)
         values = [self._value(part, env) for part in term.parts]
-        if not self.copies and term.name not in self.shows:
+        if term.name == "len" and isinstance(values[0], Table):
+            return Fraction(values[0].size or len(self.words.state))
+        if self.language.pointers and term.name not in self.language.shows:
             self._poison(term, env)
-        if values and all(isinstance(v, Literal) for v in values):
+        if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
             return Literal(number("call", term.name, *values))
         if not values and self.stepping:  # micros()
             return 2 + number(self._count, term.name)
@@ -687,7 +795,7 @@ class Interpreter:
 
     def _named(self, name: str, term: Term, env: dict[str, Any]) -> Any:
         other = replace(term, name=name)
-        return self._judged(other, env) if name == self.judged.name else self._inlined(other, env)
+        return self._judged(other, env) if name in self.judged else self._inlined(other, env)
 
     def _inlined(self, term: Term, env: dict[str, Any]) -> Any:
         if self.depth > DEPTH:
@@ -695,12 +803,15 @@ class Interpreter:
         one = self.own[term.name]
         inside: dict[str, Any] = {}
         for name, part in zip(one.takes, term.parts, strict=False):
+            if part.kind == "absent":
+                continue
             value = self._value(part, env)
-            if isinstance(value, Table) and self.copies and one.gives:
+            if isinstance(value, Table) and self.first and one.gives:
                 self._dense(value) if value.name and not value.entries else None
                 value = Table("", dict(value.entries), value.size)
             inside[name] = value
-        shared = {} if one.gives else {n: v for n, v in env.items() if n not in inside}
+        own = {*inside, *one.local}
+        shared = {} if one.gives else {n: v for n, v in env.items() if n not in own}
         inside = {**shared, **inside}
         self.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
         self.depth += 1
@@ -709,7 +820,7 @@ class Interpreter:
         for name in one.fills & shared.keys():
             env[name] = inside.get(name, UNKNOWN)
         for name, part in zip(one.takes, term.parts, strict=False):
-            if name in one.shared and not isinstance(inside[name], Table):
+            if name in one.shared and not isinstance(inside.get(name), Table):
                 self._store(part, inside[name], env)
         self.explained.add(term.name)
         if one.gives:

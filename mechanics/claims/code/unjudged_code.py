@@ -17,7 +17,12 @@ from mechanics.claims.code import cpp_functions, julia, matlab
 from mechanics.claims.code.call_sites import CallSites
 from mechanics.claims.code.cpp_objects import objects
 from mechanics.claims.code.intermediate_form import Term, term, with_names
-from mechanics.claims.code.interpreter_values import FileFunction, JudgedFunction, SceneNames
+from mechanics.claims.code.interpreter_values import (
+    FileFunction,
+    JudgedFunction,
+    Language,
+    names_of,
+)
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.names import Naming
@@ -47,6 +52,12 @@ SENDS = frozenset(
 PROGRAM = frozenset(("main", "setup", "loop"))
 """Functions that only use others."""
 LONGEST = 60
+ROWS: dict[str, Language] = {
+    ".m": Language("MATLAB", 1, brackets=True, shows=SHOWN | SENDS),
+    ".jl": Language("Julia", 1, shows=SHOWN | SENDS),
+    ".cpp": Language("C", pointers=True, integers=True, shows=SHOWN | SENDS),
+}
+"""Languages by the suffixes of their files."""
 
 
 def unjudged_code(
@@ -78,13 +89,17 @@ def unjudged_code(
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
     seen = _seen(judged, found, others, lines, naming, title)
-    names, brackets = SceneNames(naming), suffix == ".m"
-    around = (others, users, names, int(suffix in LANGUAGES), brackets, SHOWN | SENDS)
-    uses = CallSites(seen, *around)
+    names = names_of(naming)
+    around = (others, users, names, ROWS.get(suffix, ROWS[".cpp"]))
+    uses = CallSites({seen.name: seen}, *around)
     said: list[str] = []
     if suffix not in LANGUAGES:
         made = objects(root, seen, names.meaning)
-        said += (call.text for kind, call in made if CallSites(kind, *around).misuses(call, {}))
+        said += (
+            call.text
+            for kind, call in made
+            if CallSites({kind.name: kind}, *around).misuses(call, {})
+        )
     known: dict[str, Any] = {}
     for node in lines:
         line = with_names(term(node), title)
@@ -101,7 +116,7 @@ def unjudged_code(
         if suffix not in LANGUAGES:
             said += (f"{name}: {line}" for line in uses.changed(others[name], free))
     for name in (n for n in every if n in users):
-        said += (f"{name}: {line}" for line in uses.function(name, known))
+        said += (f"{name}: {line}" for line in uses.function(others[name], known))
     for name, node in functions.items():
         apart = not (chosen or name in own | users | PROGRAM | uses.explained)
         if apart and not _only_shows(node):
