@@ -11,6 +11,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from mechanics.claims.code.integrator_steps import IntegratorSteps
@@ -334,8 +335,10 @@ class CallSites(IntegratorSteps):
     def _holds(self, line: Term, env: Mapping[str, Any]) -> bool:
         """Whether the value is what the function returns, no function and no solution."""
         value = line.parts[1]
-        return value.kind in ("call", "entry", "name") and not (
-            value.kind == "call" and self._by_name(value, env)
+        if value.kind == "call" and value.name in self._silent:
+            return False
+        return value.kind in ("call", "entry", "name") and not any(
+            one.kind == "call" and self._by_name(one, env) for one in value.all()
         )
 
     def _filled(self, line: Term) -> set[str]:
@@ -486,12 +489,47 @@ class CallSites(IntegratorSteps):
         )  # fmt: skip
         return bool(ones and others) and ones != others
 
+    @cached_property
+    def _silent(self) -> set[str]:
+        """Functions that use the judged one and return nothing of what it returned."""
+        found = {n for n in self.users if not self.own[n].shared and not self.own[n].gives}
+        while new := {
+            n for n in found if self._returns(self.own[n], {*self.judged, *self.users} - found)
+        }:
+            found -= new
+        return found
+
+    def _returns(self, one: FileFunction, functions: set[str]) -> bool:
+        """Whether a function returns what some functions returned, and no state advanced by it."""
+        other = self.again()
+        blocks = [
+            (one.body, one),
+            *((t.parts[1], None) for t in one.body.all() if t.kind == "loop"),
+        ]
+        advanced = {root for block, whole in blocks if other.steps(block, {}, "", whole)
+                    for root, _ in other.advanced}  # fmt: skip
+        if advanced and other.steps(one.body, {}, "", one):
+            return False
+        made: set[str] = set()
+        lines = [t for t in one.body.all() if t.kind == "set"]
+        while new := {root_of(t) for line in lines if self._holding(line.parts[1], functions, made)
+                      for t in targets_of(line.parts[0])} - made - advanced:  # fmt: skip
+            made |= new
+        return any(self._holding(t, functions, made) for t in one.body.all() if t.kind == "return")
+
+    def again(self) -> "CallSites":
+        """The same, where nothing has been looked at."""
+        return CallSites(self.judged, self.own, self.users, self.words, self.language)
+
     def _results(self, value: Term, functions: set[str], made: set[str]) -> bool:
+        return self._holding(value, functions - self._silent, made)
+
+    def _holding(self, value: Term, functions: set[str], made: set[str]) -> bool:
         if value.kind == "handle":
             return False
         own = value.kind == "call" and value.name in functions
         return own or (value.kind in ("name", "call") and value.name in made) or any(
-            self._results(part, functions, made) for part in value.parts
+            self._holding(part, functions, made) for part in value.parts
         )  # fmt: skip
 
     def _taken(self, call: Term, handed: Sequence[int], env: dict[str, Any]) -> bool:
@@ -502,9 +540,9 @@ class CallSites(IntegratorSteps):
             for k, (name, part) in enumerate(zip(one.takes, call.parts, strict=False))
             if k in handed
         }
-        other = CallSites(self.judged, self.own, self.users, self.words, self.language)
+        other = self.again()
         if not other.steps(one.body, dict(given), "", one):
-            other = CallSites(self.judged, self.own, self.users, self.words, self.language)
+            other = self.again()
             other._vectors(one.body)
             if other._lines(one.body, dict(given), set()):
                 return False

@@ -201,16 +201,12 @@ class Interpreter:
         moving : collection of str
             Names that change around the call, beside those that the call has for the state.
         """
-        parameters = self.words.parameters.keys()
+        still = self.words.parameters.keys() | self.words.inputs
         judged = self.judged[call.name]
         pairs = [*zip(judged.takes, call.parts, strict=False)]
         fixed = [(name, part) for name, part in pairs
-                 if {*judged.meanings.get(name, ())} & parameters]  # fmt: skip
-        still = self.words.parameters.keys() | self.words.inputs
-        others = {
-            self._place_of(part) for name, part in pairs
-            if not {*judged.meanings.get(name, ())} & still
-        }  # fmt: skip
+                 if {*judged.meanings.get(name, ())} & still]  # fmt: skip
+        others = {self._place_of(pair[1]) for pair in pairs if pair not in fixed}
         others = (others | {*moving}) - {""}
         return any(self._place_of(p) in others and self._place_of(p) != n for n, p in fixed)
 
@@ -304,12 +300,19 @@ class Interpreter:
                 and (self.stepping or isinstance(value, Literal)
                      or part.kind in ("entry", "field", "call", "name"))
             )  # fmt: skip
-        if word in self.words.inputs and meaning == word:
+        if word in self.words.inputs and (meaning == word or self._is_made(word, own, value)):
             return True
         return self._fits(word, value, meaning) or (
             part.kind in ("entry", "name", "field") and value in self.initial and not meaning
             if isinstance(value, Fraction) else False
         )  # fmt: skip
+
+    def _is_made(self, word: str, name: str, value: Any) -> bool:
+        """Whether a name without a meaning has what a controller makes."""
+        if not name or self._meaning(name) or not isinstance(value, Fraction):
+            return False
+        share = value / number("word", word)
+        return max(abs(share.numerator), share.denominator) > FAR
 
     def _fits(self, word: str, value: Any, meaning: str) -> bool:
         if isinstance(value, Literal):
@@ -328,8 +331,11 @@ class Interpreter:
             or (value < 0 and symbols[word].is_nonnegative)
         )
 
-    def _vectors(self, block: Term) -> None:
+    def _vectors(self, block: Term, done: frozenset[str] = frozenset()) -> None:
         """Names that are arrays: those with entries, and those that are passed for one."""
+        inner = {one.name for one in block.all() if one.kind == "call"} & self.own.keys() - done
+        for name in sorted(inner):
+            self._vectors(self.own[name].body, done | inner)
         for one in block.all():
             if one.kind in ("entry", "field"):
                 self.vectors.add(root_of(one))
@@ -360,6 +366,8 @@ class Interpreter:
             roots: set[str] = set()
             if one.kind == "set":
                 roots = {root_of(t) for t in targets_of(one.parts[0])}
+            if one.kind == "call" and one.name == "append" and one.parts:
+                roots = {root_of(one.parts[0])}
             if one.kind == "call" and (known := self.judged.get(one.name)) is not None:
                 roots = {root_of(p) for n, p in zip(known.takes, one.parts, strict=False)
                          if n in known.fills}  # fmt: skip
@@ -405,6 +413,9 @@ class Interpreter:
 
     def _read(self, root: str, key: tuple[Any, ...], env: dict[str, Any]) -> Any:
         if root not in env:
+            base, _, last = root.rpartition(".")
+            if isinstance(inner := env.get(base), Table) and (last,) in inner.entries:
+                return self._read(base, (last, *key), env)  # p["g"] of a table
             word = self._meaning(root)
             if not key and (root in self.judged or root in self.own):
                 return Handle((), None, {"": root})

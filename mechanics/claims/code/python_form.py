@@ -23,7 +23,10 @@ SAME = frozenset(
 MODULES = frozenset(("np", "numpy", "math", "jnp", "plt", "scipy", "sp", "copy", "integrate", "la"))
 TIME_FIRST = ("solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA", "ode")
 STATE_FIRST = ("odeint",)
+ARCTANGENTS = (["arctan2", "sin", "cos"], ["atan2", "sin", "cos"])
 DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
+NOW, NEXT = Term("number", "1007"), Term("number", "1008")
+"""Two times, one after the other."""
 ABSENT = Term("absent")
 """An argument that a call leaves to its default."""
 
@@ -45,11 +48,14 @@ class PythonFile:
         Its text.
     calls : mapping of str to str
         Functions that objects are when they are called.
+    started : str
+        What ``ode`` of SciPy is handed.
     """
 
     takes: Mapping[str, Sequence[str]]
     lines: Sequence[str] = ()
     calls: Mapping[str, str] = field(default_factory=dict)
+    started: str = ""
 
 
 def block(body: Sequence[ast.stmt], file: PythonFile) -> Term:
@@ -87,6 +93,8 @@ def _statement(node: ast.stmt, file: PythonFile) -> Term:
             return _loop(target, over, block(body, file), file)
         case ast.While(test=test, body=body):
             return Term("loop", "", (Term("list"), block(body, file)))
+        case ast.If(body=body) | ast.While(body=body) if all(map(_is_whole_turn, body)):
+            return Term("block")
         case ast.If(test=test, body=body, orelse=other):
             return Term("case", "", (of(test), block(body, file), block(other, file)))
         case ast.With(items=items, body=body):
@@ -104,6 +112,13 @@ def _statement(node: ast.stmt, file: PythonFile) -> Term:
 
 
 def _loop(target: ast.expr, over: ast.expr, body: Term, file: PythonFile) -> Term:
+    if (pair := _neighbours(target, over)) is not None:
+        grid = expression(pair[2], file)
+        sets = (
+            Term("set", "", (expression(part, file), Term("entry", "", (grid, place))))
+            for part, place in zip(pair[:2], (NOW, NEXT), strict=True)
+        )
+        return Term("loop", "", (Term("list"), Term("block", "", (*sets, body))))
     counter = target.id if isinstance(target, ast.Name) else ""
     limits: tuple[Term, ...] = (expression(over, file),)
     match target, over:
@@ -116,6 +131,17 @@ def _loop(target: ast.expr, over: ast.expr, body: Term, file: PythonFile) -> Ter
         case ast.Name(), _:
             counter = ""
     return Term("loop", counter, (Term("list", "", limits), body))
+
+
+def _neighbours(target: ast.expr, over: ast.expr) -> tuple[ast.expr, ast.expr, ast.expr] | None:
+    """What a loop over pairs of times sets: for a, b in zip(ts[:-1], ts[1:])."""
+    match target, over:
+        case ast.Tuple(elts=[before, after]), ast.Call(
+            func=ast.Name(id="zip"), args=[ast.Subscript(value=grid), other]
+        ) if ast.unparse(over.args[0]) == f"{ast.unparse(grid)}[:-1]" and (
+            ast.unparse(other) in (f"{ast.unparse(grid)}[1:]", ast.unparse(grid))):  # fmt: skip
+            return before, after, grid
+    return None
 
 
 def expression(node: ast.expr, file: PythonFile) -> Term:
@@ -151,7 +177,7 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
             return Term("minus", "", (of(inner),))
         case ast.UnaryOp(op=ast.UAdd(), operand=inner):
             return of(inner)
-        case ast.BinOp() if (angle := unwrapped_angle(node)) is not None:
+        case ast.BinOp() | ast.Call() if (angle := unwrapped_angle(node)) is not None:
             return of(angle)
         case ast.BinOp(left=left, op=op, right=right):
             return Term("binary", SIGNS.get(type(op), "?"), (of(left), of(right)))
@@ -247,8 +273,14 @@ def _call(node: ast.Call, file: PythonFile) -> Term:
     ]  # fmt: skip
     if name == "partial" and given and (handed := word(node.args[0])) in file.takes:
         return _partial(handed, node.args[1:], node.keywords, file)
-    if name in (*TIME_FIRST, *STATE_FIRST) and given:
-        given[0] = _handed(name, node, file)
+    laws = [*node.args[:1], *(k.value for k in node.keywords if k.arg in ("fun", "func"))]
+    if name in (*TIME_FIRST, *STATE_FIRST) and laws:
+        given = [_handed(name, laws[0], node, file), *given[1:]]
+        options = [one for one in options if one.parts[0].name not in ("fun", "func", "events")]
+    if name == "set_f_params" and file.started:
+        parts = [Term("name", n, (), n) for n in ("solver.t", "solver.y")]
+        called = Term("call", file.started, (*parts, *given))
+        return Term("call", name, (Term("handle", "solver.t solver.y", (called,)),))
     if not name:
         return Term("other", "", (expression(node.func, file), *given, *options))
     owner = () if base is None else (expression(base, file),)
@@ -288,10 +320,9 @@ def _partial(
     return Term("handle", " ".join(open_), (Term("call", name, tuple(whole)),))
 
 
-def _handed(name: str, node: ast.Call, file: PythonFile) -> Term:
+def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Term:
     """What a solver is handed, as a function without a name of time, state and parameters."""
     options = {k.arg: k.value for k in node.keywords if k.arg}
-    first = node.args[0]
     if name == "odeint" and len(node.args) > 3:
         options.setdefault("args", node.args[3])
     late = name in STATE_FIRST and not (
@@ -323,7 +354,22 @@ def unwrapped_angle(node: ast.expr) -> ast.expr | None:
             return inner
         case ast.BinOp(left=inner, op=ast.Mod(), right=turn) if _is_turn(turn):
             return inner
+        case ast.Call(args=[ast.Call(args=[inner]) as sine, ast.Call(args=[same]) as cosine]) if (
+            [word(n) for n in (node.func, sine.func, cosine.func)] in ARCTANGENTS
+            and ast.unparse(inner) == ast.unparse(same)):  # fmt: skip
+            return inner
     return None
+
+
+def _is_whole_turn(node: ast.stmt) -> bool:
+    """Whether an angle becomes the same one, a turn further: th -= 2*pi."""
+    match node:
+        case ast.AugAssign(op=ast.Add() | ast.Sub(), value=value):
+            return _is_turn(value)
+        case ast.Assign(targets=[one], value=ast.BinOp(left=same, op=ast.Add() | ast.Sub(),
+                                                       right=value)):  # fmt: skip
+            return _is_turn(value) and ast.unparse(one) == ast.unparse(same)
+    return False
 
 
 def _is_pi(node: ast.expr) -> bool:

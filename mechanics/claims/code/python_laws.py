@@ -77,19 +77,38 @@ class Scope:
         """What gives names values."""
         return [*assigned(self.inside)]
 
+    @cached_property
+    def turns(self) -> list[Sequence[ast.stmt]]:
+        """What is done again and again: bodies of loops, and what a comprehension assigns."""
+        loops = [n.body for n in self.inside if isinstance(n, ast.For | ast.While | ast.AsyncFor)]
+        inner = ([n for n in within([one]) if isinstance(n, ast.NamedExpr)]
+                 for one in self.inside if isinstance(one, COMPREHENSIONS))  # fmt: skip
+        return loops + [[ast.copy_location(ast.Assign([n.target], n.value), n) for n in parts]
+                        for parts in inner if parts]  # fmt: skip
 
-def laws(scope: Scope, right: set[int]) -> Iterator[ast.AST]:
+    @cached_property
+    def right(self) -> set[int]:
+        """Nodes of lines that advance a state as an integrator does, and of what these use."""
+        whole = [self.function.body] if self.function is not None else []
+        found: set[int] = set()
+        for body in (*self.turns, *whole):
+            lines = [*assigned(within(body))]
+            steps, groups = self.steps(body), _circles(lines)
+            feeding = _feeding(lines, steps)
+            for line in lines:
+                circle = {*line.targets}.union(*(groups.get(n, ()) for n in line.targets))
+                if circle & steps or line.targets <= feeding:
+                    found |= {id(n) for n in (line.node, *within([line.value]))}
+        return found
+
+
+def laws(scope: Scope) -> Iterator[ast.AST]:
     """Lines by which a value becomes that of the next turn, or the next call."""
-    for one in scope.inside:
-        if isinstance(one, ast.For | ast.While | ast.AsyncFor):
-            yield from _block(scope, right, one.body, None)
-        elif isinstance(one, COMPREHENSIONS):
-            parts = [n for n in within([one]) if isinstance(n, ast.NamedExpr)]
-            body = [ast.copy_location(ast.Assign([n.target], n.value), n) for n in parts]
-            yield from _block(scope, right, body, None)
+    for body in scope.turns:
+        yield from _block(scope, body, None)
     if scope.function is not None and scope.function.name not in MAKES:
-        yield from _block(scope, right, scope.function.body, _persisting(scope))
-        yield from _again(scope, right)
+        yield from _block(scope, scope.function.body, _persisting(scope))
+        yield from _again(scope)
 
 
 def _persisting(scope: Scope) -> set[str]:
@@ -111,33 +130,19 @@ def _persisting(scope: Scope) -> set[str]:
 
 
 def _block(
-    scope: Scope, right: set[int], body: Sequence[ast.stmt], persisting: set[str] | None
+    scope: Scope, body: Sequence[ast.stmt], persisting: set[str] | None
 ) -> Iterator[ast.AST]:
     """Lines of what is done again and again that are a law, and none that is judged."""
-    inside = [*within(body)]
-    lines = [*assigned(inside)]
+    lines = [*assigned(within(body))]
     groups = _circles(lines)
-    steps = scope.steps(body)
-    for line in lines:
-        circle = groups.get(min(line.targets, default=""), frozenset())
-        if circle & steps or line.targets & steps:
-            right |= {id(n) for n in (line.node, *within([line.value]))}
-    feeding = _feeding(lines, steps)
-    for line in lines:
-        if line.targets <= feeding:
-            right |= {id(n) for n in (line.node, *within([line.value]))}
-    for line in lines:
-        for name in line.targets:
-            circle = groups.get(name, frozenset())
-            if not circle or circle & steps:
-                continue
-            if persisting is not None and not circle & persisting:
-                continue
-            if not _keeps(scope, line, circle):
+    for line in (one for one in lines if id(one.node) not in scope.right):
+        for circle in (groups.get(name, frozenset()) for name in line.targets):
+            lasting = persisting is None or circle & persisting
+            if circle and lasting and not _keeps(scope, line, circle):
                 yield line.node
 
 
-def _again(scope: Scope, right: set[int]) -> Iterator[ast.AST]:
+def _again(scope: Scope) -> Iterator[ast.AST]:
     """Calls of a function by itself with other values: the turns of a loop."""
     assert scope.function is not None
     names = [a.arg for a in scope.function.args.args if a.arg not in ("self", "cls")]
@@ -148,7 +153,7 @@ def _again(scope: Scope, right: set[int]) -> Iterator[ast.AST]:
             target = ast.Tuple([ast.Name(n, ast.Store()) for n, _ in pairs], ast.Store())
             value = ast.Tuple([v for _, v in pairs], ast.Load())
             step = ast.copy_location(ast.Assign([target], value), one)
-            found = [*_block(scope, right, [step], {*names})]
+            found = [*_block(scope, [step], {*names})]
             if found and any(isinstance(n, ARITHMETIC) for n in ast.walk(value)):
                 rest = [v for n, v in pairs if n not in COUNTS and not _is_count(v)]
                 if any(isinstance(n, ARITHMETIC) for v in rest for n in ast.walk(v)):

@@ -211,14 +211,17 @@ class _File:
             if isinstance(n, ast.Assign) and isinstance(n.targets[0], ast.Name)
             and isinstance(n.value, ast.Call) and word(n.value.func) in called
         }  # fmt: skip
-        return PythonFile(takes, self.text, called)
+        started = (word(n.args[0]) for n in ast.walk(self.tree)
+                   if isinstance(n, ast.Call) and word(n.func) == "ode" and n.args)  # fmt: skip
+        handed = next((name for name in started if name in takes), "")
+        return PythonFile(takes, self.text, called, handed)
 
     @cached_property
     def functions(self) -> dict[str, FileFunction]:
         """Functions that are not judged; a class by what makes its objects."""
-        found = {one.name: file_function(one, self.form) for one in self.outer}
-        makers = self._methods("__init__").items()
-        return found | {name: file_function(one, self.form) for name, one in makers}
+        others = {**{one.name: one for one in self.outer}, **self._methods("__init__")}
+        others = {n: one for n, one in others.items() if n not in self.nodes}
+        return {n: file_function(one, self.form) for n, one in others.items()}
 
     @cached_property
     def users(self) -> set[str]:
@@ -272,8 +275,6 @@ class _File:
         sites = self.sites(judged)
         one = file_function(around, self.form) if around is not None else None
         lines = block(body, self.form)
-        if not lines.names() & (judged.keys() | self.users):
-            return set()
         apart = {*one.takes, *one.local} if one is not None else set()
         known = {name: value for name, value in self.known[0].items() if name not in apart}
         whole = one if around is not None and body is around.body else None
@@ -295,18 +296,17 @@ class _File:
             passed = self.passed(function) if function is not None else {}
             steps = partial(self.steps, {**self.judged, **passed}, function)
             scope = Scope(body, function, naming, moving, {*inert, *passed}, steps)
-            right: set[int] = set()
-            yield from laws(scope, right)
-            yield from self._said(scope, right)
+            yield from laws(scope)
+            yield from self._said(scope)
 
-    def _said(self, scope: Scope, right: Collection[int]) -> Iterator[ast.AST]:
+    def _said(self, scope: Scope) -> Iterator[ast.AST]:
         for one in scope.inside:
             match one:
                 case ast.Call() if self._hides(one) or self._sets_attribute(one):
                     yield one
                 case ast.Lambda() if not (words_in(one.body) & scope.inert) and _computes(one):
                     yield one
-                case ast.Assign() if id(one) not in right and self._is_motion(one):
+                case ast.Assign() if id(one) not in scope.right and self._is_motion(one):
                     yield one
                 case ast.Assign(targets=targets) if self._changes_object(targets):
                     yield one
