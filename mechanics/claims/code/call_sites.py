@@ -100,7 +100,7 @@ class CallSites(IntegratorSteps):
             if one.kind == "loop" and concerned:
                 if not self.steps(one.parts[1], env, one.name):
                     self._forget(one, env)
-                    self._vectors(one)
+                    self._vectors(one, env)
                     if one.name:
                         env[one.name] = Fraction(FAR + 7)
                     body = one.parts[1]
@@ -115,6 +115,7 @@ class CallSites(IntegratorSteps):
             if wrong or self._is_another_number(one, env):
                 found.append(one.text)
             if concerned:
+                self.before += [one] if self.is_result(one) else []
                 made |= self._filled(one)
                 if one.kind == "set" and one.parts[0].kind == "list":
                     self.unpacked.append([root_of(t) for t in targets_of(one.parts[0])])
@@ -122,12 +123,21 @@ class CallSites(IntegratorSteps):
                     made |= {root_of(t) for t in targets_of(one.parts[0])}
         return found
 
+    def is_result(self, line: Term) -> bool:
+        """Whether a line gives a name what the function returns: a = accel(theta, w)."""
+        return (
+            line.kind == "set"
+            and not line.name
+            and line.parts[0].kind == "name"
+            and (line.parts[1].kind == "call" and line.parts[1].name in self.judged)
+        )
+
     def function(self, one: FileFunction, around: Mapping[str, Any]) -> list[str]:
         """Lines of one of the other functions that are not innocent."""
         if self.steps(one.body, dict(around), "", one):
             return []
         self._start()
-        self._vectors(one.body)
+        self._vectors(one.body, around)
         env = {n: v for n, v in around.items() if n not in one.takes and n not in one.local}
         return self._lines(one.body, env, set(), self._states_around(one))
 
@@ -543,7 +553,7 @@ class CallSites(IntegratorSteps):
         other = self.again()
         if not other.steps(one.body, dict(given), "", one):
             other = self.again()
-            other._vectors(one.body)
+            other._vectors(one.body, given)
             if other._lines(one.body, dict(given), set()):
                 return False
         self.explained |= {call.name} | other.explained

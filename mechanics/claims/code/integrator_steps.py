@@ -6,7 +6,7 @@ The block is run once, on random numbers: what it makes of a state is compared, 
 each integrator makes of it, for each number in the block that may be its step.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice, product
 from typing import Any
@@ -53,6 +53,21 @@ class IntegratorSteps(Interpreter):
         """
         if not any(judged.gives for judged in self.judged.values()):
             return False
+        sets = self._sets(block)
+        kept = [one for one in self.before if root_of(one.parts[0]) in sets]
+        return self._is_advanced(block, env, counter, function, []) or bool(
+            kept and self._is_advanced(block, env, counter, function, kept)
+        )
+
+    def _sets(self, block: Term) -> set[str]:
+        return {root_of(t) for one in block.all() if one.kind == "set"
+                for t in targets_of(one.parts[0])}  # fmt: skip
+
+    def _is_advanced(
+        self, block: Term, env: dict[str, Any], counter: str, function: FileFunction | None,
+        kept: Sequence[Term],
+    ) -> bool:  # fmt: skip
+        """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
         self._start()
         self._count += 1
         inside = {n: v for n, v in env.items() if not isinstance(v, Unknown)}
@@ -60,11 +75,11 @@ class IntegratorSteps(Interpreter):
         for name in function.takes if function is not None else ():
             if not isinstance(inside.get(name), Handle):
                 inside.pop(name, None)
-        self._vectors(block)
+        self.called_in = block.names()
+        self._vectors(block, inside)
         for name in self.vectors:
             if isinstance(inside.get(name), Fraction):
                 del inside[name]  # another thing of the same name
-        self.called_in = block.names()
         if counter:
             inside[counter] = Fraction(FAR + 7)
         for one in block.all():
@@ -76,7 +91,11 @@ class IntegratorSteps(Interpreter):
                     self.places |= {n.name for n in place.all() if n.kind == "name"}
         self.stepping = True
         try:
+            for one in kept:
+                self._run(one, inside)
             result = self._run(block, inside)
+            if any(self._value(one.parts[1], inside) != inside[one.parts[0].name] for one in kept):
+                return False
             if result is None and function is not None and function.gives:
                 given = [self._read(n, (), inside) for n in function.gives]
                 result = given[0] if len(given) == 1 else self._row(given)
@@ -86,8 +105,7 @@ class IntegratorSteps(Interpreter):
             self.stepping = False
         if self.misused or not self.called or self._parameters_change(block, inside):
             return False
-        sets = {root_of(t) for one in block.all() if one.kind == "set"
-                for t in targets_of(one.parts[0])}  # fmt: skip
+        sets = self._sets(block)
         calls = [one for one in block.all() if one.kind == "call" and one.name in self.judged]
         if any(self.is_another(call, sets | {*STEPS}) for call in calls):
             return False
@@ -99,8 +117,7 @@ class IntegratorSteps(Interpreter):
 
     def _parameters_change(self, block: Term, env: Mapping[str, Any]) -> bool:
         """Whether a block leaves a parameter with another value."""
-        sets = {root_of(t) for one in block.all() if one.kind == "set"
-                for t in targets_of(one.parts[0])}  # fmt: skip
+        sets = self._sets(block)
         apart = {"", *self.words.state, *self.words.inputs}
         words = {root: self._meaning(root) for root in sets & env.keys()}
         return any(

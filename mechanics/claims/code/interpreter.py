@@ -7,7 +7,7 @@ What is not followed is unknown, and what is made of it. An argument that is not
 takes at its place is a misuse.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -69,6 +69,7 @@ class Interpreter:
         self.judged, self.own, self.users, self.words = judged, own, users, words
         self.language, self.first, self.brackets = language, language.first, language.brackets
         self.explained: set[str] = set()
+        self.before: list[Term] = []
         self._count = 0
         self._start()
 
@@ -104,7 +105,9 @@ class Interpreter:
     def _taken_words(self) -> set[str]:
         """Entries of the state that functions ask for which the block calls."""
         called = self.called_in & self.judged.keys() or self.judged.keys()
-        return {w for n in called for m in self.judged[n].meanings.values() for w in m}
+        return {w for one in map(self.judged.__getitem__, called)
+                for name, words in one.meanings.items() if name not in one.unused
+                for w in words}  # fmt: skip
 
     def _rate(self, word: str) -> Expr:
         """The rate of an entry of the state, as a formula of the state."""
@@ -331,11 +334,19 @@ class Interpreter:
             or (value < 0 and symbols[word].is_nonnegative)
         )
 
-    def _vectors(self, block: Term, done: frozenset[str] = frozenset()) -> None:
+    def _vectors(self, block: Term, env: Mapping[str, Any], done: Set[str] = frozenset()) -> None:
         """Names that are arrays: those with entries, and those that are passed for one."""
-        inner = {one.name for one in block.all() if one.kind == "call"} & self.own.keys() - done
-        for name in sorted(inner):
-            self._vectors(self.own[name].body, done | inner)
+        inner = {one.name for one in block.all() if one.kind == "call"} - done
+        for name in sorted(inner & self.own.keys()):
+            self._vectors(self.own[name].body, env, done | inner)
+        for one in block.all():
+            handle = env.get(one.name) if one.kind == "call" else None
+            if isinstance(handle, Handle) and handle.body is not None and one.name in inner:
+                self._vectors(handle.body, env, done | inner)
+                self.called_in |= handle.body.names()
+                for name, part in zip(handle.takes, one.parts, strict=False):
+                    if name in self.vectors:
+                        self._holds_vector(part)
         for one in block.all():
             if one.kind in ("entry", "field"):
                 self.vectors.add(root_of(one))
@@ -350,7 +361,9 @@ class Interpreter:
             if one.kind == "call" and self.brackets and one.name not in self.own:
                 self.vectors.add(one.name)
         for one in block.all():
-            if one.kind == "set" and one.parts[0].name in self.vectors:
+            if one.kind == "set" and (
+                one.parts[0].name in self.vectors or one.parts[0].kind == "list"
+            ):
                 self._holds_vector(one.parts[1])
 
     def _holds_vector(self, part: Term) -> None:
@@ -824,12 +837,19 @@ class Interpreter:
         own = {*inside, *one.local}
         shared = {} if one.gives else {n: v for n, v in env.items() if n not in own}
         inside = {**shared, **inside}
+        called = {n: root_of(p) for n, p in zip(one.takes, term.parts, strict=False) if root_of(p)}
+        for name, other in called.items():  # state.w, where the caller says s.w
+            inside |= {f"{name}.{n.removeprefix(f'{other}.')}": v for n, v in env.items()
+                       if n.startswith(f"{other}.")}  # fmt: skip
         self.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
         self.depth += 1
         result = self._run(one.body, inside)
         self.depth -= 1
         for name in one.fills & shared.keys():
             env[name] = inside.get(name, UNKNOWN)
+        for name, (base, dot, last) in ((n, n.partition(".")) for n in one.fills):
+            if dot and name in inside:
+                env[f"{called.get(base, base)}.{last}"] = inside[name]
         for name, part in zip(one.takes, term.parts, strict=False):
             if name in one.shared and not isinstance(inside.get(name), Table):
                 self._store(part, inside[name], env)

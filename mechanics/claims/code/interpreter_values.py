@@ -109,6 +109,8 @@ class JudgedFunction:
         Whose rates it gives, in order; empty where it gives something else.
     defaults : mapping of str to Fraction
         Numbers of arguments that a call may leave out.
+    unused : frozenset of str
+        Arguments that make no difference.
     """
 
     name: str
@@ -118,6 +120,7 @@ class JudgedFunction:
     gives: tuple[str, ...]
     around: Mapping[str, str] = field(default_factory=dict)
     defaults: Mapping[str, Fraction] = field(default_factory=dict)
+    unused: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

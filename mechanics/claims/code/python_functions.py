@@ -44,9 +44,9 @@ def judged_function(node: Defined, names: SceneNames) -> JudgedFunction:
     if not any({*words} & {*names.state} for words in meanings.values()):
         parted = _parted(node)
         meanings |= {n: names.state for n in takes if n in parted and n not in meanings}
-    return JudgedFunction(
-        node.name, takes, meanings, (), _gives(node, meanings, names), {}, _defaults(node, meanings)
-    )
+    unused = frozenset({*takes} - {name for line in node.body for name in words_in(line)})
+    gives, defaults = _gives(node, meanings, names), _defaults(node, meanings)
+    return JudgedFunction(node.name, takes, meanings, (), gives, {}, defaults, unused)
 
 
 def _single(name: str, names: SceneNames) -> tuple[str, ...]:
@@ -98,13 +98,6 @@ def _parted(node: Defined) -> set[str]:
             case ast.Assign(targets=[ast.Tuple()], value=ast.Name(id=name)):
                 found.add(name)
     return found
-
-
-def called_arguments(function: Defined) -> set[str]:
-    """Names of arguments of a function that it calls."""
-    names = {a.arg for a in ast.walk(function.args) if isinstance(a, ast.arg)}
-    return names & {n.func.id for n in within(function.body) if isinstance(n, ast.Call)
-                    and isinstance(n.func, ast.Name)}  # fmt: skip
 
 
 def passed_function(name: str, inside: Iterable[ast.AST], names: SceneNames) -> JudgedFunction:

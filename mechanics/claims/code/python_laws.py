@@ -240,19 +240,21 @@ def _stored(target: ast.AST) -> Iterator[str]:
 
 def root_in(node: ast.AST) -> str:
     """What a place is a part of: th of th[i+1], self.w of self.w[0]."""
-    while isinstance(node, ast.Subscript | ast.Starred):
-        node = node.value
-    if isinstance(node, ast.Name):
-        return node.id
-    if isinstance(node, ast.Attribute):
-        base = root_in(node.value)
-        return f"{base}.{node.attr}" if base else ""
+    match node:
+        case ast.Name(id=name):
+            return name
+        case (ast.Attribute(value=inner, attr=part)
+              | ast.Subscript(value=inner, slice=ast.Constant(value=str(part)))):  # fmt: skip
+            base = root_in(inner)
+            return f"{base}.{part}" if base else ""
+        case ast.Subscript(value=inner) | ast.Starred(value=inner):
+            return root_in(inner)
     return ""
 
 
 def roots_in(node: ast.AST) -> set[str]:
     """What an expression reads."""
-    if isinstance(node, ast.Attribute | ast.Name) and (root := root_in(node)):
+    if "." in (root := root_in(node)) or (root and not isinstance(node, ast.Subscript)):
         return {root, *([root.rpartition(".")[0]] if "." in root else [])}
     return {name for part in ast.iter_child_nodes(node) for name in roots_in(part)}
 

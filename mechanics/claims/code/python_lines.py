@@ -40,7 +40,6 @@ from mechanics.claims.code.python_form import (
 from mechanics.claims.code.python_functions import (
     TIMES,
     Defined,
-    called_arguments,
     file_function,
     judged_function,
     passed_function,
@@ -232,7 +231,12 @@ class _File:
     def passed(self, function: Defined) -> dict[str, JudgedFunction]:
         """Functions that a function is given and calls."""
         inside = [*within(function.body)]
-        return {n: passed_function(n, inside, self.names) for n in called_arguments(function)}
+        around = [one for one in self.outer if any(n is function for n in ast.walk(one))]
+        given = {n.arg for one in (function, *around) for n in ast.walk(one.args)
+                 if isinstance(n, ast.arg)}  # fmt: skip
+        called = {n.func.id for n in inside
+                  if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}  # fmt: skip
+        return {n: passed_function(n, inside, self.names) for n in sorted(given & called)}
 
     def sites(self, judged: Mapping[str, JudgedFunction]) -> CallSites:
         """What looks at lines around some functions."""
@@ -274,6 +278,9 @@ class _File:
         """What a block advances as an integrator does: of a function, or all of it."""
         sites = self.sites(judged)
         one = file_function(around, self.form) if around is not None else None
+        before = [s for s in (self.top if around is None else around.body)
+                  if isinstance(s, ast.Assign) and s not in body]  # fmt: skip
+        sites.before = [*filter(sites.is_result, (statement(s, self.form) for s in before))]
         lines = block(body, self.form)
         apart = {*one.takes, *one.local} if one is not None else set()
         known = {name: value for name, value in self.known[0].items() if name not in apart}
