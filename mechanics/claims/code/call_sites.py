@@ -25,7 +25,6 @@ from mechanics.claims.code.interpreter_values import (
     Literal,
     NotFollowedError,
     Table,
-    Unknown,
     number,
     root_of,
     targets_of,
@@ -204,8 +203,9 @@ class CallSites(IntegratorSteps):
             fields = [t.name.lower() for t in target.all() if t.kind == "field"]
             if fields and (root_of(target) in self.problems or "mass" in fields):
                 return True
-            if self._exchanges(target, value, env):
-                return True
+            targets = [t.name for t in targets_of(target)]
+            if value.kind == "call" and value.name.startswith("ode") and len(targets) > 1:
+                return targets[1] in TIMES - {"~", "_"} and targets[0] not in TIMES
         if any(self._kicks(one) for one in line.all() if one.kind == "set"):
             return True
         methods = [(one, n) for one in line.all() if one.kind == "call" and self.language.pointers
@@ -218,36 +218,17 @@ class CallSites(IntegratorSteps):
             for one in part.all()
         )
 
-    def _exchanges(self, target: Term, value: Term, env: dict[str, Any]) -> bool:
-        """Whether parameters become one another, or what nobody follows: [m, l] = deal(l, m)."""
-        targets = [*targets_of(target)]
-        if value.kind == "call" and value.name.startswith("ode") and len(targets) > 1:
-            return targets[1].name in TIMES - {"~", "_"} and targets[0].name not in TIMES
-        pairs = [(target, value)]
-        if value.kind == "call" and value.name == "deal" and len(targets) == len(value.parts):
-            pairs = [*zip(targets, value.parts, strict=True)]
-            return any(self._is_another_word(one, part) for one, part in pairs)
-        word = self._word(target)
-        if word and value.kind == "call" and value.name in self.own:
-            return False
-        own = word and word in {self._meaning(n) for n in value.names()}
-        return bool(own) and isinstance(self._value(value, env), Unknown)
-
     def _is_another_number(self, line: Term, env: dict[str, Any]) -> bool:
         """Whether a line makes a parameter another one, or another number than it was: g = -g."""
-        if line.kind != "set":
+        if line.kind != "set" or (line.parts[1].kind == "call" and line.parts[1].name in self.own):
             return False
-        parameters = self.words.parameters.keys()
-        others = {number("word", w): w for w in parameters | self.words.inputs}
+        words = {number("word", w): w for w in self.words.parameters.keys() | self.words.inputs}
         for target in targets_of(line.parts[0]):
-            word = self._meaning(target.name) if target.kind == "name" else ""
-            value = env.get(target.name)
-            if word not in parameters or not isinstance(value, Fraction):
+            word, value = self._word(target), self._value(target, env)
+            if not word or isinstance(value, Table | Literal):
                 continue
-            own = bool(line.name) or word in map(self._meaning, line.parts[1].names())
-            if others.get(Fraction(value), word) != word:
-                return True
-            if own and not isinstance(value, Literal) and Fraction(value) not in others:
+            own = line.name or word in map(self._meaning, line.parts[1].names())
+            if words.get(value, word) != word or (own and value not in words):
                 return True
         return False
 

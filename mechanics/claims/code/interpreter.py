@@ -45,6 +45,25 @@ MADE = frozenset(
 """Calls that make an array."""
 
 
+TURNED = frozenset(("pi", "M_PI", "π"))
+
+
+def _only_turns(term: Term) -> bool:
+    """Whether a block only brings an angle back into one turn: th -= 2*pi."""
+    sets = [one for one in term.all() if one.kind == "set"]
+    return bool(sets) and all(map(_is_a_turn, sets))
+
+
+def _is_a_turn(line: Term) -> bool:
+    target, value = line.parts
+    if not line.name and value.kind == "binary" and value.parts[0].text == target.text:
+        line, value = Term("set", value.name), value.parts[1]
+    factors = sorted(one.name.rpartition(".")[2] for one in value.parts)
+    whole = len(factors) == 2 and factors[0] in ("2", "0") and factors[1] in TURNED
+    tau = value.kind == "name" and value.name.rpartition(".")[2] == "tau"
+    return line.name in ("+", "-") and (tau or (whole and value.name == "*"))
+
+
 class Interpreter:
     """Runs what stands around a judged function.
 
@@ -279,11 +298,11 @@ class Interpreter:
                 return False
             if {*words} & {*self.words.state}:
                 named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
-                pairs = zip(words, named, strict=False)
                 return value.name != "parameters" and all(
-                    self._meaning(one.name) in ("", word) for word, one in pairs
+                    self._meaning(one.name) in ("", word)
+                    for word, one in zip(words, named, strict=False)
                     if one.kind in ("name", "field")
-                )  # fmt: skip
+                )
             if not value.entries:
                 return True
             dense = [value.entries.get((k + self.first,), UNKNOWN) for k in range(len(words))]
@@ -551,6 +570,8 @@ class Interpreter:
 
     def _run(self, term: Term, env: dict[str, Any]) -> Any:
         """Run statements; what they return."""
+        if term.kind in ("loop", "case") and _only_turns(term):
+            return None
         match term.kind:
             case "block":
                 for part in term.parts:

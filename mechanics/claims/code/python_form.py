@@ -27,6 +27,8 @@ ARCTANGENTS = (["arctan2", "sin", "cos"], ["atan2", "sin", "cos"])
 DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
 NOW, NEXT = Term("number", "1007"), Term("number", "1008")
 """Two times, one after the other."""
+SOLVED = (Term("name", "solver.t", (), "solver.t"), Term("name", "solver.y", (), "solver.y"))
+"""What a solver calls a function with."""
 ABSENT = Term("absent")
 """An argument that a call leaves to its default."""
 
@@ -93,8 +95,6 @@ def _statement(node: ast.stmt, file: PythonFile) -> Term:
             return _loop(target, over, block(body, file), file)
         case ast.While(test=test, body=body):
             return Term("loop", "", (Term("list"), block(body, file)))
-        case ast.If(body=body) | ast.While(body=body) if all(map(_is_whole_turn, body)):
-            return Term("block")
         case ast.If(test=test, body=body, orelse=other):
             return Term("case", "", (of(test), block(body, file), block(other, file)))
         case ast.With(items=items, body=body):
@@ -254,37 +254,41 @@ def arguments_of(args: ast.arguments) -> list[str]:
 
 
 def _call(node: ast.Call, file: PythonFile) -> Term:
-    name = word(node.func)
-    base = getattr(node.func, "value", None)
-    free = base is None or word(base) in MODULES or isinstance(base, ast.Call) or name in file.takes
-    if name in SAME and len(node.args) == 1 and free:
-        return expression(node.args[0], file)
-    if name in SAME and not free and not node.args:
-        return expression(base, file)
-    if name in file.takes:
-        return Term(
-            "call", name, tuple(_in_order(file.takes[name], node.args, node.keywords, file))
-        )
+    name, owner = word(node.func), _owner(node, file)
     given = [expression(arg, file) for arg in node.args]
-    options = [
-        Term("set", "", (Term("name", k.arg), expression(k.value, file))) if k.arg
-        else Term("star", "", (expression(k.value, file),))
-        for k in node.keywords
-    ]  # fmt: skip
+    if name in SAME and len(given) + len(owner) == 1:
+        return (*owner, *given)[0]
+    name = file.calls.get(ast.unparse(node.func), name)
+    if name in file.takes:
+        ordered = _in_order(file.takes[name], node.args, node.keywords, file)
+        return Term("call", name, tuple(ordered))
     if name == "partial" and given and (handed := word(node.args[0])) in file.takes:
         return _partial(handed, node.args[1:], node.keywords, file)
+    options = [_option(k, file) for k in node.keywords]
     laws = [*node.args[:1], *(k.value for k in node.keywords if k.arg in ("fun", "func"))]
     if name in (*TIME_FIRST, *STATE_FIRST) and laws:
         given = [_handed(name, laws[0], node, file), *given[1:]]
         options = [one for one in options if one.parts[0].name not in ("fun", "func", "events")]
     if name == "set_f_params" and file.started:
-        parts = [Term("name", n, (), n) for n in ("solver.t", "solver.y")]
-        called = Term("call", file.started, (*parts, *given))
-        return Term("call", name, (Term("handle", "solver.t solver.y", (called,)),))
+        called = Term("call", file.started, (*SOLVED, *given))
+        given = [Term("handle", " ".join(one.name for one in SOLVED), (called,))]
     if not name:
         return Term("other", "", (expression(node.func, file), *given, *options))
-    owner = () if base is None else (expression(base, file),)
     return Term("call", name, (*owner, *given, *options))
+
+
+def _owner(node: ast.Call, file: PythonFile) -> tuple[Term, ...]:
+    """The object whose method a call is; nothing for a function of a module."""
+    if not isinstance(node.func, ast.Attribute) or word(node.func.value) in MODULES:
+        return ()
+    return (expression(node.func.value, file),)
+
+
+def _option(keyword: ast.keyword, file: PythonFile) -> Term:
+    value = expression(keyword.value, file)
+    if keyword.arg is None:
+        return Term("star", "", (value,))
+    return Term("set", "", (Term("name", keyword.arg), value))
 
 
 def _in_order(
@@ -301,7 +305,7 @@ def _in_order(
             case ast.keyword(value=ast.Call(func=ast.Name(id="dict"), keywords=inner)):
                 given |= {k.arg: expression(k.value, file) for k in inner if k.arg}
     if any(part.kind == "star" for part in made):
-        return [*made, *given.values()] if not given else [*made]
+        return [*made, *(_option(k, file) for k in keywords if k.arg)]
     last = max((k for k, name in enumerate(takes) if name in given), default=-1)
     return made + [given.get(name, ABSENT) for name in takes[len(made) : last + 1]]
 
@@ -329,7 +333,6 @@ def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Ter
         isinstance(tfirst := options.get("tfirst"), ast.Constant) and tfirst.value is True
     )
     made = expression(first, file)
-    pair = [Term("name", n, (), n) for n in ("solver.t", "solver.y")]
     handed = file.calls.get(ast.unparse(first), word(first))
     if made.kind == "handle":
         takes = made.name.split()
@@ -338,7 +341,7 @@ def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Ter
         handed = file.calls.get(word(first.func), "")
     if not handed:
         return made
-    given = [*(pair[::-1] if late else pair)]
+    given = [*(SOLVED[::-1] if late else SOLVED)]
     if "args" in options:
         given.append(Term("star", "", (expression(options["args"], file),)))
     return Term("handle", "solver.t solver.y", (Term("call", handed, tuple(given)),))
@@ -359,17 +362,6 @@ def unwrapped_angle(node: ast.expr) -> ast.expr | None:
             and ast.unparse(inner) == ast.unparse(same)):  # fmt: skip
             return inner
     return None
-
-
-def _is_whole_turn(node: ast.stmt) -> bool:
-    """Whether an angle becomes the same one, a turn further: th -= 2*pi."""
-    match node:
-        case ast.AugAssign(op=ast.Add() | ast.Sub(), value=value):
-            return _is_turn(value)
-        case ast.Assign(targets=[one], value=ast.BinOp(left=same, op=ast.Add() | ast.Sub(),
-                                                       right=value)):  # fmt: skip
-            return _is_turn(value) and ast.unparse(one) == ast.unparse(same)
-    return False
 
 
 def _is_pi(node: ast.expr) -> bool:

@@ -80,7 +80,9 @@ class Scope:
     @cached_property
     def turns(self) -> list[Sequence[ast.stmt]]:
         """What is done again and again: bodies of loops, and what a comprehension assigns."""
-        loops = [n.body for n in self.inside if isinstance(n, ast.For | ast.While | ast.AsyncFor)]
+        loops: list[Sequence[ast.stmt]] = [
+            n.body for n in self.inside if isinstance(n, ast.For | ast.While | ast.AsyncFor)
+        ]
         inner = ([n for n in within([one]) if isinstance(n, ast.NamedExpr)]
                  for one in self.inside if isinstance(one, COMPREHENSIONS))  # fmt: skip
         return loops + [[ast.copy_location(ast.Assign([n.target], n.value), n) for n in parts]
