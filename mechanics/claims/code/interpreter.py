@@ -320,14 +320,13 @@ class Interpreter:
             return isinstance(value, Unknown) or (
                 isinstance(value, Fraction)
                 and (self.stepping or isinstance(value, Literal)
-                     or part.kind in ("entry", "field", "call", "name"))
+                     or part.kind in ("entry", "item", "field", "call", "name"))
             )  # fmt: skip
         if word in self.words.inputs and (meaning == word or self._is_made(word, own, value)):
             return True
-        return self._fits(word, value, meaning) or (
-            part.kind in ("entry", "name", "field") and value in self.initial and not meaning
-            if isinstance(value, Fraction) else False
-        )  # fmt: skip
+        begun = isinstance(value, Fraction) and value in self.initial and not meaning
+        named = part.kind in ("entry", "item", "name", "field")
+        return self._fits(word, value, meaning) or (begun and named)
 
     def _is_made(self, word: str, name: str, value: Any) -> bool:
         """Whether a name without a meaning has what a controller makes."""
@@ -509,7 +508,7 @@ class Interpreter:
         if term.kind == "field":
             root, key = self._path(term.parts[0], env)
             return root, (*key, term.name)
-        if term.kind == "entry":
+        if term.kind in ("entry", "item"):
             root, key = self._path(term.parts[0], env)
             return root, (*key, *(self._place(p, env) for p in term.parts[1:]))
         raise NotFollowedError
@@ -676,7 +675,7 @@ class Interpreter:
                     return UNKNOWN
             case "name":
                 return self._read(term.name, (), env)
-            case "entry" | "field":
+            case "entry" | "field" | "item":
                 try:
                     return self._read(*self._path(term, env), env)
                 except NotFollowedError:
@@ -786,7 +785,7 @@ class Interpreter:
                 parts += inner.parts
             elif isinstance(value, Table) and value.size:
                 places = (Term("number", str(k + self.first)) for k in range(value.size))
-                parts += (Term("entry", "", (inner, place), inner.text) for place in places)
+                parts += (Term("item", "", (inner, place), inner.text) for place in places)
             else:
                 break
         return replace(term, parts=tuple(parts))
