@@ -325,8 +325,8 @@ class Interpreter:
         if word in self.words.inputs and (meaning == word or self._is_made(word, own, value)):
             return True
         begun = isinstance(value, Fraction) and value in self.initial and not meaning
-        named = part.kind in ("entry", "item", "name", "field")
-        return self._fits(word, value, meaning) or (begun and named)
+        given = part.kind in ("entry", "item", "name", "field")
+        return self._fits(word, value, meaning) or (begun and given)
 
     def _is_made(self, word: str, name: str, value: Any) -> bool:
         """Whether a name without a meaning has what a controller makes."""
