@@ -322,3 +322,22 @@ def test_a_number_that_a_call_gives_otherwise_than_its_default_is_quoted(
     line: str, quoted: bool
 ) -> None:
     assert bool(lines_around(f"{DEFAULT}{line}\n", {"rate"}, NAMING)) is quoted
+
+
+DRIVEN = FUNCTIONS.replace("l, g, u)])", "l, g, u*np.cos(t))])")
+MIDPOINT = """for i in range(9):
+    k = rate(t, y, *p)
+    y = y + dt*rate({}, y + dt/2*k, *p)
+    t += {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("time", "span", "quoted"),
+    [("t + dt/2", "dt", False), ("t", "dt", True), ("t - dt/2", "dt", True),
+     ("t + dt/2", "2*dt", True), ("t + dt/2", "-dt", True)],
+)  # fmt: skip
+def test_a_driven_system_is_advanced_at_its_times(time: str, span: str, quoted: bool) -> None:
+    code = DRIVEN + MIDPOINT.format(time, span)
+    assert code.count("np.cos(t)") == 1
+    assert bool(lines_around(code, {"rate"}, NAMING)) is quoted

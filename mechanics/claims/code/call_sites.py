@@ -42,6 +42,7 @@ from mechanics.claims.code.judged_arguments import (
 )
 from mechanics.claims.code.run import (
     FAR,
+    MOMENT,
     Memory,
     Run,
     all_rates,
@@ -620,7 +621,7 @@ def _plain_handle(run: Run, handle: Term, env: dict[str, Any], *, late: bool | N
         result = value_of(run, handle.parts[0], inside)
         filled = inside.get(places.get("out", ""))
         fits = not run.memory.misused and (
-            _rates_at(run, state, result, filled)
+            _rates_at(run, state, result, filled, "time" in places)
             if any(judged.gives for judged in run.judged.values())
             else handle.parts[0].kind == "call" and handle.parts[0].name in run.judged
         )  # fmt: skip
@@ -640,14 +641,18 @@ def _renamed(run: Run, handle: Term, takes: Sequence[str], env: dict[str, Any]) 
     return attempt(run, body, {n: v for n, v in env.items() if n not in takes})
 
 
-def _rates_at(run: Run, state: Table, result: Any, filled: Any) -> bool:
+def _rates_at(run: Run, state: Table, result: Any, filled: Any, timed: bool) -> bool:
     """Whether some values are the rates of a state, or what the function gives at it."""
     values = entries_of(run, filled if filled is not None else result)
     if values is None:
         return False
     entries = entries_of(run, state) or []
+    asked = run.memory.called[-1] if run.memory.called else {}
+    moment = {MOMENT: asked[MOMENT]} if MOMENT in asked else {}
+    if timed and moment.get(MOMENT, number("time")) != number("time"):
+        return False
     for order in orders(run):
-        at = dict(zip(order, entries, strict=False))
+        at = dict(zip(order, entries, strict=False)) | moment
         rates = all_rates(run, at)
         if [*values] == [rates[w] for w in order]:
             return True

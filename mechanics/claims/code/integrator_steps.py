@@ -11,10 +11,13 @@ from fractions import Fraction
 from itertools import islice, product
 from typing import Any
 
+from sympy import S
+
 from mechanics.claims.code.integrators import INTEGRATORS, STEP
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter import (
+    TURNS,
     execute,
     find_vectors,
     forget,
@@ -37,6 +40,8 @@ from mechanics.claims.code.judged_arguments import (
 )
 from mechanics.claims.code.run import (
     FAR,
+    MOMENT,
+    TIME,
     Place,
     Run,
     begin,
@@ -182,6 +187,8 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
     after: dict[str, Any] = {}
     for word, place in places.items():
         after[word] = _now(run, _later(place), env)
+    if not _time_passes(run, env):
+        return False
     choices = [after]
     returned = entries_of(run, result)
     if returned is not None and len(returned) == len(run.words.state):
@@ -195,15 +202,29 @@ def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) 
     symbols = run.words.symbols
     rates = {symbols[w]: rate_of(run, w) for w in run.words.state}
     begun = {symbols[w]: rational(start[w]) for w in run.words.state}
+    rates[TIME] = S.One
+    begun[TIME] = rational(run.memory.called[0].get(MOMENT, Fraction(0)))
     wanted = {symbols[w]: rational(after[w]) for w in run.words.state}
-    spans = [rational(h) for h in run.memory.scalars if h > 0 and h not in start.values()]
+    times = {*start.values(), *(at[MOMENT] for at in run.memory.called if MOMENT in at)}
+    spans = [rational(h) for h in run.memory.scalars if h > 0 and h not in times]
     for advance in INTEGRATORS.values():
         made = advance(run.words, rates, begun)
         values = [(made[s].expand() if hasattr(made[s], "expand") else made[s], wanted[s])
-                  for s in made]  # fmt: skip
+                  for s in wanted]  # fmt: skip
         if any(all(one.subs(STEP, h) == other for one, other in values) for h in spans):
             return True
     return False
+
+
+def _time_passes(run: Run, env: Mapping[str, Any]) -> bool:
+    """Whether the time of a call does not go on by a multiple of the step, or back."""
+    begun = run.memory.called[0].get(MOMENT)
+    place = run.memory.initial.get(begun) if begun is not None else None
+    after = _now(run, _later(place), env) if place is not None else None
+    if begun is None or not isinstance(after, Fraction) or after == begun:
+        return True
+    shares = [(after - begun) / h for h in run.memory.scalars if h > 0 and h != begun]
+    return 1 in shares or all(abs(s) > TURNS or s.denominator > TURNS for s in shares)
 
 
 def _later(place: Place) -> Place:

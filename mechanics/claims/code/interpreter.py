@@ -34,6 +34,7 @@ from mechanics.claims.code.judged_arguments import (
 )
 from mechanics.claims.code.run import (
     FAR,
+    MOMENT,
     Run,
     all_rates,
     entries_of,
@@ -107,6 +108,8 @@ def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
             if words[0] in run.words.state or part.kind == "entry":
                 keys = [value_of(run, p, env) for p in places]
                 entries.setdefault(root_of(part), []).append((takes.index(name), (words[0], keys)))
+        if name == judged.time and isinstance(value, Fraction):
+            at[MOMENT] = Fraction(value)
         if len(words) > 1 and {*words} & {*run.words.state}:
             dense = entries_of(run, value)
             if dense is None:
@@ -123,6 +126,7 @@ def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
     if all(isinstance(v, Fraction) for v in at.values()) and judged.gives:
         run.memory.called.append({w: Fraction(v) for w, v in at.items()})
         needed = {w: at.get(w, number("missing", w)) for w in run.words.state}
+        needed |= {MOMENT: at[MOMENT]} if MOMENT in at else {}
         rates = all_rates(run, needed)
         values = [rates[w] if w in at or w not in run.words.coordinates else UNKNOWN
                   for w in judged.gives]  # fmt: skip

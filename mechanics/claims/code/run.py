@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
@@ -22,6 +22,8 @@ from mechanics.claims.code.interpreter_values import (
 
 Place = tuple[str, tuple[Any, ...]]
 """A name, and which entry of it."""
+MOMENT, TIME = "moment", Symbol("moment")
+"""Of a call."""
 FAR = 1000
 """From here on, indices count steps of time."""
 
@@ -133,10 +135,15 @@ def orders(run: Run) -> list[tuple[str, ...]]:
     return [*dict.fromkeys(((*q, *u), pairs, (*u, *q)))]
 
 
+def _called(run: Run) -> list[JudgedFunction]:
+    """Judged functions that the block calls; all where it says none."""
+    called = run.memory.called_in & run.judged.keys() or run.judged.keys()
+    return [run.judged[name] for name in called]
+
+
 def _taken_words(run: Run) -> set[str]:
     """Entries of the state that functions ask for which the block calls."""
-    called = run.memory.called_in & run.judged.keys() or run.judged.keys()
-    return {w for one in map(run.judged.__getitem__, called)
+    return {w for one in _called(run)
             for name, words in one.meanings.items() if name not in one.unused
             for w in words}  # fmt: skip
 
@@ -152,13 +159,16 @@ def rate_of(run: Run, word: str) -> Expr:
     for other in run.words.state:
         if other in taken:
             made += rational(number("rate", word, other)) * symbols[other]
+    if any(one.time for one in _called(run)):
+        made += rational(number("rate", word, MOMENT)) * TIME
     return made
 
 
 def all_rates(run: Run, at: Mapping[str, Fraction]) -> dict[str, Fraction | None]:
     """Rates of the entries of a state, at a state."""
     symbols = run.words.symbols
-    table = {symbols[w]: rational(v) for w, v in at.items()}
+    table = {symbols[w]: rational(v) for w, v in at.items() if w != MOMENT}
+    table[TIME] = rational(at.get(MOMENT, Fraction(0)))
     found: dict[str, Fraction | None] = {}
     for word in run.words.state:
         value = rate_of(run, word).xreplace(table)

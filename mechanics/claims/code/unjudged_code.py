@@ -230,7 +230,9 @@ def _seen(
     )
     single = {m.name: m.meaning for m in found.names if m.name not in takes}
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
-    return JudgedFunction(name, takes, meanings, filled, gives, around)
+    used = functions[name].body.names() if name in functions else ()
+    time = "t" if "t" in takes and "t" in used else ""
+    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time)
 
 
 def _is_set(function: FileFunction, name: str) -> bool:
