@@ -161,32 +161,34 @@ def find_vectors(
             run.memory.called_in |= handle.body.names()
             for name, part in zip(handle.takes, one.parts, strict=False):
                 if name in run.memory.vectors:
-                    _holds_vector(run, part)
+                    _holds_vector(run, part, run.memory.sizes.get(name))
     for one in block.all():
         if one.kind in ("entry", "field"):
             run.memory.vectors.add(root_of(one))
         if one.kind == "call" and (known := run.judged.get(one.name)) is not None:
             for name, part in zip(known.takes, one.parts, strict=False):
-                if len(known.meanings.get(name, ())) > 1:
-                    _holds_vector(run, part)
+                if (size := len(known.meanings.get(name, ()))) > 1:
+                    _holds_vector(run, part, size)
         if one.kind == "call" and one.name in run.own:
             for name, part in zip(run.own[one.name].takes, one.parts, strict=False):
                 if name in run.memory.vectors:
-                    _holds_vector(run, part)
+                    _holds_vector(run, part, run.memory.sizes.get(name))
         if one.kind == "call" and run.language.brackets and one.name not in run.own:
             run.memory.vectors.add(one.name)
     for one in block.all():
         if one.kind == "set" and (
             one.parts[0].name in run.memory.vectors or one.parts[0].kind == "list"
         ):
-            _holds_vector(run, one.parts[1])
+            _holds_vector(run, one.parts[1], run.memory.sizes.get(one.parts[0].name))
 
 
-def _holds_vector(run: Run, part: Term) -> None:
+def _holds_vector(run: Run, part: Term, size: int | None) -> None:
     """Take what a part names for an array, or for an array of such."""
     if part.kind == "name":
         run.memory.vectors.add(part.name)
-    elif part.kind == "entry" and len(part.parts) == 2 and part.parts[1].kind != "whole":
+        if size is not None and size != len(run.words.state):
+            run.memory.sizes[part.name] = size
+    elif part.kind == "entry" and [p.kind in ("whole", "range") for p in part.parts[1:]] == [False]:
         run.memory.rows.add(root_of(part))
 
 
@@ -226,7 +228,7 @@ def read_name(run: Run, root: str, key: tuple[Any, ...], env: dict[str, Any]) ->
         if not key and (root in run.judged or root in run.own):
             return Handle((), None, {"": root})
         if key or root in run.memory.vectors:
-            env[root] = Table(root)
+            env[root] = Table(root, size=run.memory.sizes.get(root))
         elif root.rpartition(".")[2] in ("pi", "M_PI"):
             env[root] = Literal(355, 113)
         elif word and word not in run.words.state:

@@ -44,6 +44,8 @@ class Memory:
         What may be the step of an integrator.
     vectors, rows, places : set of str
         Names of arrays, of arrays of such, and of what counts entries.
+    sizes : dict of str to int
+        Of arrays that are no whole state.
     called_in : set of str
         Names in the block.
     depth : int
@@ -71,6 +73,7 @@ class Memory:
     misused: bool = False
     scalars: set[Fraction] = field(default_factory=set)
     vectors: set[str] = field(default_factory=set)
+    sizes: dict[str, int] = field(default_factory=dict)
     rows: set[str] = field(default_factory=set)
     places: set[str] = field(default_factory=set)
     called_in: set[str] = field(default_factory=set)
@@ -115,7 +118,7 @@ def begin(run: Run) -> None:
     memory = run.memory
     memory.initial, memory.called, memory.misused = {}, [], False
     memory.scalars, memory.vectors, memory.rows, memory.places = set(), set(), set(), set()
-    memory.called_in, memory.depth = set(), 0
+    memory.called_in, memory.sizes, memory.depth = set(), {}, 0
 
 
 def functions_in(run: Run, env: Mapping[str, Any]) -> set[str]:
