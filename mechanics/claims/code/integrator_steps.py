@@ -85,11 +85,10 @@ def _sets(run: Run, block: Term) -> set[str]:
             for t in targets_of(one.parts[0])}  # fmt: skip
 
 
-def _is_advanced(
-    run: Run, block: Term, env: dict[str, Any], counter: str, function: FileFunction | None,
-    kept: Sequence[Term],
-) -> bool:  # fmt: skip
-    """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
+def _known_before(
+    run: Run, block: Term, env: Mapping[str, Any], counter: str, function: FileFunction | None
+) -> dict[str, Any]:
+    """What is known before a block, without what it changes; the rest is random then."""
     begin(run)
     run.memory.count += 1
     inside = {n: v for n, v in env.items() if not isinstance(v, Unknown)}
@@ -111,6 +110,15 @@ def _is_advanced(
         ):
             for place in one.parts[1:] if one.kind == "entry" else one.parts:
                 run.memory.places |= {n.name for n in place.all() if n.kind == "name"}
+    return inside
+
+
+def _is_advanced(
+    run: Run, block: Term, env: dict[str, Any], counter: str, function: FileFunction | None,
+    kept: Sequence[Term],
+) -> bool:  # fmt: skip
+    """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
+    inside = _known_before(run, block, env, counter, function)
     run.memory.stepping = True
     try:
         for one in kept:

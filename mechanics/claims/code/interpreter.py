@@ -17,6 +17,7 @@ from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
     UNKNOWN,
     Handle,
+    JudgedFunction,
     Literal,
     NotFollowedError,
     Table,
@@ -26,11 +27,11 @@ from mechanics.claims.code.interpreter_values import (
     targets_of,
 )
 from mechanics.claims.code.judged_arguments import (
-    _speed_of,
     accepted,
     in_usual_order,
     is_another,
     is_possible,
+    speed_of,
 )
 from mechanics.claims.code.run import (
     FAR,
@@ -80,6 +81,21 @@ def handle_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return value_of(run, term, env)
 
 
+def _returned(run: Run, judged: JudgedFunction, at: Mapping[str, Any]) -> Any:
+    """What the judged function gives at a state."""
+    if not judged.gives or not all(isinstance(v, Fraction) for v in at.values()):
+        run.memory.misused |= run.memory.stepping
+        return UNKNOWN
+    run.memory.called.append({w: Fraction(v) for w, v in at.items()})
+    needed = {w: at.get(w, number("missing", w)) for w in run.words.state}
+    rates = all_rates(run, needed | ({MOMENT: at[MOMENT]} if MOMENT in at else {}))
+    turned = [w for w in judged.gives if w in run.words.coordinates]
+    unasked = any(speed_of(run, w) not in at for w in turned)
+    values = [UNKNOWN if w in turned and (unasked or w not in at) else rates[w]
+              for w in judged.gives]  # fmt: skip
+    return values[0] if len(values) == 1 else row_of(run, values)
+
+
 def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
     """A call of the judged function."""
     judged = run.judged[call.name]
@@ -122,23 +138,7 @@ def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
         run.memory.misused = True
     if not run.memory.stepping and any(not in_usual_order(run, one) for one in entries.values()):
         run.memory.misused = True
-    result: Any = UNKNOWN
-    if all(isinstance(v, Fraction) for v in at.values()) and judged.gives:
-        run.memory.called.append({w: Fraction(v) for w, v in at.items()})
-        needed = {w: at.get(w, number("missing", w)) for w in run.words.state}
-        needed |= {MOMENT: at[MOMENT]} if MOMENT in at else {}
-        rates = all_rates(run, needed)
-        values = [rates[w] if w in at or w not in run.words.coordinates else UNKNOWN
-                  for w in judged.gives]  # fmt: skip
-        if any(w in run.words.coordinates and _speed_of(run, w) not in at
-               for w in judged.gives):  # fmt: skip
-            values = [UNKNOWN if w in run.words.coordinates else v
-                      for w, v in zip(judged.gives, values, strict=True)]  # fmt: skip
-        result = values[0] if len(values) == 1 else Table(
-            entries={(k + run.language.first,): v for k, v in enumerate(values)}, size=len(values)
-        )  # fmt: skip
-    elif run.memory.stepping:
-        run.memory.misused = True
+    result = _returned(run, judged, at)
     for k, part in enumerate(out):
         value = result
         if len(out) > 1 and isinstance(result, Table):

@@ -52,7 +52,8 @@ def _place_of(run: Run, part: Term) -> str:
     return part.text or part.name if part.kind in ("name", "field") else ""
 
 
-def _speed_of(run: Run, word: str) -> str:
+def speed_of(run: Run, word: str) -> str:
+    """The word of the speed that belongs to a coordinate."""
     q, u = run.words.coordinates, run.words.speeds
     return u[q.index(word)] if len(q) == len(u) else word
 
