@@ -374,3 +374,16 @@ SOLVED = "def rhs(t, y):\n    q, qd = y[:2], y[2:]\n    return {}\nsolve_ivp(rhs
 )
 def test_columns_of_coordinates_and_speeds_are_followed(text: str, quoted: bool) -> None:
     assert bool(lines_around(f"{TWO}{text}\n", {"accel"}, ANGLES)) is quoted
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def first(n):\n    while n > 0:\n        n -= 1\n    return n\ng = first(9)*l",
+        "def again(f, n):\n    return again(f, n - 1) if n else f\nagain(rate, 9)",
+        "def endless(x):\n    return endless(x)\nprint(endless(l)*rate(0, y, *p))",
+        "l = 1/0",
+    ],
+)
+def test_what_is_not_followed_raises_nothing(text: str) -> None:
+    assert {*_quoted(text)} <= {*text.splitlines()}

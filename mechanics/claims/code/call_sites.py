@@ -19,11 +19,10 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter import (
     attempt,
-    call_judged,
     find_vectors,
     forget,
     handle_of,
-    value_of,
+    known_value,
 )
 from mechanics.claims.code.interpreter_values import (
     UNKNOWN,
@@ -241,7 +240,7 @@ def _is_another_number(run: Run, line: Term, env: dict[str, Any]) -> bool:
         return False
     words = {number("word", w): w for w in run.words.parameters.keys() | run.words.inputs}
     for target in targets_of(line.parts[0]):
-        word, value = _word(run, target), value_of(run, target, env)
+        word, value = _word(run, target), known_value(run, target, env)
         if not word or isinstance(value, Table | Literal):
             continue
         own = line.name or word in map(partial(meaning_of, run), line.parts[1].names())
@@ -278,8 +277,8 @@ def misuses(run: Run, call: Term, env: dict[str, Any]) -> bool:
     env : dict of str to value
     """
     saved, run.memory.misused = run.memory.misused, False
-    call_judged(run, call, env)
-    found, run.memory.misused = run.memory.misused, saved
+    found = not attempt(run, call, env)
+    run.memory.misused = saved
     return found
 
 
@@ -294,12 +293,12 @@ def _alters(run: Run, call: Term, env: dict[str, Any]) -> bool:
     if call.name in run.own:
         takes = run.own[call.name].takes
         pairs = zip(takes, call.parts, strict=False)
-        if any(_excludes(run, name, value_of(run, part, env)) for name, part in pairs):
+        if any(_excludes(run, name, known_value(run, part, env)) for name, part in pairs):
             return True
     if call.name in ("odeset", "struct"):
         names = [p.text.strip("'\"") for p in call.parts[::2]]
         if call.name == "struct":
-            values = [value_of(run, part, env) for part in call.parts[1::2]]
+            values = [known_value(run, part, env) for part in call.parts[1::2]]
             words = [Term("name", name) for name in names]
             return any(map(partial(_excludes, run), names, values)) or any(
                 map(partial(_is_another_word, run), words, call.parts[1::2])
@@ -333,7 +332,7 @@ def _is_parameter_list(run: Run, part: Term, env: dict[str, Any]) -> bool:
     for judged in run.judged.values():
         takes = judged.takes
         name = takes[-2] if takes[-1:] == ("t",) and len(takes) > 2 else ""
-        if not accepted(run, judged, name, part, value_of(run, part, env)):
+        if not accepted(run, judged, name, part, known_value(run, part, env)):
             return False
     return True
 
@@ -342,7 +341,7 @@ def _is_impossible(run: Run, one: Term, env: dict[str, Any]) -> bool:
     """Whether a field or an option is a number that its parameter cannot have."""
     if one.kind != "set" or one.parts[0].kind != "name":
         return False
-    excluded = _excludes(run, one.parts[0].name, value_of(run, one.parts[1], env))
+    excluded = _excludes(run, one.parts[0].name, known_value(run, one.parts[1], env))
     return excluded or _is_another_word(run, *one.parts)
 
 
@@ -421,7 +420,7 @@ def _called_plainly(run: Run, call: Term, env: dict[str, Any]) -> bool:
             if part.name != name:
                 return False
         elif part.kind in ("minus", "binary"):
-            value = value_of(run, part, env)
+            value = known_value(run, part, env)
             if not isinstance(value, Literal) or (value <= 0 and name in STEPS):
                 return False
         elif part.kind == "other" and part.names():
@@ -434,7 +433,7 @@ def _solved(run: Run, call: Term, env: dict[str, Any]) -> bool:
     if not SOLVERS.search(call.name) or not _in_order(run, call, env):
         return False
     return all(
-        accepted(run, judged, name, part, value_of(run, part, env))
+        accepted(run, judged, name, part, known_value(run, part, env))
         for judged in run.judged.values()
         for name, part in _beside(judged.takes, call)
     )
@@ -534,7 +533,7 @@ def _silent(run: Run) -> set[str]:
 
 def _returns(run: Run, one: FileFunction, functions: set[str]) -> bool:
     """Whether a function returns what some functions returned, and no state advanced by it."""
-    other = again(run)
+    other = replace(run, memory=Memory())
     blocks = [
         (one.body, one),
         *((t.parts[1], None) for t in one.body.all() if t.kind == "loop"),
@@ -549,11 +548,6 @@ def _returns(run: Run, one: FileFunction, functions: set[str]) -> bool:
                   for t in targets_of(line.parts[0])} - made - advanced:  # fmt: skip
         made |= new
     return any(_holding(run, t, functions, made) for t in one.body.all() if t.kind == "return")
-
-
-def again(run: Run) -> Run:
-    """The same, where nothing has been looked at."""
-    return replace(run, memory=Memory())
 
 
 def _results(run: Run, value: Term, functions: set[str], made: set[str]) -> bool:
@@ -577,9 +571,12 @@ def _taken(run: Run, call: Term, handed: Sequence[int], env: dict[str, Any]) -> 
         for k, (name, part) in enumerate(zip(one.takes, call.parts, strict=False))
         if k in handed
     }
-    other = again(run)
+    if call.name in run.memory.taken:
+        return True
+    taken = Memory(taken=run.memory.taken | {call.name})
+    other = replace(run, memory=taken)
     if not is_step(other, one.body, dict(given), "", one):
-        other = again(run)
+        begin(other)
         find_vectors(other, one.body, given)
         if _lines(other, one.body, dict(given), set()):
             return False
@@ -618,7 +615,7 @@ def _plain_handle(run: Run, handle: Term, env: dict[str, Any], *, late: bool | N
         inside[name] = {"state": state, "time": Literal(number("time")), "out": Table(name),
                         "parameters": Table("parameters")}[place]  # fmt: skip
     try:
-        result = value_of(run, handle.parts[0], inside)
+        result = known_value(run, handle.parts[0], inside)
         filled = inside.get(places.get("out", ""))
         fits = not run.memory.misused and (
             _rates_at(run, state, result, filled, "time" in places)

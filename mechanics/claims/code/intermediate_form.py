@@ -35,8 +35,9 @@ class Term:
     Attributes
     ----------
     kind : str
-        number, name, entry, field, call, minus, binary, list, handle, whole, other; set, loop,
-        case, block, return.
+        number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
+        loop, case, block, return. Of Python, too: choice (one of its parts, or what is made of
+        them), star and absent (arguments that are spread, and left out), item (of such).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term

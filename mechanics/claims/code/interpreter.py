@@ -1,4 +1,4 @@
-"""Statements of another language, run on random numbers, with a random map for the judged function.
+"""Statements of code, run on random numbers, with a random map for the judged function.
 
     y = y + h*rate(t, y, p)         every name that nothing gives a value has a random one,
                                     rate is a random affine map of the state
@@ -445,6 +445,14 @@ def value_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return value
 
 
+def known_value(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """The value of a formula, unknown where it is not followed."""
+    try:
+        return value_of(run, term, env)
+    except (NotFollowedError, RecursionError, ZeroDivisionError):
+        return UNKNOWN
+
+
 def _may_be_a_step(run: Run, term: Term, value: Fraction) -> bool:
     match term.kind:
         case "name" | "field":
@@ -666,8 +674,10 @@ def _inlined(run: Run, term: Term, env: dict[str, Any]) -> Any:
                    if n.startswith(f"{other}.")}  # fmt: skip
     run.memory.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
     run.memory.depth += 1
-    result = execute(run, one.body, inside)
-    run.memory.depth -= 1
+    try:
+        result = execute(run, one.body, inside)
+    finally:
+        run.memory.depth -= 1
     for name in one.fills & shared.keys():
         env[name] = inside.get(name, UNKNOWN)
     for name, (base, dot, last) in ((n, n.partition(".")) for n in one.fills):

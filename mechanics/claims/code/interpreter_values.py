@@ -1,4 +1,4 @@
-"""What statements of another language are run on: random numbers, arrays, functions."""
+"""What statements of code are run on: random numbers, arrays, functions."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field

@@ -58,6 +58,8 @@ class Memory:
         Where the state is that the last block advances.
     explained : set of str
         Functions that have been looked at.
+    taken : frozenset of str
+        Functions in which we are, that are handed the judged one.
     before : list of Term
         Lines before a loop that give a name what a function returns.
     made, problems : set of str
@@ -82,6 +84,7 @@ class Memory:
     count: int = 0
     advanced: tuple[Place, ...] = ()
     explained: set[str] = field(default_factory=set)
+    taken: frozenset[str] = frozenset()
     before: list[Term] = field(default_factory=list)
     made: set[str] = field(default_factory=set)
     problems: set[str] = field(default_factory=set)
