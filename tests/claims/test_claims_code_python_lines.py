@@ -13,7 +13,7 @@ from mechanics.grading.grade import grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import rod_pendulum
+from systems import double_pendulum, rod_pendulum
 
 ROD = rod_pendulum.scene()
 NAMING = Naming(
@@ -83,6 +83,15 @@ STEPS = (
     "for i in range(9):\n    ws.append(ws[i] + accel(ths[i], ws[i], *p)*dt)\n"
     "    ths.append(ths[i] - ws[i+1]*dt)",
     "def push(y):\n    y -= dt*rate(0, y, *p)",
+    "dt = -0.01\nfor i in range(9):\n    y = y + dt*rate(t, y, *p)",
+    "for i in range(9):\n    y = y + m*rate(t, y, *p)",
+    "a = accel(th, w, *p)\nfor i in range(9):\n    th += w*dt + a*dt**2/2\n"
+    "    b = accel(th, w, *p)\n    w += (a - b)*dt/2\n    a = b",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += w*dt\n"
+    "    if th > np.pi:\n        th -= np.pi",
+    "f = partial(rate, m=m, l=l, g=g, u=u)\nfor i in range(9):\n    y = y - dt*f(t, y)",
+    "class Sim:\n    def update(self, dt):\n        self.w += accel(self.th, self.w, *p)*dt\n"
+    "        self.th += self.w*dt\nsim = Sim()\nfor i in range(9):\n    sim.update(-dt)",
 )
 CHANGED = (
     "a = -accel(th, w, *p)",
@@ -96,6 +105,10 @@ CHANGED = (
     "f = lambda t, y: -rate(t, y, *p)",
     "solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, 1), y)",
     "solve_ivp(lambda t, y: [y[0], accel(y[0], y[1], *p)], (0, 1), y)",
+    "def rhs(t, y):\n    th, w = y\n    return [accel(th, w, *p), w]\nsolve_ivp(rhs, (0, 1), y)",
+    "def rhs(t, y):\n    w, th = y\n    return [w, accel(th, w, *p)]\nsolve_ivp(rhs, (0, 1), y)",
+    "def flip(f):\n    def inner(t, y):\n        return -f(t, y, *p)\n    return inner",
+    "solve_ivp(fun=lambda t, y: -rate(t, y, *p), t_span=(0, 1), y0=y)",
 )
 ARGUMENTS = (
     "print(accel(w, th, m, l, g, u))",
@@ -150,6 +163,9 @@ PLACED = (
     "g *= -1",
     "g = u",
     "s = m\nm = l\nl = s",
+    "q = {'l': l}\nq['l'] = m",
+    "solve_ivp(fun=rate, t_span=(0, 1), y0=y, args=(l, m, g, u))",
+    "def f(t, y): return rate(t, [y[1], y[0]], *p)\nsolve_ivp(f, (0, 1), y)",
 )
 INNOCENT = (
     CLASS.format("__call__", "t, y", "rate(t, y, self.m, self.l, self.g, self.u)")
@@ -210,6 +226,20 @@ NOTHING = (
     "n = 0\nwhile n < 5:\n    n += 1",
     "top = 0\nfor v in sol.y[0]:\n    top = max(top, abs(v))",
     "for k in range(3):\n    sol = solve_ivp(rate, (0, 1), y, args=p)\n    y = sol.y[:, -1]",
+    "a = accel(th, w, *p)\nfor i in range(9):\n    th += w*dt + a*dt**2/2\n"
+    "    b = accel(th, w, *p)\n    w += (a + b)*dt/2\n    a = b",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += w*dt\n"
+    "    if th > np.pi:\n        th -= 2*np.pi",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n"
+    "    th = np.arctan2(np.sin(th + w*dt), np.cos(th + w*dt))",
+    "for i in range(9):\n    d = rate(t, y, *p)\n    y[1] += dt*d[1]\n    y[0] += dt*y[1]",
+    "for i in range(9):\n    d = rate(t, y, *p)\n    for j in range(2):\n        y[j] += dt*d[j]",
+    "f = partial(rate, m=m, l=l, g=g, u=u)\nfor i in range(9):\n    y = y + dt*f(t, y)",
+    "def step(s):\n    th, w = s['th'], s['w']\n    w += accel(th, w, *p)*dt\n    th += w*dt\n"
+    "    s['th'], s['w'] = th, w\nfor i in range(9):\n    step(state)",
+    "def simulate(y, n):\n    ys = np.zeros((n, 2))\n    ys[0] = y\n    for k in range(n - 1):\n"
+    "        ys[k+1] = ys[k] + dt*rate(0, ys[k], *p)\n    return ys\n"
+    "plt.plot(180/np.pi*simulate(y, 9)[:, 0])",
 )
 
 
@@ -292,3 +322,68 @@ def test_a_number_that_a_call_gives_otherwise_than_its_default_is_quoted(
     line: str, quoted: bool
 ) -> None:
     assert bool(lines_around(f"{DEFAULT}{line}\n", {"rate"}, NAMING)) is quoted
+
+
+DRIVEN = FUNCTIONS.replace("l, g, u)])", "l, g, u*np.cos(t))])")
+MIDPOINT = """for i in range(9):
+    k = rate(t, y, *p)
+    y = y + dt*rate({}, y + dt/2*k, *p)
+    t += {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("time", "span", "quoted"),
+    [("t + dt/2", "dt", False), ("t", "dt", True), ("t - dt/2", "dt", True),
+     ("t + dt/2", "2*dt", True), ("t + dt/2", "-dt", True)],
+)  # fmt: skip
+def test_a_driven_system_is_advanced_at_its_times(time: str, span: str, quoted: bool) -> None:
+    code = DRIVEN + MIDPOINT.format(time, span)
+    assert code.count("np.cos(t)") == 1
+    assert bool(lines_around(code, {"rate"}, NAMING)) is quoted
+
+
+TWO = """import numpy as np
+def accel(q, qd):
+    return np.linalg.solve(M(q), f(q, qd))
+dt, q, qd = 0.01, np.array([0.1, 0.2]), np.zeros(2)
+"""
+ANGLES = Naming(
+    Vocabulary(double_pendulum.scene()),
+    {},
+    (
+        Match("q", "phi1 phi2", "nothing else is left"),
+        Match("qd", "phi1_dot phi2_dot", "nothing else is left"),
+    ),
+)
+SOLVED = "def rhs(t, y):\n    q, qd = y[:2], y[2:]\n    return {}\nsolve_ivp(rhs, (0, 1), y)"
+
+
+@pytest.mark.parametrize(
+    ("text", "quoted"),
+    [
+        ("for i in range(9):\n    qd += accel(q, qd)*dt\n    q += qd*dt", False),
+        ("for i in range(9):\n    qd -= accel(q, qd)*dt\n    q += qd*dt", True),
+        ("for i in range(9):\n    qd += accel(qd, q)*dt\n    q += qd*dt", True),
+        ("for i in range(9):\n    y[2:] += dt*accel(y[:2], y[2:])\n    y[:2] += dt*y[2:]", False),
+        ("for i in range(9):\n    y[2:] += dt*accel(y[:2], y[2:])\n    y[:2] += dt*y[:2]", True),
+        (SOLVED.format("np.concatenate([qd, accel(q, qd)])"), False),
+        (SOLVED.format("np.hstack((accel(q, qd), qd))"), True),
+        (SOLVED.format("np.hstack((qd, -accel(q, qd)))"), True),
+    ],
+)
+def test_columns_of_coordinates_and_speeds_are_followed(text: str, quoted: bool) -> None:
+    assert bool(lines_around(f"{TWO}{text}\n", {"accel"}, ANGLES)) is quoted
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def first(n):\n    while n > 0:\n        n -= 1\n    return n\ng = first(9)*l",
+        "def again(f, n):\n    return again(f, n - 1) if n else f\nagain(rate, 9)",
+        "def endless(x):\n    return endless(x)\nprint(endless(l)*rate(0, y, *p))",
+        "l = 1/0",
+    ],
+)
+def test_what_is_not_followed_raises_nothing(text: str) -> None:
+    assert {*_quoted(text)} <= {*text.splitlines()}

@@ -171,7 +171,9 @@ def _constant(halves: Halves, rates: Rates, state: State) -> State:
 def _verlet(halves: Halves, rates: Rates, state: State) -> State:
     end = _constant(halves, rates, state)
     after = {**end, **{u: state[u] for u in halves.u}}
-    speeds = {u: state[u] + STEP / 2 * (rates[u] + put(rates[u], after)) for u in halves.u}
+    speeds = {
+        u: state[u] + STEP / 2 * (put(rates[u], state) + put(rates[u], after)) for u in halves.u
+    }
     return {**end, **speeds}
 
 
@@ -182,7 +184,7 @@ def _midpoint(halves: Halves, rates: Rates, state: State) -> State:
 
 def _heun(halves: Halves, rates: Rates, state: State) -> State:
     end = _explicit(halves, rates, state)
-    return {s: v + STEP / 2 * (rates[s] + put(rates[s], end)) for s, v in state.items()}
+    return {s: v + STEP / 2 * (put(rates[s], state) + put(rates[s], end)) for s, v in state.items()}
 
 
 def _rk4(halves: Halves, rates: Rates, state: State) -> State:

@@ -18,7 +18,8 @@ BLOCKS = ("block", "compound_statement", "expression_statement", "source_file", 
           "elseif_clause", "macro_argument_list", "let_statement", "argument",
           "translation_unit")  # fmt: skip
 LISTS = ("matrix", "row", "vector_expression", "matrix_expression", "matrix_row",
-         "initializer_list", "tuple_expression", "open_tuple", "multioutput_variable")  # fmt: skip
+         "initializer_list", "tuple_expression", "open_tuple", "cell",
+         "multioutput_variable")  # fmt: skip
 BRACKETS = ("parenthesis", "parenthesized_expression", "condition_clause", "postfix_operator",
             "adjoint_expression", "typed_expression")  # fmt: skip
 COMMAND = re.compile(r"([^\W\d]\w*)\s*([-+*/])=\s*(.+)", re.DOTALL)
@@ -34,8 +35,9 @@ class Term:
     Attributes
     ----------
     kind : str
-        number, name, entry, field, call, minus, binary, list, handle, whole, other; set, loop,
-        case, block, return.
+        number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
+        loop, case, block, return. Of Python, too: choice (one of its parts, or what is made of
+        them), star and absent (arguments that are spread, and left out), item (of such).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term
@@ -86,6 +88,8 @@ def _term(node: Any, text: str) -> Term:
             return Term("name", text)
         case "number" | "number_literal" | "integer_literal" | "float_literal":
             return Term("number", text.rstrip("fFlL"))
+        case "range" | "range_expression" if len(parts) == 2:
+            return Term("range", "", _parts(parts))
         case "spread_operator":
             return Term("whole")
         case kind if kind in BLOCKS:
@@ -143,6 +147,8 @@ def _term(node: Any, text: str) -> Term:
             return Term("set", sign, (term(parts[0]), Term("number", "1")))
         case "declaration":
             return Term("block", "", tuple(_declared(node)))
+        case "let_binding" if len(parts) == 2:
+            return Term("set", "", _parts(parts))
         case "named_field" | "initializer_pair" | "named_argument" if len(parts) == 2:
             return Term("set", "", (Term("name", words(parts[0]).strip(".")), term(parts[1])))
         case "for_statement" | "while_statement":
@@ -157,7 +163,7 @@ def _term(node: Any, text: str) -> Term:
             return Term("block", "", _parts(parts[1:]))
         case "preproc_def" if len(parts) == 2:
             return Term("set", "", (Term("name", words(parts[0])), Term("number", words(parts[1]))))
-        case "string" if re.fullmatch(r"'[^\W\d]\w*'", text):  # ode45('rate', ...)
+        case "string" if re.fullmatch(r"(['\"])[^\W\d]\w*\1", text):  # ode45('rate', ...)
             return Term("name", text[1:-1])
         case "function_definition" | "string" | "string_literal" | "comment" | "line_comment":
             return Term("other")
@@ -176,6 +182,8 @@ def _call(parts: list[Any]) -> Term:
     given = _parts(inside)
     if name in CHANGES and len(given) == 1:
         return given[0]
+    if name == "deal" and len(given) > 1:
+        return Term("list", "", given)
     if head.type == "identifier" or "::" in name or "." in name:
         return Term("call", re.split(r"::", name)[-1], given)
     return Term("other", "", (term(head), *given))

@@ -1,4 +1,4 @@
-"""What statements of another language are run on: random numbers, arrays, functions."""
+"""What statements of code are run on: random numbers, arrays, functions."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -12,7 +12,6 @@ from sympy import Expr, Rational
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
-from mechanics.scene import Scene
 from mechanics.scene.symbols import DOTS
 
 
@@ -41,11 +40,14 @@ class Table:
     entries : dict of tuple to value
     size : int or None
         None where nothing says it.
+    added : int
+        Entries at its end that it did not have.
     """
 
     name: str = ""
     entries: dict[tuple[Any, ...], Any] = field(default_factory=dict)
     size: int | None = None
+    added: int = 0
 
 
 @dataclass(frozen=True)
@@ -68,17 +70,21 @@ class FileFunction:
     body : Term
     shared : frozenset of str
         Arguments that its caller sees changed.
+    local : frozenset of str
+        Names of its own, where the language says so.
     """
 
     takes: tuple[str, ...]
     gives: tuple[str, ...]
     body: Term
     shared: frozenset[str] = frozenset()
+    local: frozenset[str] = frozenset()
 
     @cached_property
     def fills(self) -> frozenset[str]:
-        """Roots of what it assigns."""
-        return frozenset(root_of(one.parts[0]) for one in self.body.all() if one.kind == "set")
+        """Roots of what it assigns that is not its own."""
+        sets = frozenset(root_of(one.parts[0]) for one in self.body.all() if one.kind == "set")
+        return sets - self.local
 
     def free(self) -> set[str]:
         """Names of what is around it that it uses."""
@@ -101,6 +107,12 @@ class JudgedFunction:
         What names of the file are that it uses and does not take.
     gives : tuple of str
         Whose rates it gives, in order; empty where it gives something else.
+    defaults : mapping of str to Fraction
+        Numbers of arguments that a call may leave out.
+    unused : frozenset of str
+        Arguments that make no difference.
+    time : str
+        The argument that is the time, where that makes a difference.
     """
 
     name: str
@@ -109,6 +121,39 @@ class JudgedFunction:
     fills: tuple[str, ...]
     gives: tuple[str, ...]
     around: Mapping[str, str] = field(default_factory=dict)
+    defaults: Mapping[str, Fraction] = field(default_factory=dict)
+    unused: frozenset[str] = frozenset()
+    time: str = ""
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language differs from the others.
+
+    Attributes
+    ----------
+    name : str
+    first : int
+        The first index of an array.
+    brackets : bool
+        Whether y(1) may be an entry.
+    pointers : bool
+        Whether a call may change what it is given.
+    integers : bool
+        Whether 1/6 is 0.
+    shows : frozenset of str
+        Calls that only show something.
+    keeps : frozenset of str or None
+        Calls that leave a result as it is; None where nothing says it.
+    """
+
+    name: str
+    first: int = 0
+    brackets: bool = False
+    pointers: bool = False
+    integers: bool = False
+    shows: frozenset[str] = frozenset()
+    keeps: frozenset[str] | None = None
 
 
 @dataclass(frozen=True)
@@ -117,20 +162,28 @@ class SceneNames:
 
     Attributes
     ----------
-    naming : Naming
+    q, u : tuple of Symbol
+        Coordinates and speeds.
+    accelerations, inputs : frozenset of str
+        Their words.
+    parameters : mapping of str to Symbol
+    naming : Naming, optional
+        What names of a person are.
     """
 
-    naming: Naming
-
-    @property
-    def scene(self) -> Scene:
-        """The scene."""
-        return self.naming.vocabulary.scene
+    q: tuple[Expr, ...]
+    u: tuple[Expr, ...]
+    accelerations: frozenset[str] = frozenset()
+    inputs: frozenset[str] = frozenset()
+    parameters: Mapping[str, Expr] = field(default_factory=dict)
+    naming: Naming | None = None
 
     def meaning(self, name: str) -> str:
-        """The word of the scene that a name is; empty for none."""
+        """The word of the scene that a name is, or the last part of it; empty for none."""
+        if self.naming is None:
+            return ""
         try:
-            found = self.naming.lookup(name)
+            found = self.naming.lookup(name.rpartition(".")[2])
         except (InputError, KeyError):
             return ""
         return "" if found is None or found[0] == "t" else found[0] + DOTS[found[1]]
@@ -138,27 +191,32 @@ class SceneNames:
     @cached_property
     def symbols(self) -> dict[str, Expr]:
         """Of the state, by their words."""
-        return {str(s): s for s in (*self.scene.q, *self.scene.u)}
+        return {str(s): s for s in (*self.q, *self.u)}
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:
         """Words of the coordinates."""
-        return tuple(map(str, self.scene.q))
+        return tuple(map(str, self.q))
 
     @cached_property
     def speeds(self) -> tuple[str, ...]:
         """Words of the speeds."""
-        return tuple(map(str, self.scene.u))
-
-    @cached_property
-    def inputs(self) -> frozenset[str]:
-        """Words of the inputs."""
-        return frozenset(map(str, self.scene.input_symbols))
+        return tuple(map(str, self.u))
 
     @property
     def state(self) -> tuple[str, ...]:
         """Words of coordinates and speeds."""
         return (*self.coordinates, *self.speeds)
+
+
+def names_of(naming: Naming) -> SceneNames:
+    """Names of the scene that somebody's names speak of."""
+    scene = naming.vocabulary.scene
+    inputs = frozenset(map(str, scene.input_symbols))
+    rates = frozenset(map(str, scene.ud))
+    return SceneNames(
+        tuple(scene.q), tuple(scene.u), rates, inputs, {str(s): s for s in scene.parameters}, naming
+    )
 
 
 def number(*seed: object) -> Fraction:

@@ -1,0 +1,375 @@
+"""Statements of Python in the intermediate form.
+
+y[i + 1] = y[i] + h*rate(t, y[i], g=g)      set(entry(y, ...), ...), arguments in their order
+self.w, s["w"]                              names with a dot
+solve_ivp(rate, span, y0, args=(m, l))      solve_ivp(handle(t y, call(rate, t, y, m, l)), ...)
+"""
+
+import ast
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from mechanics.claims.code.intermediate_form import Term
+
+SIGNS: dict[type[ast.operator], str] = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.Mod: "%",
+    ast.MatMult: "@", ast.FloorDiv: "//",
+}  # fmt: skip
+SAME = frozenset(
+    ("array", "asarray", "float", "copy", "deepcopy", "float64", "list", "tuple", "ravel",
+     "flatten", "squeeze", "tolist", "item", "atleast_1d", "hstack", "concatenate")
+)  # fmt: skip
+"""Calls that leave a value as it is."""
+MODULES = frozenset(("np", "numpy", "math", "jnp", "plt", "scipy", "sp", "copy", "integrate", "la"))
+TIME_FIRST = ("solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA", "ode")
+STATE_FIRST = ("odeint",)
+ARCTANGENTS = (["arctan2", "sin", "cos"], ["atan2", "sin", "cos"])
+DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
+NOW, NEXT = Term("number", "1007"), Term("number", "1008")
+"""Two times, one after the other."""
+SOLVED = (Term("name", "solver.t", (), "solver.t"), Term("name", "solver.y", (), "solver.y"))
+"""What a solver calls a function with."""
+ABSENT = Term("absent")
+"""An argument that a call leaves to its default."""
+
+
+def word(node: ast.AST) -> str:
+    """The last name of a name or attribute."""
+    return getattr(node, "id", "") or getattr(node, "attr", "")
+
+
+@dataclass(frozen=True)
+class PythonFile:
+    """What the form of a statement depends on.
+
+    Attributes
+    ----------
+    takes : mapping of str to sequence of str
+        Names of arguments of the functions of the file.
+    lines : sequence of str
+        Its text.
+    calls : mapping of str to str
+        Functions that objects are when they are called.
+    started : str
+        What ``ode`` of SciPy is handed.
+    """
+
+    takes: Mapping[str, Sequence[str]]
+    lines: Sequence[str] = ()
+    calls: Mapping[str, str] = field(default_factory=dict)
+    started: str = ""
+
+
+def block(body: Sequence[ast.stmt], file: PythonFile) -> Term:
+    """Statements, one after the other."""
+    return Term("block", "", tuple(statement(one, file) for one in body))
+
+
+def statement(node: ast.stmt, file: PythonFile) -> Term:
+    """A statement, with the line in which it begins."""
+    first = file.lines[node.lineno - 1] if 0 < node.lineno <= len(file.lines) else ""
+    text = " ".join(first.split()) or ast.unparse(node).partition("\n")[0]
+    return replace(_statement(node, file), text=text)
+
+
+def _statement(node: ast.stmt, file: PythonFile) -> Term:
+    def of(part: ast.expr) -> Term:
+        return expression(part, file)
+
+    match node:
+        case ast.Assign(targets=[target], value=value):
+            return Term("set", "", (of(target), of(value)))
+        case ast.Assign(targets=[*targets, last], value=value):
+            sets = [Term("set", "", (of(last), of(value)))]
+            sets += [Term("set", "", (of(target), of(last))) for target in targets]
+            return Term("block", "", tuple(sets))
+        case ast.AnnAssign(target=target, value=ast.expr() as value):
+            return Term("set", "", (of(target), of(value)))
+        case ast.AugAssign(target=target, op=op, value=value):
+            return Term("set", SIGNS.get(type(op), "?"), (of(target), of(value)))
+        case ast.Expr(value=value):
+            return of(value)
+        case ast.Return(value=value):
+            return Term("return", "", (of(value),) if value is not None else ())
+        case ast.For(target=target, iter=over, body=body):
+            return _loop(target, over, block(body, file), file)
+        case ast.While(test=test, body=body):
+            return Term("loop", "", (Term("list"), block(body, file)))
+        case ast.If(test=test, body=body, orelse=other):
+            return Term("case", "", (of(test), block(body, file), block(other, file)))
+        case ast.With(items=items, body=body):
+            return Term("block", "", (*(of(i.context_expr) for i in items), block(body, file)))
+        case ast.Try(body=body, handlers=handlers, orelse=other, finalbody=last):
+            others = [block(handler.body, file) for handler in handlers]
+            whole = Term("block", "", (block(body, file), block(other, file), block(last, file)))
+            return Term("block", "", (whole, Term("case", "", tuple(others))))
+        case ast.Assert(test=test):
+            return Term("call", "assert", (of(test),))
+        case ast.Break() | ast.Continue() | ast.Raise():
+            return Term("other")
+        case _:
+            return Term("block")
+
+
+def _loop(target: ast.expr, over: ast.expr, body: Term, file: PythonFile) -> Term:
+    if (pair := _neighbours(target, over)) is not None:
+        grid = expression(pair[2], file)
+        sets = (
+            Term("set", "", (expression(part, file), Term("entry", "", (grid, place))))
+            for part, place in zip(pair[:2], (NOW, NEXT), strict=True)
+        )
+        return Term("loop", "", (Term("list"), Term("block", "", (*sets, body))))
+    counter = target.id if isinstance(target, ast.Name) else ""
+    limits: tuple[Term, ...] = (expression(over, file),)
+    match target, over:
+        case ast.Name(), ast.Call(func=ast.Name(id="range"), args=args) if len(args) < 3:
+            given = [expression(arg, file) for arg in args]
+            first = given[0] if len(given) == 2 else Term("number", "0")
+            limits = (first, Term("binary", "-", (given[-1], Term("number", "1"))))
+        case ast.Tuple(elts=[ast.Name(id=counter), *_]), ast.Call(func=ast.Name(id="enumerate")):
+            pass
+        case ast.Name(), _:
+            counter = ""
+    return Term("loop", counter, (Term("list", "", limits), body))
+
+
+def _neighbours(target: ast.expr, over: ast.expr) -> tuple[ast.expr, ast.expr, ast.expr] | None:
+    """What a loop over pairs of times sets: for a, b in zip(ts[:-1], ts[1:])."""
+    match target, over:
+        case ast.Tuple(elts=[before, after]), ast.Call(
+            func=ast.Name(id="zip"), args=[ast.Subscript(value=grid), other]
+        ) if ast.unparse(over.args[0]) == f"{ast.unparse(grid)}[:-1]" and (
+            ast.unparse(other) in (f"{ast.unparse(grid)}[1:]", ast.unparse(grid))):  # fmt: skip
+            return before, after, grid
+    return None
+
+
+def expression(node: ast.expr, file: PythonFile) -> Term:
+    """A formula."""
+    return replace(_expression(node, file), text=ast.unparse(node))
+
+
+def _expression(node: ast.expr, file: PythonFile) -> Term:
+    def of(part: ast.expr) -> Term:
+        return expression(part, file)
+
+    match node:
+        case ast.Constant(value=bool()):
+            return Term("other")
+        case ast.Constant(value=int() | float() as value):
+            return Term("number", str(value))
+        case ast.Name(id=name):
+            return Term("name", name)
+        case ast.Attribute(value=base, attr="T"):
+            return of(base)
+        case ast.Attribute(value=base, attr=attribute):
+            return _part(of(base), attribute)
+        case ast.Subscript(value=base, slice=ast.Constant(value=str(key))):
+            return _part(of(base), key)
+        case ast.Subscript(value=base, slice=index):
+            inner = of(base)
+            places = index.elts if isinstance(index, ast.Tuple) else [index]
+            if any(isinstance(p, ast.Slice) and p.step is not None for p in places):
+                return Term("other", "", (inner,))
+            before = inner.parts if inner.kind == "entry" else (inner,)
+            return Term("entry", "", (*before, *(_place(p, file) for p in places)))
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return Term("minus", "", (of(inner),))
+        case ast.UnaryOp(op=ast.UAdd(), operand=inner):
+            return of(inner)
+        case ast.BinOp() | ast.Call() if (angle := unwrapped_angle(node)) is not None:
+            return of(angle)
+        case ast.BinOp(left=left, op=op, right=right):
+            return Term("binary", SIGNS.get(type(op), "?"), (of(left), of(right)))
+        case ast.List(elts=parts) | ast.Tuple(elts=parts):
+            return Term("list", "", tuple(map(of, parts)))
+        case ast.Dict(keys=keys, values=values):
+            pairs = zip(keys, values, strict=True)
+            return Term("list", "", tuple(
+                Term("set", "", (Term("name", k.value), of(v)))
+                if isinstance(k, ast.Constant) and isinstance(k.value, str)
+                else Term("other", "", (of(v),)) for k, v in pairs
+            ))  # fmt: skip
+        case ast.NamedExpr(target=target, value=value):
+            return Term("block", "", (Term("set", "", (of(target), of(value))),))
+        case ast.ListComp() | ast.SetComp() | ast.GeneratorExp():
+            return Term("list", "", (_of_each(node.elt, node.generators, file),))
+        case ast.Compare() | ast.BoolOp() | ast.IfExp() | ast.JoinedStr() | ast.FormattedValue():
+            inside = [n for n in ast.iter_child_nodes(node) if isinstance(n, ast.expr)]
+            return Term("choice", "", tuple(map(of, inside)))
+        case ast.UnaryOp(op=ast.Not(), operand=inner):
+            return Term("choice", "", (of(inner),))
+        case ast.Starred(value=value):
+            return Term("star", "", (of(value),))
+        case ast.Lambda(args=args, body=body):
+            return Term("handle", " ".join(arguments_of(args)), (of(body),))
+        case ast.Call():
+            return _call(node, file)
+        case _:
+            inside = [n for n in ast.iter_child_nodes(node) if isinstance(n, ast.expr)]
+            return Term("other", "", tuple(map(of, inside)))
+
+
+def _of_each(node: ast.expr, generators: Sequence[ast.comprehension], file: PythonFile) -> Term:
+    """An entry of a list, with entries of what it is made of."""
+    made = expression(node, file)
+    for one in reversed(generators):
+        match one.target, expression(one.iter, file):
+            case ast.Name(id=name), over if over.kind != "call" or over.name in file.takes:
+                entry = Term("entry", "", (over, Term("other")), over.text)
+                made = _with(made, name, entry)
+    return made
+
+
+def _with(term: Term, name: str, other: Term) -> Term:
+    """A term with another one for a name."""
+    if term.kind == "name" and term.name == name:
+        return other
+    return replace(term, parts=tuple(_with(part, name, other) for part in term.parts))
+
+
+def _part(base: Term, name: str) -> Term:
+    if base.kind == "name":
+        return Term("name", f"{base.name}.{name}")
+    return Term("field", name, (base,))
+
+
+def _place(node: ast.expr, file: PythonFile) -> Term:
+    match node:
+        case ast.Slice(lower=None, upper=None, step=None):
+            return Term("whole")
+        case ast.Slice(lower=lower, upper=upper, step=None):
+            first = Term("number", "0") if lower is None else expression(lower, file)
+            last = Term("whole") if upper is None else Term(
+                "binary", "-", (expression(upper, file), Term("number", "1"))
+            )  # fmt: skip
+            return Term("range", "", (first, last))
+    return expression(node, file)
+
+
+def arguments_of(args: ast.arguments) -> list[str]:
+    """Names of arguments, without that of the object."""
+    names = [a.arg for a in (*args.posonlyargs, *args.args, *args.kwonlyargs)]
+    return [n for n in names if n not in ("self", "cls")]
+
+
+def _call(node: ast.Call, file: PythonFile) -> Term:
+    name, owner = word(node.func), _owner(node, file)
+    given = [expression(arg, file) for arg in node.args]
+    if name in SAME and len(given) + len(owner) == 1:
+        return (*owner, *given)[0]
+    name = file.calls.get(ast.unparse(node.func), name)
+    if name in file.takes:
+        ordered = _in_order(file.takes[name], node.args, node.keywords, file)
+        return Term("call", name, tuple(ordered))
+    if name == "partial" and given and (handed := word(node.args[0])) in file.takes:
+        return _partial(handed, node.args[1:], node.keywords, file)
+    options = [_option(k, file) for k in node.keywords]
+    laws = [*node.args[:1], *(k.value for k in node.keywords if k.arg in ("fun", "func"))]
+    if name in (*TIME_FIRST, *STATE_FIRST) and laws:
+        given = [_handed(name, laws[0], node, file), *given[1:]]
+        options = [one for one in options if one.parts[0].name not in ("fun", "func", "events")]
+    if name == "set_f_params" and file.started:
+        called = Term("call", file.started, (*SOLVED, *given))
+        given = [Term("handle", " ".join(one.name for one in SOLVED), (called,))]
+    if not name:
+        return Term("other", "", (expression(node.func, file), *given, *options))
+    return Term("call", name, (*owner, *given, *options))
+
+
+def _owner(node: ast.Call, file: PythonFile) -> tuple[Term, ...]:
+    """The object whose method a call is; nothing for a function of a module."""
+    if not isinstance(node.func, ast.Attribute) or word(node.func.value) in MODULES:
+        return ()
+    return (expression(node.func.value, file),)
+
+
+def _option(keyword: ast.keyword, file: PythonFile) -> Term:
+    value = expression(keyword.value, file)
+    if keyword.arg is None:
+        return Term("star", "", (value,))
+    return Term("set", "", (Term("name", keyword.arg), value))
+
+
+def _in_order(
+    takes: Sequence[str], args: Sequence[ast.expr], keywords: Sequence[ast.keyword],
+    file: PythonFile,
+) -> list[Term]:  # fmt: skip
+    """Arguments of a call in the order in which the function has them."""
+    made = [expression(arg, file) for arg in args]
+    given: dict[str, Term] = {}
+    for keyword in keywords:
+        match keyword:
+            case ast.keyword(arg=str(name), value=value):
+                given[name] = expression(value, file)
+            case ast.keyword(value=ast.Call(func=ast.Name(id="dict"), keywords=inner)):
+                given |= {k.arg: expression(k.value, file) for k in inner if k.arg}
+    if any(part.kind == "star" for part in made):
+        return [*made, *(_option(k, file) for k in keywords if k.arg)]
+    last = max((k for k, name in enumerate(takes) if name in given), default=-1)
+    return made + [given.get(name, ABSENT) for name in takes[len(made) : last + 1]]
+
+
+def _partial(
+    name: str, args: Sequence[ast.expr], keywords: Sequence[ast.keyword], file: PythonFile
+) -> Term:
+    takes = file.takes[name]
+    made = _in_order(takes, args, keywords, file)
+    open_ = [n for k, n in enumerate(takes) if k >= len(made) or made[k] is ABSENT][:2]
+    whole = [
+        made[k] if k < len(made) and made[k] is not ABSENT
+        else Term("name", n, (), n) if n in open_ else ABSENT
+        for k, n in enumerate(takes)
+    ]  # fmt: skip
+    return Term("handle", " ".join(open_), (Term("call", name, tuple(whole)),))
+
+
+def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Term:
+    """What a solver is handed, as a function without a name of time, state and parameters."""
+    options = {k.arg: k.value for k in node.keywords if k.arg}
+    if name == "odeint" and len(node.args) > 3:
+        options.setdefault("args", node.args[3])
+    late = name in STATE_FIRST and not (
+        isinstance(tfirst := options.get("tfirst"), ast.Constant) and tfirst.value is True
+    )
+    made = expression(first, file)
+    handed = file.calls.get(ast.unparse(first), word(first))
+    if made.kind == "handle":
+        takes = made.name.split()
+        return replace(made, name=" ".join([*takes[:2][::-1], *takes[2:]] if late else takes))
+    if isinstance(first, ast.Call):
+        handed = file.calls.get(word(first.func), "")
+    if not handed:
+        return made
+    given = [*(SOLVED[::-1] if late else SOLVED)]
+    if "args" in options:
+        given.append(Term("star", "", (expression(options["args"], file),)))
+    return Term("handle", "solver.t solver.y", (Term("call", handed, tuple(given)),))
+
+
+def unwrapped_angle(node: ast.expr) -> ast.expr | None:
+    """The angle of which another one is taken between bounds: (x + pi) % (2*pi) - pi."""
+    match node:
+        case ast.BinOp(left=ast.BinOp(left=ast.BinOp(left=inner, op=ast.Add(), right=half),
+                                      op=ast.Mod(), right=turn),
+                       op=ast.Sub(), right=again) if (
+            _is_pi(half) and _is_pi(again) and _is_turn(turn)):  # fmt: skip
+            return inner
+        case ast.BinOp(left=inner, op=ast.Mod(), right=turn) if _is_turn(turn):
+            return inner
+        case ast.Call(args=[ast.Call(args=[inner]) as sine, ast.Call(args=[same]) as cosine]) if (
+            [word(n) for n in (node.func, sine.func, cosine.func)] in ARCTANGENTS
+            and ast.unparse(inner) == ast.unparse(same)):  # fmt: skip
+            return inner
+    return None
+
+
+def _is_pi(node: ast.expr) -> bool:
+    return word(node) == "pi"
+
+
+def _is_turn(node: ast.expr) -> bool:
+    match node:
+        case ast.BinOp(left=ast.Constant(value=2 | 2.0), op=ast.Mult(), right=pi):
+            return _is_pi(pi)
+    return word(node) == "tau"
