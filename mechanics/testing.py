@@ -115,6 +115,8 @@ def _missing(found: Check, scene: Scene | System | Equations) -> str:
         return ""
     said = f"{rank} of {freedoms} independent equations of motion of {found.scene.name}"
     count = "there is no equation of motion" if not rows else f"only {said}"
+    if found.aside:
+        return f"what only= chose is right, but {count}: choose more, or pass partial=True"
     return f"all of it is right, but {count}: write the others, or pass partial=True"
 
 

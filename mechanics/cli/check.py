@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
-from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.code.black_box import INTEGRATORS, BlackBox
 from mechanics.claims.read import file_text
 from mechanics.cli.files import JsonOption, refuse_unwritable, write, write_file
 from mechanics.cli.load import SystemArgument, load, run_file
@@ -56,7 +56,10 @@ def check(
     ] = None,
     function: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Function of a C file; by default the last one."),
+        typer.Option(
+            metavar="NAME",
+            help="Function of C, C++, MATLAB or Julia; where not given, one that no other calls.",
+        ),
     ] = None,
     black_box: Annotated[
         bool, typer.Option("--black-box", help="Call Python functions, do not read them: no proof.")
@@ -76,8 +79,9 @@ def check(
     ] = None,
     step: Annotated[float, typer.Option(min=0, help="Time step of a black box, in s.")] = 0.0,
     integrator: Annotated[
-        str, typer.Option(help="Its integrator: euler, 'semi-implicit euler' or rk4.")
-    ] = "euler",
+        str | None,
+        typer.Option(help="Its integrator: euler (where not given), 'semi-implicit euler' or rk4."),
+    ] = None,
     blame: Annotated[
         bool,
         typer.Option("--blame/--no-blame", help="Look for the wrong term."),
@@ -119,10 +123,16 @@ def check(
     if black_box:
         inside = {n: float(v) for n, v in values.items()}
         parts = [p for p in parts if not isinstance(p, Beside | Around)]
-        parts = [BlackBox(p, inside, step, integrator) if callable(p) else p for p in parts]
+        if not any(map(callable, parts)):
+            raise InputError(
+                "--black-box calls functions of Python, and there is none: write file.py:function"
+            )
+        advance = integrator or INTEGRATORS[0]
+        parts = [BlackBox(p, inside, step, advance) if callable(p) else p for p in parts]
         values = {}
-    elif step:
-        raise InputError("--step belongs to a black box: add --black-box")
+    elif step or integrator:
+        option = "--step" if step else "--integrator"
+        raise InputError(f"{option} belongs to a black box: add --black-box, or leave it out")
     status = Console(stderr=True).status(f"checking against {scene.name}")
     with status, redirect_stdout(sys.stderr):  # functions are traced, and may print
         found = run(
@@ -176,15 +186,24 @@ def _refuse_absent(names: dict[str, str], parts: list[Any], more: list[str], fou
     """Refuse a name that is given a meaning and stands in none of the texts.
 
     Letters and digits are compared, so that braces of LaTeX do not matter. What is no text in ASCII
-    may spell a name otherwise, and is not looked into; nor is what stands for a quantity.
+    may spell a name otherwise, and is not looked into; nor is what stands for a quantity. Functions
+    may take names from other files.
     """
-    if not all(isinstance(part, str | Path) for part in parts):
-        return
-    texts = [file_text(part) if isinstance(part, Path) else part for part in parts]
+    texts = [text for part in parts if (text := _text(part))]
     if not all(text.isascii() for text in texts):
         return
     plain = NOT_A_NAME.sub("", " ".join([*texts, *more]))
+    used = {match.name for match in found.names}
     for mine, theirs in names.items():
-        if " " not in theirs and mine.isascii() and NOT_A_NAME.sub("", mine) not in plain:
+        unread = " " not in theirs and mine.isascii() and NOT_A_NAME.sub("", mine) not in plain
+        if unread and mine not in used:
             known = ", ".join(match.name for match in found.names)
             raise InputError(f"--name {mine}={theirs}: no text has {mine!r}: it has {known}")
+
+
+def _text(part: Any) -> str:
+    if isinstance(part, Path):
+        return file_text(part)
+    if isinstance(part, Around):
+        return part.code
+    return part if isinstance(part, str) else ""

@@ -15,6 +15,7 @@ from mechanics.grading.grade import REQUIRE, RIGHT, UNJUDGED, Grade, grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.at_values import read_values
 from mechanics.judge.check import derived
+from mechanics.judge.options import takes_function
 from mechanics.judge.scene_laws import verify
 from mechanics.scene import Scene
 from mechanics.worker import Failed, Limits, Stopped, outcomes
@@ -70,7 +71,7 @@ def grade_files(
     pages : bool
         Whether each grade has its page.
     function : str, optional
-        Which function of code.
+        Which function of code; pages and texts have none.
     run_python : bool
         Whether code in Python is run. Limits are no sandbox.
     jobs : int
@@ -93,6 +94,11 @@ def grade_files(
         raise InputError("grade: there is no submission: name files")
     if require not in REQUIRE:
         raise InputError(f"require {require!r}: it can be {', '.join(REQUIRE)}")
+    if function is not None and not any(map(_has_functions, files)):
+        raise InputError(
+            f"--function (function=) {function}: no submission is code in C, C++, MATLAB, Julia or"
+            " Python: leave it out"
+        )
     reference = Reference(derived(scene))
     verify(reference.truth)
     read_values(scene, (options or {}).get("values") or {})  # a bad one is no submission's fault
@@ -100,12 +106,17 @@ def grade_files(
 
     def one(path: Path) -> Grade:
         things = things_in(path, function=function, run_python=run_python)
-        return grade(reference, path.name, things, require=require, page=pages, options=options)
+        own = {**(options or {}), "function": function if takes_function(path) else None}
+        return grade(reference, path.name, things, require=require, page=pages, options=own)
 
     for index, outcome in outcomes(one, list(files), limits or Limits(), jobs):
         found[index] = _grade(files[index].name, outcome)
         done()
     return Group(scene, tuple(found[k] for k in range(len(files))))
+
+
+def _has_functions(path: Path) -> bool:
+    return path.suffix.lower() in (".py", ".ipynb", ".md") or takes_function(path)
 
 
 def _grade(name: str, outcome: Grade | Stopped | Failed) -> Grade:

@@ -35,9 +35,11 @@ from mechanics.judge.definedness import at_the_bound
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.guesses import other_guesses
+from mechanics.judge.idle_values import idle_values
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
 from mechanics.judge.one_document import of_one_document
+from mechanics.judge.options import refuse_unused
 from mechanics.judge.other_conventions import helpful_changes
 from mechanics.judge.other_names import best_names, doubtful
 from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
@@ -151,6 +153,9 @@ def check(
     choice = read_choice(only)
     if (convention or where or choice) and any(isinstance(thing, BlackBox) for thing in things):
         raise InputError("check: a black box is only called: leave out convention, where and only")
+    of_code, convention = code_conventions(convention)
+    asked = {"function": function, "notation": notation, "about": about, "values": values}
+    refuse_unused(things, notation, [*(name for name, value in asked.items() if value), *of_code])
     boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
     parts = [thing for thing in things if not isinstance(thing, BlackBox)]
     readings = of_one_document(
@@ -158,7 +163,6 @@ def check(
     )
     every = [s for reading in readings for s in reading.statements]
     statements = of_one_dimension(truth, every)
-    of_code, convention = code_conventions(convention)
     is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError("check: values, convention and where exclude each other: give one")
@@ -395,8 +399,10 @@ def _judged(
         return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
+        idle = idle_values(truth, statements, findings, values)
         statements, findings = small_angles_at(truth, statements, findings, values)
-        return tuple(map(Judged, statements, findings)), (f"judged where {in_words(values)}",)
+        told = (f"judged where {in_words(values)}", *idle)
+        return tuple(map(Judged, statements, findings)), told
     statements, findings = as_said(truth, statements, findings)
     if not helps or not any(map(differs, findings)):
         return tuple(map(Judged, statements, findings)), ()

@@ -3,6 +3,8 @@ r"""What a text says of several frequencies: different names, different roots; t
 omega_1 = sqrt(k/m), omega_2 = sqrt(k/m)    each is a root; both are it only where it is double
 the lowest frequency is sqrt(k/m)           of two roots it has to be the smaller one; of more it
                                             is not checked
+omega = sqrt(k/m), with a damper            is the natural frequency, and not that of the motion: it
+                                            has to be said, or the name be omega_n
 """
 
 import re
@@ -16,13 +18,12 @@ from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.letters import meanings_of
-from mechanics.judge.meanings import ROOT, candidates
+from mechanics.judge.meanings import ROOT, SQUARES, candidates
 from mechanics.kernel import undecided
-from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
+from mechanics.linear.small_oscillations import SQUARE, oscillations
 from mechanics.report.answer.judged import Judged
 from mechanics.symbolic import is_zero
 
-OF_ROOTS = frozenset(("frequency", "turns per second", "period"))
 WHICH = re.compile(
     r"\b(?:low(?:est|er)|high(?:est|er)|small(?:est|er)|larg(?:est|er)|slow(?:est|er)|fast(?:est|er)"
     r"|fundamental|only|sole|single|short(?:est|er)|long(?:est|er)|first|second)\s+"
@@ -32,6 +33,15 @@ WHICH = re.compile(
 LOWER = re.compile(r"(?:low|small|slow|fundamental)(?!.*period)", re.IGNORECASE)
 HIGHER = re.compile(r"(?:high|larg|fast)(?!.*period)", re.IGNORECASE)
 """Of frequencies; a period is larger where its frequency is smaller."""
+KINDS = {
+    "natural": re.compile(
+        r"\b(?:natural|undamped|eigen\w*)\b|\b(?:without|no|neglect\w*|ignor\w*)\s+(?:\w+\s+){0,2}"
+        r"(?:damp|friction|drag)|omega_[n0]\b|w_?[n0]\b", re.IGNORECASE,
+    ),
+    "damped": re.compile(r"\bdamped\b|omega_d\b|w_?d\b", re.IGNORECASE),
+    "resonant": re.compile(r"\bresonan\w*|\bpeak\b|omega_r\b|w_?r\b", re.IGNORECASE),
+}  # fmt: skip
+"""Frequencies of one freedom with a damper, and what says which one is meant."""
 
 
 def one_root_each(
@@ -48,11 +58,12 @@ def one_root_each(
     roots = [
         k for k, (entry, statement) in enumerate(zip(judged, statements, strict=True))
         if entry.finding.shown and entry.statement.derived
-        and OF_ROOTS & {*meanings_of(statement)}
+        and SQUARES.keys() & {*meanings_of(statement)}
     ]  # fmt: skip
-    if not roots or len(truth.scene.q) < 2:
-        return tuple(found)
-    for k in roots:
+    for k in roots if len(truth.scene.q) == 1 else ():
+        if words := _other_kind(truth, statements[k]):
+            found[k] = replace(found[k], finding=undecided(found[k].finding.subject, words))
+    for k in roots if len(truth.scene.q) > 1 else ():
         others = [j for j in roots if j != k and _alike(statements[j], statements[k])]
         if others and not _double(truth, statements[k]):
             words = ", ".join(dict.fromkeys(_name(statements[j]) for j in others))
@@ -70,7 +81,7 @@ def solved(truth: Equations, statement: Statement) -> Statement:
     row, letter = statement.row, statement.letter
     if row is None or letter is None:
         return statement
-    for meaning in OF_ROOTS & {*meanings_of(statement)}:
+    for meaning in SQUARES.keys() & {*meanings_of(statement)}:
         for candidate in candidates(truth, meaning):
             if row not in candidate.rows(row, letter.sides) or candidate.vanishing is None:
                 continue
@@ -83,6 +94,22 @@ def solved(truth: Equations, statement: Statement) -> Statement:
                 sides = (*(side**2 for side in letter.sides), factor(root))
                 return replace(statement, row=replace(row, sides=sides))
     return statement
+
+
+def _other_kind(truth: Equations, statement: Statement) -> str:
+    """What is to be said where a damper makes several frequencies, and not this one is said."""
+    square = truth.scene.plain(_square(statement))
+    damped = [one for one in oscillations(truth) if one.damped is not None]
+    kinds = [
+        k for k in KINDS if any(is_zero(getattr(o, k).xreplace({SQUARE: square})) for o in damped)
+    ]
+    written = statement.written
+    sentence = sentence_around(written.text, written.start) if written is not None else ""
+    words = f"{' '.join(sentence.split())} {_name(statement)}"
+    said = [kind for kind, pattern in KINDS.items() if pattern.search(words)] or ["damped"]
+    if not kinds or said == kinds:
+        return ""
+    return f"it is the {kinds[0]} frequency of what has a damper: say '{kinds[0]}', and no other"
 
 
 def _left_open(entry: Judged, words: str) -> Judged:
@@ -102,13 +129,13 @@ def _which(statement: Statement) -> str:
 def _is_so(truth: Equations, statement: Statement, words: str) -> bool:
     """Whether of two frequencies it is the one that it is said to be, wherever it is one."""
     sign = 1 if LOWER.match(words) else -1 if HIGHER.match(words) else 0
-    if not sign or OF_ROOTS & {*meanings_of(statement)} != {"frequency"}:
+    if not sign or SQUARES.keys() & {*meanings_of(statement)} != {"frequency"}:
         return False
     square, gaps = truth.scene.plain(_square(statement)), []
-    for _, polynomial in characteristic_polynomials(truth):
-        if not is_zero(polynomial.xreplace({SQUARE: square})):
+    for one in oscillations(truth):
+        if not is_zero(one.natural.xreplace({SQUARE: square})):
             continue
-        whole = expand(polynomial)
+        whole = expand(one.natural)
         if degree(whole, SQUARE) != 2:
             return False
         other = -whole.coeff(SQUARE, 1) / whole.coeff(SQUARE, 2) - square
@@ -121,8 +148,10 @@ def _name(statement: Statement) -> str:
 
 
 def _square(statement: Statement) -> Expr:
+    """That of the frequency that a statement gives, as which it was shown."""
     assert statement.letter is not None  # of a root
-    return statement.letter.sides[-1] ** 2
+    (word, *_) = (m for m in meanings_of(statement) if m in SQUARES)
+    return SQUARES[word].subs(ROOT, statement.letter.sides[-1])
 
 
 def _alike(one: Statement, other: Statement) -> bool:
@@ -138,8 +167,8 @@ def _alike(one: Statement, other: Statement) -> bool:
 def _double(truth: Equations, statement: Statement) -> bool:
     """Whether what is written is a root of which there are two."""
     square = truth.scene.plain(_square(statement))
-    for _, polynomial in characteristic_polynomials(truth):
-        both = (polynomial, polynomial.diff(SQUARE))
-        if all(is_zero(one.xreplace({SQUARE: square})) for one in both):
+    for one in oscillations(truth):
+        both = (one.natural, one.natural.diff(SQUARE))
+        if all(is_zero(two.xreplace({SQUARE: square})) for two in both):
             return True
     return False

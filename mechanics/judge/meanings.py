@@ -22,7 +22,7 @@ from mechanics.claims.convention import Table
 from mechanics.equations import Equations
 from mechanics.judge.converted_rows import slopes_of
 from mechanics.kinematics.symbolic import Kinematics
-from mechanics.linear.small_oscillations import SQUARE, characteristic_polynomials
+from mechanics.linear.small_oscillations import SQUARE, oscillations
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene import quantities as q
 from mechanics.scene.loads import Damper
@@ -44,6 +44,11 @@ UNITS: dict[str, str] = {
 
 
 ROOT = Symbol("root", real=True)
+SQUARES: dict[str, Expr] = {
+    "frequency": ROOT**2, "turns per second": (2 * pi * ROOT) ** 2, "period": (2 * pi / ROOT) ** 2,
+}  # fmt: skip
+"""The square of a frequency, of what a word says of it."""
+OF_DRIVE = ", of a drive under which it swings widest"
 NO_TABLE: Table = {}
 OF_COORDINATES = ("momentum", "angular momentum")
 
@@ -216,11 +221,16 @@ def _damped(kinematics: Kinematics, load: Damper) -> Expr:
     return coefficient * span.dot(velocity) ** 2 / span.dot(span)
 
 
-def _oscillations(what: str, square: Expr, truth: Equations) -> Iterator[Candidate]:
-    """What the square of a frequency is made of."""
-    for place, vanishing in characteristic_polynomials(truth):
-        words = f"the {what} of small oscillations about {place}"
-        yield Candidate(words, q.Identity(), vanishing=vanishing.subs(SQUARE, square))
+def _oscillations(word: str, truth: Equations) -> Iterator[Candidate]:
+    what, square = word.replace("turns", "number"), SQUARES[word]
+    for one in oscillations(truth):
+        words = f"the {what} of small oscillations about {one.place}"
+        without = "" if one.damped is None else ", without damping"
+        kinds = (without, one.natural), (", with damping", one.damped), (OF_DRIVE, one.resonant)
+        for kind, vanishing in kinds:
+            if vanishing is not None:
+                zero = vanishing.subs(SQUARE, square)
+                yield Candidate(words + kind, q.Identity(), vanishing=zero)
 
 
 def _along(axis: str, truth: Equations) -> Iterator[Candidate]:
@@ -230,9 +240,7 @@ def _along(axis: str, truth: Equations) -> Iterator[Candidate]:
 SEARCHED: dict[str, Callable[[Equations], Iterator[Candidate]]] = {
     "reaction": _reactions, "tension": _tension, "torque": _moments,
     "angular momentum": _angular_momenta, "momentum": _momenta, "speed": _speeds,
-    "frequency": partial(_oscillations, "frequency", ROOT**2),
-    "turns per second": partial(_oscillations, "number per second", (2 * pi * ROOT) ** 2),
-    "period": partial(_oscillations, "period", (2 * pi / ROOT) ** 2),
+    **{word: partial(_oscillations, word) for word in SQUARES},
     **{f"momentum along {axis}": partial(_along, axis) for axis in "xyz"},
     "power": _power, "Rayleigh's function": _dissipation, "dissipated power": _dissipated,
 }  # fmt: skip

@@ -133,9 +133,9 @@ PLACE = phrase(
 )
 ON_BODY = phrase(r"NAMEIS THE(?:\w+ ){0,2}force (?:\w+ ){0,1}(?:on|to) (?:the )?(?P<body>\w+)")
 DOTS = phrase(
-    r"\b(?:over)?(?:dots?|primes?)\b[^.;⟨]{0,50}\b(?:with respect to|by) (?:the )?"
+    r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by) (?:the )?"
     r"(?P<by>(?:dimensionless|non-?dimensional|scaled|normali[sz]ed|rescaled|proper) time"
-    r"|⟨(?!t⟩)[^⟩]*⟩)"
+    r"|⟨(?!t⟩|=)[^⟩]*⟩)"
 )
 NO_MASS = (
     phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),

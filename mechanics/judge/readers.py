@@ -30,7 +30,7 @@ from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
-from mechanics.judge.sources import COMPUTED, Another, Around, Beside, NotRead, Numbers
+from mechanics.judge.sources import COMPUTED, Another, Around, Beside, NotRead, Numbers, values_of
 from mechanics.judge.special_case import values_in
 from mechanics.scene import Scene
 
@@ -122,11 +122,11 @@ def read(
         known = thing.suffix in LANGUAGES and notation is None
         text = file_text(thing) if known else ""
         if known and has_function(text):
-            found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+            found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
             return _with_rest(found, scene, thing, text, names, function)
         if known and thing.suffix == ".m" and has_solved_handle(text):
             with suppress(InputError):  # else a page of equations
-                found = read_arrays(scene, text, thing.suffix, names, about, str(thing))
+                found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
                 return _with_rest(found, scene, thing, text, names, function)
         return read_file(scene, thing, **options)
     if isinstance(thing, bytes):
@@ -146,11 +146,12 @@ def read(
             " CasADi Function or a Python function"
         )
     try:
-        return read_function(scene, thing, names, about)
+        found = read_function(scene, thing, names, about)
     except OtherKindError:
         if (objects := _returned(thing)) is None:
             raise
-    return read_sympy(scene, objects, names, about)
+        return read_sympy(scene, objects, names, about)
+    return _with_values(found, scene, values_of(thing, _words(scene, names)), names)
 
 
 INCLUDED = re.compile(r'#include "[^"]*" is not supported')
@@ -181,18 +182,34 @@ def _with_rest(
     function: str | None,
 ) -> Reading:  # fmt: skip
     """What was read of a file of code, and what stands in it beside that."""
+    naming = _single(scene, names)
+    beside = unjudged_code(text, path.suffix, found, naming, chosen=function is not None)
+    return replace(_with_values(found, scene, text, names), beside=beside)
+
+
+def _with_values(
+    found: Reading, scene: Scene, text: str, names: Mapping[str, str] | None
+) -> Reading:
+    """The reading of code with what its text gives values to, and that it does not take."""
+    taken = {word for match in found.names for word in match.meaning.split()}
+    values = values_in(text, scene, _single(scene, names)).items()
+    unused = tuple((s, v) for s, v in values if str(s) not in taken)
+    statements = tuple(replace(s, file_values=unused) for s in found.statements)
+    return replace(found, statements=statements)
+
+
+def _single(scene: Scene, names: Mapping[str, str] | None) -> Naming:
+    """Names of numbers; what code calls a vector is no name of the lines around it."""
     vocabulary = Vocabulary(scene)
-    # What code calls a vector is no name of the lines around it.
     single = {
         n: m for n, m in (names or {}).items() if m == "t" or vocabulary.target(m) is not None
     }
-    naming = Naming(vocabulary, single)
-    beside = unjudged_code(text, path.suffix, found, naming, chosen=function is not None)
-    taken = {word for match in found.names for word in match.meaning.split()}
-    values = values_in(text, scene, naming).items()
-    unused = tuple((s, v) for s, v in values if str(s) not in taken)
-    statements = tuple(replace(s, file_values=unused) for s in found.statements)
-    return replace(found, beside=beside, statements=statements)
+    return Naming(vocabulary, single)
+
+
+def _words(scene: Scene, names: Mapping[str, str] | None) -> set[str]:
+    """What may be called a parameter or an input."""
+    return {*(names or {}), *(symbol.name for symbol in (*scene.parameters, *scene.input_symbols))}
 
 
 def _not_read(thing: NotRead) -> Reading:

@@ -6,16 +6,20 @@ f, and functions of its file that it calls    a.cpp, a.m    words of other cells
 import ast
 import inspect
 import re
+from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import FunctionType, MethodType
 from typing import Any
 
+from mechanics.claims.code.closure_numbers import held
 from mechanics.claims.code.comments import EQUATION, SENTENCE, comments, without_comments
 from mechanics.claims.code.containers import library
 from mechanics.claims.code.objects import methods_used, names_in
 from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.read import file_text
+from mechanics.errors import InputError
 
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
@@ -123,6 +127,21 @@ def source_of(thing: Any) -> tuple[Source, ...]:
     if isinstance(thing, NotRead | Another | Numbers | Around):
         return ()
     return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
+
+
+def values_of(thing: Any, names: Iterable[str]) -> str:
+    """The text of a function and of those that it calls, with the numbers of names that it holds.
+
+    Parameters
+    ----------
+    thing : callable
+    names : iterable of str
+        Of numbers of its file, its object and what is around it.
+    """
+    lines = [source.text for source in source_of(thing)]
+    with suppress(InputError):  # of one name with two values none is the value
+        lines += [f"{name} = {value}" for name, value in held(thing, names).numbers.items()]
+    return "\n".join(lines)
 
 
 def _functions(thing: Any) -> list[FunctionType]:

@@ -61,7 +61,9 @@ def _open(truth: Equations, entry: Judged) -> Judged:
     if held & {*truth.scene.parameters}:  # no code in which all parameters are numbers
         given = {s: v for s, v in given.items() if s in truth.scene.input_symbols}
     if (needed := _needed(truth, row, given)) is not None:
-        return replace(entry, right_if=(f"{words(needed)}, as the code says",), open=True)
+        arguments = " and ".join(symbol.name for symbol in needed)
+        told = f"{words(needed)}, as the code says; as an argument {arguments} is judged for all"
+        return replace(entry, right_if=(f"{told} values",), open=True)
     if written is None:
         return entry
     if written.notation == "latex" and (
@@ -70,8 +72,9 @@ def _open(truth: Equations, entry: Judged) -> Judged:
         doubt = f"the text gives it for {case} only, which is not judged apart: leave that out"
         return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
-    # Of what stands in the statement itself, a value is an example.
-    beside = {s: v for s, v in _stated(truth, written).items() if s not in held}
+    # Of what stands in the statement itself, a value is an example, but where it says no more.
+    alone = all(side in held or side.is_number for side in row.sides)
+    beside = {s: v for s, v in _stated(truth, written).items() if alone or s not in held}
     for some in (table, table | beside):
         if (needed := _needed(truth, row, some)) is not None:
             return replace(entry, right_if=(f"{words(needed)}, as the text says",), open=True)

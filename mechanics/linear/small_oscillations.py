@@ -2,11 +2,15 @@
 
     Q(q) = 0 with angles 0 or pi, solved for the other coordinates, those that stay free 0
 
-Where the loads are not linear in these, all of them are 0. Dampers are left out: a text gives the
-frequency that the motion has without them.
+Where the loads are not linear in these, all of them are 0. One freedom with a damper has three:
+
+    natural     M omega^2 = K                      without the damper
+    damped      4 M^2 omega^2 = 4 M K - C^2        of its free motion
+    resonant    2 M^2 omega^2 = 2 M K - C^2        of a drive under which it swings widest
 """
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from itertools import islice, product
 
 from sympy import Expr, S, Symbol, cancel, linsolve, pi
@@ -24,16 +28,28 @@ MOST = 3
 MOST_PLACES = 4
 
 
-def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr]]:
-    """What vanishes at the squares of frequencies, in `SQUARE`, and about which equilibrium.
+@dataclass(frozen=True)
+class Oscillation:
+    """What vanishes at the squares of frequencies, in `SQUARE`.
 
-    Yields
-    ------
-    str
+    Attributes
+    ----------
+    place : str
         The equilibrium, in words.
-    Expr
+    natural : Expr
         det(K - omega^2 M).
+    damped, resonant : Expr or None
+        With the damper; None where nothing damps.
     """
+
+    place: str
+    natural: Expr
+    damped: Expr | None = None
+    resonant: Expr | None = None
+
+
+def oscillations(equations: Equations) -> Iterator[Oscillation]:
+    """Small oscillations about each equilibrium that is at hand."""
     scene = equations.scene
     for place in equilibria(equations):
         inputs = dict.fromkeys((symbol.name for symbol in scene.input_symbols), S.Zero)
@@ -45,7 +61,13 @@ def characteristic_polynomials(equations: Equations) -> Iterator[tuple[str, Expr
             continue
         pencil = linear.stiffness - SQUARE * linear.mass
         words = ", ".join(f"{name} = {value}" for name, value in place.items())
-        yield words, pencil.det(method="berkowitz")
+        free = pencil.det(method="berkowitz")
+        if linear.undamped:
+            yield Oscillation(words, free)
+        else:
+            mass, damping = linear.mass[0], linear.damping[0]
+            damped, resonant = (n * mass * free - damping**2 for n in (4, 2))
+            yield Oscillation(words, free, damped, resonant)
 
 
 def equilibria(equations: Equations) -> Iterator[Mapping[str, Expr]]:

@@ -213,3 +213,24 @@ def test_states_are_told_by_the_names_that_the_code_takes_them_apart_into() -> N
     repaired = entry.blame.repairs[0].repaired
     assert "sin(angle)" in repaired
     assert "theta" not in repaired
+
+
+COLUMNS = {
+    "rod.m": ("function dy = f(y, m, l, g, u)\ndy = zeros(2, 1);\ndy(1) = y(2);\ndy(2) = %s;\nend",
+              "3*g/(2*l)*sin(y(1))", "dy(2)"),
+    "row.m": ("function dy = f(y, m, l, g, u)\n\n\ndy = [y(2), %s];\nend",
+              "3*g/(2*l)*sin(y(1))", "dy(2)"),
+    "rod.jl": ("function f!(dy, y, p, t)\nm, l, g, u = p\ndy[1] = y[2]\ndy[2] = %s\nend",
+               "3*g/(2*l)*sin(y[1])", "dy[2]"),
+    "rod.cpp": ("void f(const double y[2], double dy[2], double m, double l, double g, double u) {"
+                "\n\ndy[0] = y[1];\ndy[1] = %s;}", "3*g/(2*l)*std::sin(y[0])", "dy[1]"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("file", COLUMNS)
+def test_an_entry_has_the_index_that_its_language_gives_it(tmp_path, file) -> None:
+    text, gravity, name = COLUMNS[file]
+    (tmp_path / file).write_text(text % f"{gravity} + 2*u/(m*l^2)".replace("l^2", "l*l"))
+    entry = mechanics.check(ROD, tmp_path / file).judged[1]
+    (edit,) = entry.blame.repairs[0].edits
+    assert (edit.definition, edit.place) == (name, "line 4")

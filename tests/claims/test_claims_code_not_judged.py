@@ -6,6 +6,7 @@ import pytest
 
 import mechanics
 from mechanics.blame.reference import Reference
+from mechanics.errors import InputError
 from mechanics.grading.grade import grade
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
@@ -81,3 +82,26 @@ def test_plots_solvers_and_numbers_say_nothing(tmp_path: Path, suffix: str, text
     found = found_in(tmp_path, suffix, text)
     assert found.verdict in (Verdict.PROVED, Verdict.CERTIFIED)
     assert not found.beside
+
+
+BODIES = {
+    "own.cpp": "void f(const double y[2], double dy[2]) {{\ndy[0] = y[1];\n{}\n}}",
+    "own.c": "void f(const double y[2], double dy[2]) {{\ndy[0] = y[1];\n{}\n}}",
+    "own.m": "function dy = f(y)\ndy = y;\n{}\nend",
+    "own.jl": "function f!(dy, y)\ndy[1] = y[2]\n{}\nend",
+}
+
+
+@pytest.mark.parametrize(
+    ("file", "changes"), [("own.cpp", "dy"), ("own.c", ""), ("own.m", ""), ("own.jl", "dy")]
+)
+def test_a_call_of_another_file_says_what_it_may_change_and_what_to_do(
+    tmp_path: Path, file: str, changes: str
+) -> None:
+    (tmp_path / file).write_text(BODIES[file].format("publish(dy);"))
+    with pytest.raises(InputError) as refused:
+        mechanics.check(ROD, tmp_path / file)
+    told = str(refused.value)
+    assert "line 3" in told and "publish()" in told
+    assert not changes or f"may change {changes}:" in told
+    assert "into the file, or leave the call out if it changes nothing" in told

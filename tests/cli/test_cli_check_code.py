@@ -124,7 +124,12 @@ def test_a_black_box_is_supported_and_no_more(simulator: str, call: str) -> None
         (("--black-box", *NAMES, *VALUES, "--integrator", "leapfrog"), "integrator 'leapfrog'"),
         (("--black-box", *NAMES, *VALUES, "--value", "x=1"), "the scene has no parameter 'x'"),
         (("--black-box", *NAMES, "--value", "g"), "write name=value"),
-        ((*NAMES, "--step", "0.1"), "belongs to a black box: add --black-box"),
+        ((*NAMES, "--step", "0.1"), "--step belongs to a black box: add --black-box"),
+        ((*NAMES, "--integrator", "rk4"), "--integrator belongs to a black box: add --black-box"),
+        (
+            ("--black-box", *NAMES, *VALUES, "--name", "zz=theta"),
+            "--name zz=theta: no text has 'zz'",
+        ),
     ],
 )
 def test_bad_options_of_a_black_box(simulator: str, options: tuple, words: str) -> None:

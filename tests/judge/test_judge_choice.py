@@ -11,7 +11,7 @@ from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.sentences import shortened
 from mechanics.testing import assert_equivalent
-from systems import rod_pendulum
+from systems import cartpole, rod_pendulum
 
 RIGHT = r"\frac{m l^2}{3}\ddot\theta = \frac{m g l}{2}\sin\theta + u"
 WRONG = r"m l^2\ddot\theta = \frac{m g l}{2}\sin\theta + u"
@@ -158,7 +158,8 @@ def test_an_answer_in_doubt_names_what_can_be_chosen() -> None:
 
 def test_the_answer_its_page_and_its_json_say_what_was_set_aside() -> None:
     found = answer(page(r"\[ F_1 = - m g \]", rf"\[ {RIGHT} \]"), "line 3")
-    assert "What you chose is PROVED. 1 set aside, as you asked." in str(found)
+    words = "What you chose is PROVED: 1 statement. 1 line or sentence is set aside by --only."
+    assert words in " ".join(str(found).split()) and words in check_html(found)
     assert r"not judged, as you asked: 'line 1: F_1 = - m g'" in str(found)
     assert "Not judged, as you asked: 1" in check_html(found)
     assert json.dumps(check_json(found)["aside"]) == json.dumps(["line 1: F_1 = - m g"])
@@ -167,8 +168,24 @@ def test_the_answer_its_page_and_its_json_say_what_was_set_aside() -> None:
 def test_an_answer_that_is_not_shown_begins_with_how_many_were_chosen() -> None:
     found = answer(page(*[rf"\[ {RIGHT} \]"] * 2, r"\[ F_1 = - m g \]", rf"\[ {WRONG} \]"), "4")
     assert found.verdict is Verdict.REFUTED
-    words = "1 statement judged, 3 set aside, as you asked."
-    assert str(found).startswith(words) and words in check_html(found)
+    words = (
+        "What you chose is 1 statement, not all of it shown."
+        " 3 lines or sentences are set aside by --only."
+    )
+    assert " ".join(str(found).split()).startswith(words) and words in check_html(found)
+
+
+def test_equations_that_were_set_aside_are_not_missing() -> None:
+    text = page(
+        r"\[ (m_c + m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F \]",
+        r"\[ \frac43 l\ddot\theta + \ddot x\cos\theta = g\sin\theta \]",
+    )
+    found = check(cartpole.scene(), text, only="line 1", blame=False)
+    assert found.ok and "of 2 equations of motion given" not in check_html(found)
+    whole = check(cartpole.scene(), text.split("\n")[0], blame=False)
+    assert "1 of 2 equations of motion given" in check_html(whole)
+    with pytest.raises(AssertionError, match="choose more, or pass partial=True"):
+        assert_equivalent(text, cartpole.scene(), only="line 1")
 
 
 def test_no_choice_is_suggested_where_it_changes_nothing() -> None:

@@ -45,6 +45,7 @@ SAID = [
     (double_pendulum, r"$\theta_2$ is measured relative to the vertical:", LOWER, "PROVED"),
     (double_pendulum, r"where dots are derivatives with respect to $\tau$,", LOWER, "UNDECIDED"),
     (double_pendulum, r"where dots are derivatives with respect to time,", LOWER, "PROVED"),
+    (double_pendulum, rf"It moves by ${LOWER}$ and again by", LOWER, "PROVED"),
     (acrobot, r"$\theta_2$ is measured relative to the first link:", JOINT, "PROVED"),
     (acrobot, r"$\theta_2$ is measured from the downward vertical:", JOINT, "UNDECIDED"),
     (cartpole, r"where $l$ is the length of the pole,", CART, "REFUTED"),

@@ -172,3 +172,41 @@ def hung() -> Equations:
 )
 def test_a_place_among_several_coordinates(text: str, verdict: str) -> None:
     assert verdict in [e.verdict.name for e in mechanics.check(hung(), text, blame=False).judged]
+
+
+@cache
+def damped() -> Equations:
+    x, force_of_drive = dynamicsymbols("x F")
+    m, c, k = parameters("m c k", units="kg N*s/m N/m", typical="1 0.5 4")
+    ground, origin = ReferenceFrame("N"), Point("O")
+    place = origin.locatenew("P", x * ground.x)
+    pull = (force_of_drive - k * x - c * x.diff()) * ground.x
+    block = Particle("block", place, m)
+    loads = (force("pull", place, pull, on="block"),)
+    scene = Scene("damped", ground, origin, (x,), (block,), loads, inputs=(force_of_drive,))
+    return derived(scene)
+
+
+NATURAL, OF_MOTION, RESONANT = r"\sqrt{k/m}", r"\sqrt{k/m - c^2/(4m^2)}", r"\sqrt{k/m - c^2/(2m^2)}"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (rf"The natural frequency is $\omega = {NATURAL}$.", "PROVED"),
+        (rf"$\omega_n = {NATURAL}$", "PROVED"),
+        (rf"The natural period is $T = 2\pi/{NATURAL}$.", "PROVED"),
+        (rf"Its frequency is $\omega = {NATURAL}$.", "UNDECIDED"),
+        (rf"The damped frequency is $\omega = {NATURAL}$.", "UNDECIDED"),
+        (rf"Its period is $T = 2\pi/{NATURAL}$.", "UNDECIDED"),
+        (rf"Its frequency is $\omega = {OF_MOTION}$.", "PROVED"),
+        (rf"Its period is $T = 2\pi/{OF_MOTION}$.", "PROVED"),
+        (rf"The undamped frequency is $\omega = {OF_MOTION}$.", "UNDECIDED"),
+        (rf"The resonance frequency is $\omega = {RESONANT}$.", "PROVED"),
+        (rf"Its frequency is $\omega = {RESONANT}$.", "UNDECIDED"),
+        (r"Its frequency is $\omega = \sqrt{k/m - c^2/(3m^2)}$.", "REFUTED"),
+    ],
+)
+def test_a_damper_makes_three_frequencies(text: str, verdict: str) -> None:
+    (entry,) = mechanics.check(damped(), text, blame=False).judged
+    assert entry.finding.verdict.name == verdict

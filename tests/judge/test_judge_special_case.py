@@ -1,5 +1,7 @@
 """What a text says of a special case is right in that case, and no more."""
 
+import math
+
 import pytest
 
 from mechanics import check
@@ -63,3 +65,55 @@ CASE = r"$$T = m g + FACTOR m l\dot\theta^2 \quad\text{for}\quad \theta = 0$$"
 )
 def test_a_case_behind_an_equation_is_no_claim(text: str, expected: list[str]) -> None:
     assert verdicts("pendulum", text) == expected
+
+
+U = 0.0
+
+
+class Rod:
+    def __init__(self) -> None:
+        self.u = 0.0
+
+    def rate(self, theta, m, l, g):
+        return 3 * g / (2 * l) * math.sin(theta) + 3 * self.u / (m * l**2)
+
+    def wrong(self, theta, m, l, g):
+        return 3 * g / l * math.sin(theta) + 3 * self.u / (m * l**2)
+
+
+def inside(theta, m, l, g):
+    u = 0.0
+    return 3 * g / (2 * l) * math.sin(theta) + 3 * u / (m * l**2)
+
+
+def of_the_file(theta, m, l, g):
+    return 3 * g / (2 * l) * math.sin(theta) + 3 * U / (m * l**2)
+
+
+def wrong(theta, m, l, g):
+    u = 0.0
+    return 3 * g / l * math.sin(theta) + 3 * u / (m * l**2)
+
+
+def pushed(theta, m, l, g):
+    u = 2.0
+    return 3 * g / (2 * l) * math.sin(theta) + 2 * u / (m * l**2)
+
+
+@pytest.mark.parametrize("function", [inside, of_the_file, Rod().rate])
+def test_an_input_that_is_a_number_inside_of_code_is_a_case(function) -> None:
+    names = {"U": "u"} if function is of_the_file else None
+    (entry,) = check(rod_pendulum.scene(), function, names=names, blame=False).judged
+    (told,) = entry.right_if
+    assert (entry.verdict, told.split(";")[0]) == (Verdict.UNDECIDED, "u = 0, as the code says")
+
+
+@pytest.mark.parametrize("function", [wrong, pushed, Rod().wrong])
+def test_code_that_is_wrong_in_its_own_case_is_refuted(function) -> None:
+    (entry,) = check(rod_pendulum.scene(), function, blame=False).judged
+    assert (entry.verdict, entry.right_if) == (Verdict.REFUTED, ())
+
+
+def test_a_line_that_only_gives_an_input_a_value_is_no_wrong_equation() -> None:
+    found = check(rod_pendulum.scene(), "u = 0\ntheta'' = 3*g/(2*l)*sin(theta)", blame=False)
+    assert [entry.verdict for entry in found.judged] == [Verdict.UNDECIDED] * 2

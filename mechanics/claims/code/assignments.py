@@ -47,6 +47,10 @@ LARGEST_ARRAY = 36
 """Entries that get names of their own."""
 MOST_LINES = 60_000
 """That a call may run through, loops in loops included."""
+ENTRIES = {".m": ("(", 1, ")"), ".jl": ("[", 1, "]")}
+"""How languages write an entry of an array, and from where they count; others as Python."""
+PYTHON = (".py", ".ipynb", ".md", "")
+"""What files end with whose rows of a matrix need two indices."""
 NO_NUMBER = re.compile(r"has no len\(\)|not (?:iterable|subscriptable|callable)")
 """What fails for every number."""
 
@@ -73,7 +77,9 @@ def recorded(
     lines: dict[int, int] = {}
     left = iter(range(MOST_LINES))
     file = code.co_filename
-    words = f"{Path(file).name}, line" if file.endswith(".py") else "line"
+    suffix = Path(file).suffix
+    words = f"{Path(file).name}, line" if suffix == ".py" else "line"
+    entry = (*ENTRIES.get(suffix, ("[", 0, "]")), suffix in PYTHON)
 
     def called(frame: FrameType, event: str, _: Any) -> Any:
         if event != "call" or frame.f_code.co_filename != file:
@@ -91,7 +97,10 @@ def recorded(
             raise InputError(failed[-1])
         if id(frame) in lines:
             for name, value in frame.f_locals.items():
-                _name(name, value, f"{words} {lines[id(frame)]}", found)
+                place = f"{words} {lines[id(frame)]}"
+                for own, number in _numbers(name, value, *entry):
+                    if number.formula is not None:
+                        number.formula = given_a_name(number.formula, own, place, found)
         lines[id(frame)] = frame.f_lineno
         if event == "return":
             del lines[id(frame)]
@@ -112,13 +121,30 @@ def _of_tracing(error: BaseException | None) -> bool:
     return isinstance(error, MechanicsError)
 
 
-def _name(name: str, value: Any, place: str, found: dict[str, Assignment]) -> None:
-    """Give a traced number, or those of an array, the name that it is assigned to."""
+def _numbers(
+    name: str, value: Any, opening: str, first: int, closing: str, both: bool
+) -> Iterator[tuple[str, Traced]]:
+    """Traced numbers that are assigned to a name, with what the language calls each.
+
+    Parameters
+    ----------
+    name : str
+    value : object
+    opening, closing : str
+        Around indices.
+    first : int
+        Index of the first entry.
+    both : bool
+        Whether an entry of a matrix of one row needs two indices.
+    """
     if isinstance(value, np.ndarray) and value.dtype == object and value.size <= LARGEST_ARRAY:
+        row = not both and value.shape[:-1] == (1,)
         for index, entry in np.ndenumerate(value):
-            _name(f"{name}[{', '.join(map(str, index))}]", entry, place, found)
-    if isinstance(value, Traced) and value.formula is not None:
-        value.formula = given_a_name(value.formula, name, place, found)
+            places = ", ".join(str(first + k) for k in (index[1:] if row else index))
+            own = f"{name}{opening}{places}{closing}"
+            yield from _numbers(own, entry, opening, first, closing, both)
+    if isinstance(value, Traced):
+        yield name, value
 
 
 def written_out(tree: Node, table: Mapping[str, Node]) -> Node:

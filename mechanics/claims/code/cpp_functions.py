@@ -40,6 +40,8 @@ from mechanics.claims.code.python_page import (
     line_of,
     named,
     refuse,
+    refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -202,13 +204,15 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
         others = [name for name in nodes if name not in SKETCH]
         raise Unread(f"setup and loop return nothing: name one, --function {others[0]}")
-    if not nodes or (wanted and wanted not in nodes):
-        raise Unread(f"there is no function {wanted or ''} in it")
+    if not nodes:
+        raise Unread("there is no function in it")
+    if wanted:
+        refuse_absent(wanted, nodes)
     _refuse_outside(root)
     _refuse_conditions(root)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     called = {other for others in calls.values() for other in others}
-    chosen = [wanted] if wanted else [n for n in nodes if n not in called]
+    chosen = [safe(wanted)] if wanted else [n for n in nodes if n not in called]
     order = _callees_first(chosen, calls, nodes)
     for name in order:  # what stands in others says nothing of these
         if (wrong := twice.get(name) or first_error(nodes[name])) is not None:
@@ -1057,6 +1061,8 @@ def _changed(node: Any, scope: Scope) -> str:
         return f"{name} = {value}"
     if node.type in ("comma_expression", "binary_expression"):
         return _streamed(node, scope)
+    if node.type == "call_expression" and (name := _called(named(node)[0])) not in scope.functions:
+        raise refuse_call(node, name, named(node)[1:])
     if node.type != "assignment_expression":
         raise refuse(node)
     left, right = (node.child_by_field_name(f) for f in ("left", "right"))

@@ -29,6 +29,8 @@ from mechanics.claims.code.python_page import (
     line_of,
     named,
     refuse,
+    refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -144,7 +146,9 @@ class Function:
     passed: set[int] = field(default_factory=set)
 
 
-def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translated:
+def in_python(
+    text: str, origin: str, known: Callable[[str], bool], chosen: str | None = None
+) -> Translated:
     """The functions of a file of Julia: those that are solved, or that no other one calls.
 
     Parameters
@@ -152,6 +156,8 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     text, origin : str
     known : callable
         Whether a name is one of the scene.
+    chosen : str, optional
+        The one that is asked for, with its exclamation mark or without.
 
     Raises
     ------
@@ -167,11 +173,15 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         functions[name] = one
     if not functions:
         raise Unread("there is no function in it")
+    if chosen is not None:
+        chosen = chosen.replace("!", "")
+        refuse_absent(chosen, functions)
     # A name of a type is no call of what its objects are called with.
     known_ones = {n for n, one in functions.items() if named(one.call)[0].type == "identifier"}
     calls = {name: _names(one.node) & known_ones - {name} for name, one in functions.items()}
-    chosen = [n for n in functions if n in _solved(root)] or _uncalled(functions, calls)
-    wanted = list(chosen)
+    of_file = [n for n in functions if n in _solved(root)] or _uncalled(functions, calls)
+    tops = [safe(chosen)] if chosen else of_file
+    wanted = list(tops)
     for name in wanted:
         wanted += [other for other in functions if other in calls[name] and other not in wanted]
     page = Page()
@@ -186,9 +196,9 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
             raise refuse(wrong)
         _learn(one, known, frozenset(functions))
         one.known = {other: functions[other] for other in printed}
-        printed[name] = _bodies(one, name in chosen)
+        printed[name] = _bodies(one, name in tops)
     for name, one in bodies:
-        _function(page, name, one, name in chosen, *printed[name])
+        _function(page, name, one, name in tops, *printed[name])
     page.constants({name: one.constants for name, one in bodies})
     own = {name: getattr(array_language, name) for name in vars(array_language)
            if callable(getattr(array_language, name)) or name == "ALL"}  # fmt: skip
@@ -198,7 +208,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         remarks = (*remarks, "single precision (Float32) is read as exact numbers")
     includes = any(words(named(one)[0]) == "include" for one in within(root, "call_expression"))
     free = dict.fromkeys(n for _, one in bodies for n in one.free) if includes else ()
-    return Translated(tuple(space[name] for name in chosen), remarks, tuple(free))
+    return Translated(tuple(space[name] for name in tops), remarks, tuple(free))
 
 
 def language() -> object:
@@ -736,6 +746,8 @@ def _statement(page: Page, node: Any, depth: int, one: Function) -> None:
                 raise refuse(node)
         case "identifier" if words(node) in ("nothing", one.filled):
             page.put(line, depth, "pass")
+        case "call_expression" if words(named(node)[0]) not in one.others:
+            raise refuse_call(node, words(named(node)[0]), named(node)[1:])
         case _:
             raise refuse(node)
 

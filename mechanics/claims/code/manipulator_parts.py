@@ -46,7 +46,7 @@ def together(functions: Sequence[Callable[..., Any]], origin: str) -> tuple[Any,
     for name, one in zip(held, ordered, strict=True):
         page.lines.append(f"    {name} = {one.__name__}({joined(takes[one])})")
     page.lines.append(f"    return {joined(held)}")
-    made = page.module(f"{origin} ({title})", {one.__name__: one for one in ordered})
+    made = page.module(f"{title} of {origin}", {one.__name__: one for one in ordered})
     return (made[title],)
 
 

@@ -22,6 +22,8 @@ from mechanics.claims.code.python_page import (
     line_of,
     named,
     refuse,
+    refuse_absent,
+    refuse_call,
     safe,
     tree,
     within,
@@ -105,14 +107,18 @@ class Translated:
     elsewhere: tuple[str, ...] = ()
 
 
-def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translated:
-    """The functions of a file of MATLAB.
+def in_python(
+    text: str, origin: str, known: Callable[[str], bool], chosen: str | None = None
+) -> Translated:
+    """The functions of a file of MATLAB: those that are solved, or that no other one calls.
 
     Parameters
     ----------
     text, origin : str
     known : callable
         Whether a name is one of the scene.
+    chosen : str, optional
+        The one that is asked for.
 
     Raises
     ------
@@ -123,14 +129,16 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     root = tree(language, text, "tree-sitter-matlab")
     _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
-    if not nodes:
+    if not nodes and chosen is None:
         return _solved_handle(root, origin, known)
+    if chosen is not None:
+        refuse_absent(chosen, nodes)
     calls = {name: _calls(node, nodes) for name, node in nodes.items()}
     solved = {n for name, node in nodes.items() if _solves(node) for n in calls[name]}
     around = {n: _around(node) for n, node in nodes.items()}
     returning = {n: calls[n] for n, node in nodes.items() if outputs_of(node)} or calls
-    chosen = [n for n in nodes if n in solved] or _uncalled(returning)
-    wanted = list(chosen)
+    tops = [safe(chosen)] if chosen else [n for n in nodes if n in solved] or _uncalled(returning)
+    wanted = list(tops)
     for name in wanted:
         wanted += [other for other in calls[name] if other not in wanted]
     for wrong in map(first_error, (nodes[name] for name in wanted)):
@@ -144,7 +152,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
     for name, node in bodies:
         caller = next((n for n in nodes if name in solved and name in calls[n]), "")
         before = _before(around[name] or nodes.get(caller), node, scopes[name], known)
-        _function(page, node, scopes[name], chosen, before)
+        _function(page, node, scopes[name], tops, before)
         flags |= dict.fromkeys(scopes[name].flags)
     page.constants({name: scopes[name].constants for name, _ in bodies})
     space = page.module(origin, _arrays())
@@ -155,7 +163,7 @@ def in_python(text: str, origin: str, known: Callable[[str], bool]) -> Translate
         if runs
         else ()
     )
-    return Translated(tuple(space[name] for name in chosen), remarks, tuple(free))
+    return Translated(tuple(space[name] for name in tops), remarks, tuple(free))
 
 
 def _refuse_shared(nodes: dict[str, Any]) -> None:
@@ -517,6 +525,8 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             page.put(line, depth, "pass")
         case "identifier" if words(node) in SHOWN:
             page.put(line, depth, "pass")
+        case "function_call" if safe(words(_name(node))) not in scope.functions:
+            raise refuse_call(node, words(_name(node)))
         case _:
             raise refuse(node)
 

@@ -7,7 +7,7 @@ page is compiled under the name of the author's file, so that what is said of a 
 import ast
 import keyword
 import linecache
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -192,11 +192,44 @@ def safe(name: str) -> str:
     return f"{name}_" if keyword.iskeyword(name) else name
 
 
+def refuse_absent(chosen: str, functions: Iterable[str]) -> None:
+    """Refuse a function that a file has not.
+
+    Raises
+    ------
+    Unread
+    """
+    if safe(chosen) not in functions:
+        told = ", ".join(functions) or "none"
+        raise Unread(f"there is no function {chosen}: there are {told}")
+
+
 def refuse(node: Any, what: str = "") -> Unread:
     """What is said of a node that is not read."""
     text = " ".join(words(node).split())
     where = f"line {line_of(node)}, column {node.start_point[1] + 1}"
     return Unread(f"{where}: {what or f'{text[:60]!r} is not read'}")
+
+
+def refuse_call(node: Any, name: str, given: Sequence[Any] = ()) -> Unread:
+    """What is said of a statement that calls a function of another file.
+
+    Parameters
+    ----------
+    node
+        The statement.
+    name : str
+        Of the function.
+    given : sequence of node
+        Arguments that it may change.
+    """
+    names = (words(i) for part in given for i in (part, *within(part, "identifier")))
+    changed = joined([*dict.fromkeys(n for n in names if n.isidentifier())])
+    return refuse(
+        node,
+        f"{name}() is not in this file, and may change {changed or 'what it reaches'}: put it into"
+        " the file, or leave the call out if it changes nothing",
+    )
 
 
 def joined(parts: Sequence[str]) -> str:

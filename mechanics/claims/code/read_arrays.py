@@ -42,8 +42,8 @@ def has_function(text: str) -> bool:
 
 
 def read_arrays(
-    scene: Scene, text: str, suffix: str, names: Mapping[str, str] | None, about: str | None,
-    origin: str,
+    scene: Scene, text: str, suffix: str, function: str | None, names: Mapping[str, str] | None,
+    about: str | None, origin: str,
 ) -> Reading:  # fmt: skip
     """Statements of the functions of a file of MATLAB or Julia, as code.
 
@@ -53,6 +53,8 @@ def read_arrays(
     text, origin : str
     suffix : str
         Of the file, one of `LANGUAGES`.
+    function : str, optional
+        The one that is judged.
     names, about
         As for `mechanics.check`.
 
@@ -62,7 +64,7 @@ def read_arrays(
         Where one is not read.
     """
     with located(origin):
-        translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows)
+        translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows, function)
     told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
     functions = together(translated.functions, origin)
     readings = [read_function(scene, one, names, about, told) for one in functions]
@@ -126,7 +128,10 @@ def _together(readings: Sequence[Reading], remarks: Sequence[str] = ()) -> Readi
     M(q), C(q, qd) and G(q) are an equation only together, and what G returns is no acceleration.
     """
     if len(readings) > 1:
-        raise Unread(f"{len(readings)} functions, of which none calls another: name one")
+        raise Unread(
+            f"{len(readings)} functions, of which none calls another: --function (function=) says"
+            " which"
+        )
     (found,) = readings
     said = tuple(f"{one}: {NOT_USED}" for one in found.remarks if one.endswith(FOR_ALL))
     return replace(

@@ -816,7 +816,10 @@ class Reader:
             return Real(self.target.apply(operation, nodes, kind), kind)
         elif name in self.source.functions:
             return self._own(self.source.functions[name], given, node.coord)
-        raise ExpressionError(f"{node.coord}: the call {name}() is not supported")
+        raise ExpressionError(
+            f"{node.coord}: the call {name}() is not supported: put the function into the file, or"
+            " leave the call out if it changes nothing"
+        )
 
     def unwritten(self, *nodes: Any) -> None:
         """Refuse calls that write where C may leave them out, or reorder them."""

@@ -77,7 +77,9 @@ def check_html(found: Check) -> str:
 
 
 def _missing(found: Check) -> str:
-    """How many equations of motion there are to give, where there are fewer."""
+    """How many equations of motion are given, where these are not all and none was set aside."""
+    if found.aside:
+        return ""
     kinds = (e.statement.row.quantity for e in found.judged if e.statement.row is not None)
     given, needed = sum(isinstance(k, EquationOfMotion) for k in kinds), len(found.scene.u)
     needed -= len(found.scene.constraints)

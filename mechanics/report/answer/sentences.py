@@ -120,16 +120,17 @@ def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -
     shown = (Verdict.CERTIFIED, Verdict.PROVED)
     if not (unjudged or aside) or not verdicts:
         return ""
-    if not {*verdicts} <= {*shown}:
-        judged = f"{plural(len(verdicts), 'statement')} judged"
-        return f"{judged}, {aside} set aside, as you asked." if aside else ""
-    verdict = next(v.name for v in shown if v in verdicts)
-    what = "What you chose is" if aside else "The formulas are"
-    parts = [f"{aside} set aside, as you asked"] if aside else []
-    if unjudged:
-        words = "sentence around them was" if unjudged == 1 else "sentences around them were"
-        parts.insert(0, f"{unjudged} {words} not judged")
-    return f"{what} {verdict}. {', '.join(parts)}."
+    proved = {*verdicts} <= {*shown}
+    verdict = next((v.name for v in shown if v in verdicts), "")
+    around = "sentence around them was" if unjudged == 1 else "sentences around them were"
+    parts = [f"{unjudged} {around} not judged."] if unjudged and proved else []
+    if not aside:
+        return " ".join([f"The formulas are {verdict}.", *parts]) if proved else ""
+    chosen = plural(len(verdicts), "statement")
+    rest = "1 line or sentence is" if aside == 1 else f"{aside} lines or sentences are"
+    parts.append(f"{rest} set aside by --only.")
+    what = f"is {verdict}: {chosen}." if proved else f"is {chosen}, not all of it shown."
+    return " ".join([f"What you chose {what}", *parts])
 
 
 AS_ASKED = "not judged, as you asked"
