@@ -67,7 +67,7 @@ def check(
     value: JudgedAtOption = None,
     where: Annotated[
         list[str] | None,
-        typer.Option(metavar="'cos(q) > 0'", help="Judge only where this holds."),
+        typer.Option(metavar="'cos(q) > 0'", help="Judge only where this inequality holds."),
     ] = None,
     only: Annotated[
         list[str] | None,

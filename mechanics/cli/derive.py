@@ -18,6 +18,7 @@ from mechanics.compiled import compile
 from mechanics.compiled.fixed import fix, read_fixed
 from mechanics.crosscheck import derive as derive_by
 from mechanics.equations import Equations
+from mechanics.judge.at_values import words as in_words
 from mechanics.mechanism import lower
 from mechanics.program import Builder
 from mechanics.report.notation import latex
@@ -76,7 +77,11 @@ def written(equations: Equations, form: Format, fixed: Mapping[str, Any]) -> str
     if equations.textbook is None:
         compile(equations, fixed={symbol.name: value for symbol, value in table.items()})
         return PROGRAM_WRITERS[form](equations, table)
-    return WRITERS[form](fix(equations, table))
+    text = WRITERS[form](fix(equations, table))
+    if form is not Format.TEXT or not table:
+        return text
+    heading, rows = text.split("\n", 1)
+    return f"{heading}, where {in_words(table)}\n{rows}"
 
 
 def _sides(equations: Equations) -> list[tuple[sympy.Expr, sympy.Expr]]:

@@ -16,7 +16,11 @@ from mechanics.scene.validity import condition_parameters
 RouteOption = Annotated[str, typer.Option(help="Route that derives the equations.")]
 FixOption = Annotated[
     list[str] | None,
-    typer.Option("--fix", metavar="NAME=VALUE", help="A parameter that becomes a number."),
+    typer.Option(
+        "--fix",
+        metavar="NAME=VALUE",
+        help="Put a number in place of a parameter, exactly as typed.",
+    ),
 ]
 SettingsOption = Annotated[
     list[str] | None,

@@ -25,7 +25,7 @@ Fixed = Mapping[Symbol, Expr]
 
 
 def read_fixed(
-    scene: Scene, given: Mapping[str, Any], *, turns: bool = False, option: str = "fixed"
+    scene: Scene, given: Mapping[str, Any], *, turns: bool = False, option: str = "--fix (fixed=)"
 ) -> dict[Symbol, Expr]:
     """Exact values by symbol; what a scene defines by fixed parameters is fixed too.
 

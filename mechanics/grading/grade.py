@@ -32,6 +32,9 @@ RIGHT, WRONG, INCOMPLETE, DOUBT, UNJUDGED = (
 )  # fmt: skip
 
 
+NO_CHANGE = "its sides differ, and no small change makes it right"
+
+
 @dataclass(frozen=True)
 class Line:
     """One statement of a submission.
@@ -192,7 +195,8 @@ def _line(entry: Judged) -> Line:
     mistake = "; ".join(dict.fromkeys(e.mistake.value for e in edits))
     wrong = entry.verdict is Verdict.REFUTED
     why = blame.explanations[0] if blame is not None and blame.explanations else mistake
-    hint = f"{statement.tag}: {why or entry.finding.evidence}" if wrong else ""
+    unmended = NO_CHANGE if entry.finding.witness is not None else entry.finding.evidence
+    hint = f"{statement.tag}: {why or unmended}" if wrong else ""
     if statement.unsure and entry.open:
         hint = f"{statement.tag}: right if {statement.unsure[0]}"
     return Line(

@@ -11,7 +11,7 @@ from typing import Any
 
 from mechanics.blame.reference import Reference
 from mechanics.errors import InputError
-from mechanics.grading.grade import REQUIRE, RIGHT, UNJUDGED, Grade, grade
+from mechanics.grading.grade import INCOMPLETE, REQUIRE, RIGHT, UNJUDGED, WRONG, Grade, grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.at_values import read_values
 from mechanics.judge.check import derived
@@ -47,6 +47,11 @@ class Group:
     def verdicts(self) -> list[tuple[str, int]]:
         """How many of each verdict."""
         return Counter(one.verdict for one in self.grades).most_common()
+
+    @property
+    def some_wrong(self) -> bool:
+        """Whether a submission is wrong or incomplete."""
+        return any(one.verdict in (WRONG, INCOMPLETE) for one in self.grades)
 
     @property
     def all_right(self) -> bool:

@@ -57,6 +57,7 @@ from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
 from mechanics.report.answer.judged import Judged, differs
+from mechanics.report.answer.sentences import located
 from mechanics.scene import Scene
 from mechanics.scene.system import System
 
@@ -165,7 +166,10 @@ def check(
     statements = of_one_dimension(truth, every)
     is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
-        raise InputError("check: values, convention and where exclude each other: give one")
+        raise InputError(
+            "--value (values=), --convention (convention=) and --where (where=) exclude each other:"
+            " give one"
+        )
     known = [match for reading in readings for match in reading.names]
     declared = read_declared(convention, known)
     prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
@@ -189,18 +193,18 @@ def check(
         for entry, some in zip(judged, limits, strict=True)
     )
     tries = written_out and not (counted or region)
-    others = chain(
+    readings_beside = chain(
         other_guesses(truth, judged, readings, statements, numbers, tries),
         other_readings(truth, statements, not numbers),
     )
-    judged = left_open(judged, others, lambda some: verdicts(some, helps=False)[0])
+    judged = left_open(judged, readings_beside, lambda some: verdicts(some, helps=False)[0])
     judged = as_meant(as_rounded(judged, of_code))
     if tries and not numbers:
         judged = in_special_case(truth, judged)
     hints = () if choice else suggested(prose, without_limits, judged)
-    judged, aside = judged_only(judged, is_chosen)
+    judged, others = judged_only(judged, is_chosen)
     effective = {words for some in limits for words in some}
-    aside += tuple(limit.sentence for limit in prose.limits if limit.words not in effective)
+    aside = tuple(limit.sentence for limit in prose.limits if limit.words not in effective)
     searched = written_out or _operations(truth) <= LARGEST_SEARCHED
     if blame and searched:
         judged = _blamed(reference, judged, counted, numbers)
@@ -222,8 +226,9 @@ def check(
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
     shown = truth if written_out else None
     return Check(
-        truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside, aside, hints
-    )
+        truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside,
+        (*map(located, others), *aside), hints, others,
+    )  # fmt: skip
 
 
 def _against(prose: Prose, written_out: bool) -> tuple[str, ...]:

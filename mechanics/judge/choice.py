@@ -20,7 +20,7 @@ from mechanics.claims.unread_names import described_names, mentioned, possibly_a
 from mechanics.errors import InputError
 from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
-from mechanics.report.answer.sentences import shortened
+from mechanics.report.answer.sentences import line_of, located, shortened
 from mechanics.scene.quantities import Identity
 from mechanics.scene.symbols import DOTS
 
@@ -29,7 +29,6 @@ FORMULAS = "formulas"
 LINES = re.compile(r"lines?\s+(\d+)(?:\s*(?:-|\u2013|to)\s*(\d+))?")
 NUMBERS = re.compile(r"\(?(\d+)\)?(?:\s*(?:-|\u2013|to)\s*\(?(\d+)\)?)?")
 """One number, or a range; those without brackets are numbers and places, too."""
-LINE = re.compile(r"line (\d+)$")
 ACCENT = re.compile(
     r"\\(d{1,3}ot)\s*\{?\s*\\?([A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}?(_(?:\w|\{\w+\}))?"
 )
@@ -125,12 +124,6 @@ def _is(what: str, statement: Statement) -> bool:
     return _spelled(what) in {_spelled(statement.source.split("=")[0]), _left(statement)}
 
 
-def line_of(statement: Statement) -> int:
-    """In which line of its text a statement begins; 0 where it has none."""
-    line = LINE.search(statement.place)
-    return int(line[1]) if line else 0
-
-
 def _left(statement: Statement) -> str:
     """The name that stands alone on the left, spelled with letters; empty for anything else."""
     left = statement.written.sides[0] if statement.written and statement.written.sides else None
@@ -157,20 +150,12 @@ def _listed(statements: Sequence[Statement]) -> str:
 
 def judged_only(
     judged: Sequence[Judged], is_chosen: Sequence[bool]
-) -> tuple[tuple[Judged, ...], tuple[str, ...]]:
-    """The chosen entries, and what was set aside, as a reader sees it."""
+) -> tuple[tuple[Judged, ...], tuple[Statement, ...]]:
+    """The chosen entries, and the statements that were set aside."""
     others = [entry for entry, one in zip(judged, is_chosen, strict=True) if not one]
     kept = (entry for entry, one in zip(judged, is_chosen, strict=True) if one)
-    aside = dict.fromkeys(_shown(entry.statement) for entry in others)
-    return tuple(beside(entry, others) for entry in kept), tuple(aside)
-
-
-def _shown(statement: Statement) -> str:
-    """Its number where it has one, its line, and what is written."""
-    line, tag = line_of(statement), statement.tag
-    where = [tag] if tag.startswith("(") and tag != statement.source else []
-    where += [f"line {line}"] if line else []
-    return f"{', '.join(where)}: {statement.source}" if where else statement.source
+    aside = {located(entry.statement): entry.statement for entry in reversed(others)}
+    return tuple(beside(entry, others) for entry in kept), tuple(reversed(aside.values()))
 
 
 def beside(entry: Judged, others: Sequence[Judged]) -> Judged:
@@ -180,7 +165,7 @@ def beside(entry: Judged, others: Sequence[Judged]) -> Judged:
     used = _used(entry.statement)
     for other in others:
         if described := used & _described(other, used):
-            where, letters = shortened(_shown(other.statement)), ", ".join(sorted(described))
+            where, letters = shortened(located(other.statement)), ", ".join(sorted(described))
             words = (
                 f"it is right as the scene has it, but it uses {letters}, of which"
                 f" '{where}' says something that is not shown"

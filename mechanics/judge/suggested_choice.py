@@ -6,11 +6,12 @@
 from collections.abc import Sequence
 
 from mechanics.claims.statement import Statement
-from mechanics.judge.choice import FORMULAS, beside, line_of
+from mechanics.judge.choice import FORMULAS, beside
 from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.prose import Prose, as_told, limits_on
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.sentences import line_of
 
 MOST = 4
 """Options in one line."""

@@ -44,6 +44,7 @@ MOST = 40
 """Branches that are tried."""
 
 MOST_CONDITIONS = 8
+OPTION = "--where (where=)"
 LONGEST = 300
 
 
@@ -79,12 +80,12 @@ def read_where(
     known = {name: meaning for name, meaning in table.items() if len(_words(meaning)) == 1}
     parts = [part for text in texts for part in _parts(text)]
     if len(parts) > MOST_CONDITIONS or any(len(part) > LONGEST for part in parts):
-        raise InputError(f"where: at most {MOST_CONDITIONS} conditions of {LONGEST} characters")
+        raise InputError(f"{OPTION}: at most {MOST_CONDITIONS} conditions of {LONGEST} characters")
     found = tuple(_condition(truth.scene, part, known) for part in parts)
     if found and not _there(truth, found):
         told = " and ".join(one.words for one in found)
         raise InputError(
-            f"where {told}: no state of {truth.scene.name} was found where that holds: write"
+            f"{OPTION} {told!r}: no state of {truth.scene.name} was found where that holds: write"
             " smaller numbers, or a wider range: sin(theta) < 0 for theta > pi"
         )
     return found
@@ -171,7 +172,10 @@ def _closed(text: str) -> bool:
 
 
 def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
-    wrong = f"where {text!r}: write one inequality in coordinates and parameters: cos(phi) > 0"
+    wrong = (
+        f"{OPTION} {text!r}: write one inequality in coordinates and parameters, as cos(phi) > 0;"
+        " the value of a parameter is --value g=9.81"
+    )
     match = re.fullmatch(r"([^<>=]+)([<>])=?([^<>=]+)", text)
     if match is None or "\n" in text or not (_closed(match[1]) and _closed(match[3])):
         raise InputError(wrong)
@@ -181,16 +185,16 @@ def _condition(scene: Scene, text: str, names: Mapping[str, str]) -> Where:
         reading = read(scene, f"0 = ({left}) - ({right})", names, "text", None)
     except InputError as error:
         words = re.sub(r"^text, line 1, column \d+: ", "", str(error))
-        raise InputError(f"where {text!r}: {words}") from None
+        raise InputError(f"{OPTION} {text!r}: {words}") from None
     guessed = [m.name for m in reading.names if m.name not in names and m.name != m.meaning]
     if guessed:
-        raise InputError(f"where {text!r}: {guessed[0]} is no name of {scene.name}: use its own")
+        raise InputError(f"{OPTION} {text!r}: {guessed[0]} is no name of {scene.name}: use its own")
     if len(reading.statements) != 1:
         raise InputError(wrong)
     (statement,) = reading.statements
     unknown = [words.partition(" ")[0] for words in statement.unsure]  # a guess is no condition
     if doubt := statement.doubt or (unexplained(scene, unknown) if unknown else ""):
-        raise InputError(f"where {text!r}: {doubt}")
+        raise InputError(f"{OPTION} {text!r}: {doubt}")
     row = statement.row
     if row is None or len(row.sides) != 2 or not isinstance(row.quantity, Identity):
         raise InputError(wrong)

@@ -58,7 +58,7 @@ def to_html(results: Sequence[SystemResult]) -> str:
     page = environment().get_template("page.html")
     return page.render(
         sections=[_section(n, result) for n, result in enumerate(results, start=1)],
-        tally=words.tally(f for result in results for f in words.all_findings(result)),
+        tally=words.tally(f.verdict for r in results for f in words.all_findings(r)),
         ok=bool(results) and all(result.ok for result in results),
         checks=sum(len(result.claims) for result in results),
     )
@@ -70,7 +70,7 @@ def _section(number: int, result: SystemResult) -> Section:
     return Section(
         number=number,
         result=result,
-        tally=words.tally(words.all_findings(result)),
+        tally=words.tally(f.verdict for f in words.all_findings(result)),
         drawing=Markup(
             drawing(result.scene, state, way(result.scene, motion.columns) if motion else None)
         ),

@@ -84,9 +84,9 @@ def count(number: int, noun: str) -> str:
     return f"{number:,} {noun}{'' if number == 1 else 's'}".replace(",", "\u202f")
 
 
-def tally(findings: Iterable[Finding]) -> list[tuple[Verdict, int]]:
+def tally(verdicts: Iterable[Verdict]) -> list[tuple[Verdict, int]]:
     """How often each verdict occurs, the worst last."""
-    found = Counter(finding.verdict for finding in findings)
+    found = Counter(verdicts)
     return [(verdict, found[verdict]) for verdict in Verdict if found[verdict]]
 
 

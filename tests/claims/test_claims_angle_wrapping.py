@@ -10,6 +10,7 @@ import mechanics
 from benchmarks.corpus.builders import P, pendulum
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics.errors import InputError
+from tests.verdict_of import NOT_READ, verdict_in
 
 STEP = """function x = step(x, u, dt, M, m, l)
 g = 9.81;
@@ -25,15 +26,8 @@ end
 
 
 def _verdict(scene: str, text: str, folder: Path) -> str:
-    """Of a file; empty for one that is not read."""
     file, _, function = scene.partition(":")
-    path = folder / "own.m"
-    path.write_text(text)
-    try:
-        found = mechanics.check(scene_of(HERE / "scenes" / file, function), path, blame=False)
-    except InputError:
-        return ""
-    return found.verdict.name
+    return verdict_in(scene_of(HERE / "scenes" / file, function), "own.m", text, folder)
 
 
 CART = "carts_with_friction.py:left"
@@ -122,4 +116,4 @@ def test_rows_that_say_another_thing_of_speeds_are_not_shown(
 
 @pytest.mark.parametrize("name", ["ydot", "w", "rates"])
 def test_another_name_is_not_taken_for_the_rates(name: str, tmp_path: Path) -> None:
-    assert _verdict(PLAIN, ARGUMENTS % ((name,) * 5), tmp_path) == ""
+    assert _verdict(PLAIN, ARGUMENTS % ((name,) * 5), tmp_path) == NOT_READ

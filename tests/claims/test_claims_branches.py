@@ -133,7 +133,7 @@ def test_names_of_the_person_may_be_used() -> None:
         ("1 > 0", "write one inequality"), ("Ex > 0", "write one inequality"),
         ("0 < phi < 1", "write one inequality"), ("((((", "write one inequality"),
         ("__import__('os') > 0", "cannot be read"), ("phi^(9^9^9) > 0", "brackets"),
-        ("z9 > 0", "where 'z9 > 0': z9: the scene has no such name"),
+        ("z9 > 0", "'z9 > 0': z9: the scene has no such name"),
         ("theta* > 1", "^where 'theta[*] > 1': '[)]' cannot be read$"),
         ("theta) - (1 > 0", "write one inequality"), ("2*(theta > 1)", "write one inequality"),
     ],

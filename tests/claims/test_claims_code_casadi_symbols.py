@@ -6,10 +6,9 @@ from typing import Any
 
 import pytest
 
-from mechanics import check
 from mechanics.cli.load import run_file
-from mechanics.errors import InputError
 from systems import rod_pendulum
+from tests.verdict_of import verdict_of
 
 SCENE = rod_pendulum.scene()
 MODEL = """import casadi as ca
@@ -38,10 +37,7 @@ def _model(text: str, folder: Path) -> Callable[..., Any]:
 
 
 def _verdict(text: str, folder: Path) -> str:
-    try:
-        return check(SCENE, _model(text, folder), blame=False).verdict.name
-    except InputError:
-        return "not read"
+    return verdict_of(SCENE, _model(text, folder))
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from mechanics.grading.grade import grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import rod_pendulum
+from systems import double_pendulum, rod_pendulum
 
 ROD = rod_pendulum.scene()
 NAMING = Naming(
@@ -322,3 +322,55 @@ def test_a_number_that_a_call_gives_otherwise_than_its_default_is_quoted(
     line: str, quoted: bool
 ) -> None:
     assert bool(lines_around(f"{DEFAULT}{line}\n", {"rate"}, NAMING)) is quoted
+
+
+DRIVEN = FUNCTIONS.replace("l, g, u)])", "l, g, u*np.cos(t))])")
+MIDPOINT = """for i in range(9):
+    k = rate(t, y, *p)
+    y = y + dt*rate({}, y + dt/2*k, *p)
+    t += {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("time", "span", "quoted"),
+    [("t + dt/2", "dt", False), ("t", "dt", True), ("t - dt/2", "dt", True),
+     ("t + dt/2", "2*dt", True), ("t + dt/2", "-dt", True)],
+)  # fmt: skip
+def test_a_driven_system_is_advanced_at_its_times(time: str, span: str, quoted: bool) -> None:
+    code = DRIVEN + MIDPOINT.format(time, span)
+    assert code.count("np.cos(t)") == 1
+    assert bool(lines_around(code, {"rate"}, NAMING)) is quoted
+
+
+TWO = """import numpy as np
+def accel(q, qd):
+    return np.linalg.solve(M(q), f(q, qd))
+dt, q, qd = 0.01, np.array([0.1, 0.2]), np.zeros(2)
+"""
+ANGLES = Naming(
+    Vocabulary(double_pendulum.scene()),
+    {},
+    (
+        Match("q", "phi1 phi2", "nothing else is left"),
+        Match("qd", "phi1_dot phi2_dot", "nothing else is left"),
+    ),
+)
+SOLVED = "def rhs(t, y):\n    q, qd = y[:2], y[2:]\n    return {}\nsolve_ivp(rhs, (0, 1), y)"
+
+
+@pytest.mark.parametrize(
+    ("text", "quoted"),
+    [
+        ("for i in range(9):\n    qd += accel(q, qd)*dt\n    q += qd*dt", False),
+        ("for i in range(9):\n    qd -= accel(q, qd)*dt\n    q += qd*dt", True),
+        ("for i in range(9):\n    qd += accel(qd, q)*dt\n    q += qd*dt", True),
+        ("for i in range(9):\n    y[2:] += dt*accel(y[:2], y[2:])\n    y[:2] += dt*y[2:]", False),
+        ("for i in range(9):\n    y[2:] += dt*accel(y[:2], y[2:])\n    y[:2] += dt*y[:2]", True),
+        (SOLVED.format("np.concatenate([qd, accel(q, qd)])"), False),
+        (SOLVED.format("np.hstack((accel(q, qd), qd))"), True),
+        (SOLVED.format("np.hstack((qd, -accel(q, qd)))"), True),
+    ],
+)
+def test_columns_of_coordinates_and_speeds_are_followed(text: str, quoted: bool) -> None:
+    assert bool(lines_around(f"{TWO}{text}\n", {"accel"}, ANGLES)) is quoted

@@ -1,12 +1,12 @@
 """Parts of vectors of Eigen, and what it solves."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from mechanics import check
-from mechanics.errors import InputError
 from systems import rod_pendulum
+from tests.verdict_of import verdict_in
 
 SCENE = rod_pendulum.scene()
 ROD = """#include <Eigen/Dense>
@@ -23,13 +23,7 @@ Eigen::Vector2d rates(const Eigen::Vector2d& x, double u, double m, double l, do
 SOLVED = "dx.segment(0, 2) = M.partialPivLu().solve(f);"
 
 
-def _verdict(text: str, folder: Path) -> str:
-    path = folder / "rod.cpp"
-    path.write_text(text)
-    try:
-        return check(SCENE, path, blame=False).verdict.name
-    except InputError:
-        return "not read"
+_verdict = partial(verdict_in, SCENE, "rod.cpp")
 
 
 @pytest.mark.parametrize(

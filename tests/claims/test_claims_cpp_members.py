@@ -1,12 +1,12 @@
 """Methods of C++ that change numbers of their object: the next state."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from mechanics import check
-from mechanics.errors import InputError
 from systems import rod_pendulum
+from tests.verdict_of import verdict_in
 
 SCENE = rod_pendulum.scene()
 ROD = """#include <cmath>
@@ -18,13 +18,7 @@ void Rod::update(double u, double dt) {
 """
 
 
-def _verdict(text: str, folder: Path) -> str:
-    path = folder / "rod.cpp"
-    path.write_text(text)
-    try:
-        return check(SCENE, path, blame=False).verdict.name
-    except InputError:
-        return "not read"
+_verdict = partial(verdict_in, SCENE, "rod.cpp")
 
 
 @pytest.mark.parametrize(

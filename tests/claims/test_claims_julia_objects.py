@@ -1,5 +1,6 @@
 """Julia: what objects are called with, fields in functions that others call, arguments unused."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from mechanics import check
 from mechanics.errors import InputError
 from systems import double_pendulum, rod_pendulum
+from tests.verdict_of import verdict_in
 
 SCENE = rod_pendulum.scene()
 ROD = """struct Rod
@@ -32,13 +34,7 @@ end
 ONE = "function f(ddθ, dθ, θ, u, m, l, g)\n    ddθ[1] = 3g/(2l)*sin(θ[1]) + 3u/(m*l^2)\nend\n"
 
 
-def _verdict(text: str, folder: Path) -> str:
-    path = folder / "rod.jl"
-    path.write_text(text)
-    try:
-        return check(SCENE, path, blame=False).verdict.name
-    except InputError:
-        return "not read"
+_verdict = partial(verdict_in, SCENE, "rod.jl")
 
 
 @pytest.mark.parametrize(

@@ -2,15 +2,15 @@
 
 import shutil
 import subprocess
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-import mechanics
 from mechanics.claims.code.matlab import Unread, in_python
-from mechanics.errors import InputError
 from systems import rod_pendulum
+from tests.verdict_of import verdict_in
 
 SCENE = rod_pendulum.scene()
 MODEL = """function dx = model(x, u, m, l, g)
@@ -45,13 +45,7 @@ def test_a_handle_computes_what_octave_computes(body: str, tmp_path: Path) -> No
     assert np.ravel(function(x=0.7)) == pytest.approx([float(told)], rel=1e-15)
 
 
-def _verdict(text: str, folder: Path) -> str:
-    path = folder / "model.m"
-    path.write_text(text)
-    try:
-        return mechanics.check(SCENE, path, blame=False).verdict.name
-    except InputError:
-        return "not read"
+_verdict = partial(verdict_in, SCENE, "model.m")
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,7 @@ def test_values_that_stand_elsewhere_too_are_refused() -> None:
     name = scene.parameters[0].name
     with pytest.raises(InputError, match=rf"--value \(values=\) {name}: it occurs in constraints"):
         check(scene, "0 = 0", values={name: 1})
-    with pytest.raises(InputError, match="values, convention and where exclude each other"):
+    with pytest.raises(InputError, match="exclude each other: give one"):
         check(SCENE, RIGHT, values={"g": 9.81}, convention="other vertical")
 
 

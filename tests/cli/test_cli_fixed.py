@@ -30,8 +30,8 @@ ROWS = [
     ("--fix g", "--fix 'g': write name=value"),
     ("--fix g=1 --fix g=2", "g is given twice"),
     ("--fix g=heavy", "--fix 'g=heavy': 'heavy' is no number"),
-    ("--fix z=1", "fixed 'z': pendulum on elastic support has no such parameter"),
-    ("--fix M=-1", "fixed M: -1 is negative"),
+    ("--fix z=1", "--fix (fixed=) 'z': pendulum on elastic support has no such parameter"),
+    ("--fix M=-1", "--fix (fixed=) M: -1 is negative"),
     ("--fix M=0", "the equations do not determine the accelerations"),
 ]
 

@@ -41,7 +41,7 @@ def test_a_unit_is_written_and_fmpy_accepts_it(run: Any, tmp_path: Path) -> None
     [
         ("--set phi=1", "there is no 'phi' to set"),
         ("--set theta=2", "the motion starts outside of the domain"),
-        ("--fix phi=1", "fixed 'phi': rocker has no such parameter"),
+        ("--fix phi=1", "--fix (fixed=) 'phi': rocker has no such parameter"),
         ("--step=-1", "step: -1.0 found: a positive number of seconds is needed"),
         ("--route none", "route 'none': the routes are"),
     ],

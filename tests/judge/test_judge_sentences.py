@@ -341,7 +341,7 @@ def test_what_is_neither_compared_nor_denies_is_quoted(
     assert first == "The formulas are PROVED. 1 sentence around them was not judged."
     assert f"not judged: '{words[:20]}" in " ".join(str(answer).split())
     assert check_json(answer)["unjudged"] == [words]
-    assert "Sentences that were not judged: 1" in check_html(answer)
+    assert "Not judged beside the statements: 1" in check_html(answer)
 
 
 @pytest.mark.parametrize(

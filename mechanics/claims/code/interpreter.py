@@ -7,34 +7,44 @@ What is not followed is unknown, and what is made of it. An argument that is not
 takes at its place is a misuse.
 """
 
-from collections.abc import Collection, Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
-
-from sympy import Expr
 
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
     UNKNOWN,
-    FileFunction,
     Handle,
     JudgedFunction,
-    Language,
     Literal,
     NotFollowedError,
-    SceneNames,
     Table,
     Unknown,
     number,
-    rational,
     root_of,
     targets_of,
 )
+from mechanics.claims.code.judged_arguments import (
+    accepted,
+    in_usual_order,
+    is_another,
+    is_possible,
+    speed_of,
+)
+from mechanics.claims.code.run import (
+    FAR,
+    MOMENT,
+    Run,
+    all_rates,
+    entries_of,
+    entry_of,
+    functions_in,
+    meaning_of,
+    row_of,
+)
 
-FAR = 1000
-"""From here on, indices count steps of time."""
 TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
@@ -64,819 +74,612 @@ def _is_a_turn(line: Term) -> bool:
     return line.name in ("+", "-") and (tau or (whole and value.name == "*"))
 
 
-class Interpreter:
-    """Runs what stands around a judged function.
+def handle_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """A function without a name, with what is known around it, or what a name stands for."""
+    if term.kind == "handle":
+        return Handle(tuple(term.name.split()), term.parts[0], dict(env))
+    return value_of(run, term, env)
 
-    Parameters
-    ----------
-    judged : mapping of str to JudgedFunction
-    own : mapping of str to FileFunction
-        Other functions of the file.
-    users : collection of str
-        Those that call it, or call what does.
-    words : SceneNames
-    language : Language
-    """
 
-    stepping = False
-    """Whether a step is followed: the state then is any."""
+def _returned(run: Run, judged: JudgedFunction, at: Mapping[str, Any]) -> Any:
+    """What the judged function gives at a state."""
+    if not judged.gives or not all(isinstance(v, Fraction) for v in at.values()):
+        run.memory.misused |= run.memory.stepping
+        return UNKNOWN
+    run.memory.called.append({w: Fraction(v) for w, v in at.items()})
+    needed = {w: at.get(w, number("missing", w)) for w in run.words.state}
+    rates = all_rates(run, needed | ({MOMENT: at[MOMENT]} if MOMENT in at else {}))
+    turned = [w for w in judged.gives if w in run.words.coordinates]
+    unasked = any(speed_of(run, w) not in at for w in turned)
+    values = [UNKNOWN if w in turned and (unasked or w not in at) else rates[w]
+              for w in judged.gives]  # fmt: skip
+    return values[0] if len(values) == 1 else row_of(run, values)
 
-    def __init__(
-        self, judged: Mapping[str, JudgedFunction], own: Mapping[str, FileFunction],
-        users: Collection[str], words: SceneNames, language: Language,
-    ) -> None:  # fmt: skip
-        self.judged, self.own, self.users, self.words = judged, own, users, words
-        self.language, self.first, self.brackets = language, language.first, language.brackets
-        self.explained: set[str] = set()
-        self.before: list[Term] = []
-        self._count = 0
-        self._start()
 
-    def _start(self) -> None:
-        self.initial: dict[Fraction, tuple[str, tuple[Any, ...]]] = {}
-        self.called: list[dict[str, Fraction]] = []
-        self.misused = False
-        self.scalars: set[Fraction] = set()
-        self.vectors: set[str] = set()
-        self.rows: set[str] = set()
-        self.places: set[str] = set()
-        self.depth = 0
-        self.called_in: set[str] = set()
-
-    def _functions(self, env: Mapping[str, Any]) -> set[str]:
-        handles = {n for n, v in env.items() if isinstance(v, Handle)}
-        return {*self.judged, *self.users, *handles}
-
-    def _handle(self, term: Term, env: dict[str, Any]) -> Any:
-        if term.kind == "handle":
-            return Handle(tuple(term.name.split()), term.parts[0], dict(env))
-        return self._value(term, env)
-
-    def _orders(self) -> list[tuple[str, ...]]:
-        q, u = self.words.coordinates, self.words.speeds
-        vectors = [m for judged in self.judged.values() for m in judged.meanings.values()
-                   if {*m} >= {*q, *u}]  # fmt: skip
-        if vectors:
-            return vectors
-        pairs = tuple(w for pair in zip(q, u, strict=False) for w in pair)
-        return [*dict.fromkeys(((*q, *u), pairs, (*u, *q)))]
-
-    def _taken_words(self) -> set[str]:
-        """Entries of the state that functions ask for which the block calls."""
-        called = self.called_in & self.judged.keys() or self.judged.keys()
-        return {w for one in map(self.judged.__getitem__, called)
-                for name, words in one.meanings.items() if name not in one.unused
-                for w in words}  # fmt: skip
-
-    def _rate(self, word: str) -> Expr:
-        """The rate of an entry of the state, as a formula of the state."""
-        symbols = self.words.symbols
-        coordinates, speeds = self.words.coordinates, self.words.speeds
-        if word in coordinates and len(coordinates) == len(speeds):
-            return symbols[speeds[coordinates.index(word)]]
-        taken = self._taken_words()
-        made: Expr = rational(number("rate", word))
-        for other in self.words.state:
-            if other in taken:
-                made += rational(number("rate", word, other)) * symbols[other]
-        return made
-
-    def _all_rates(self, at: Mapping[str, Fraction]) -> dict[str, Fraction | None]:
-        symbols = self.words.symbols
-        table = {symbols[w]: rational(v) for w, v in at.items()}
-        found: dict[str, Fraction | None] = {}
-        for word in self.words.state:
-            value = self._rate(word).xreplace(table)
-            found[word] = Fraction(int(value.p), int(value.q)) if value.is_Rational else None
-        return found
-
-    def _judged(self, call: Term, env: dict[str, Any]) -> Any:
-        """A call of the judged function."""
-        judged = self.judged[call.name]
-        takes = judged.takes
-        if len(call.parts) > len(takes):
-            self.misused = True
-            return UNKNOWN
-        at: dict[str, Any] = {}
-        entries: dict[str, list[tuple[int, Any]]] = {}
-        out: list[Term] = []
-        for name, part in zip(takes, call.parts, strict=False):
-            if part.kind == "absent":
-                continue
-            if part.kind == "set":  # by its name: accel(x; l=1)
-                self.misused = True
-                continue
-            if name in judged.fills:
-                out.append(part)
-                continue
-            value = self._value(part, env)
-            words = judged.meanings.get(name, ())
-            if not self._accepted(judged, name, part, value):
-                self.misused = True
-            if len(words) == 1 and part.kind in ("entry", "call") and isinstance(value, Fraction):
-                places = part.parts[1:] if part.kind == "entry" else part.parts
-                if words[0] in self.words.state or part.kind == "entry":
-                    keys = [self._value(p, env) for p in places]
-                    entries.setdefault(root_of(part), []).append(
-                        (takes.index(name), (words[0], keys))
-                    )
-            if len(words) > 1 and {*words} & {*self.words.state}:
-                dense = self._dense(value)
-                if dense is None:
-                    at |= dict.fromkeys(words, UNKNOWN)
-                else:
-                    at |= dict(zip(words, dense, strict=False))
-            elif len(words) == 1 and words[0] in self.words.state:
-                at[words[0]] = value
-        if self.is_another(call, ()):
-            self.misused = True
-        if not self.stepping and any(not self._ordered(one) for one in entries.values()):
-            self.misused = True
-        result: Any = UNKNOWN
-        if all(isinstance(v, Fraction) for v in at.values()) and judged.gives:
-            self.called.append({w: Fraction(v) for w, v in at.items()})
-            needed = {w: at.get(w, number("missing", w)) for w in self.words.state}
-            rates = self._all_rates(needed)
-            values = [rates[w] if w in at or w not in self.words.coordinates else UNKNOWN
-                      for w in judged.gives]  # fmt: skip
-            if any(w in self.words.coordinates and self._speed_of(w) not in at
-                   for w in judged.gives):  # fmt: skip
-                values = [UNKNOWN if w in self.words.coordinates else v
-                          for w, v in zip(judged.gives, values, strict=True)]  # fmt: skip
-            result = values[0] if len(values) == 1 else Table(
-                entries={(k + self.first,): v for k, v in enumerate(values)}, size=len(values)
-            )  # fmt: skip
-        elif self.stepping:
-            self.misused = True
-        for k, part in enumerate(out):
-            value = result
-            if len(out) > 1 and isinstance(result, Table):
-                value = result.entries.get((k + self.first,), UNKNOWN)
-            self._store(part, value, env)
-        return result
-
-    def is_another(self, call: Term, moving: Collection[str]) -> bool:
-        """Whether a call of the judged function has something else for a parameter.
-
-        Parameters
-        ----------
-        moving : collection of str
-            Names that change around the call, beside those that the call has for the state.
-        """
-        still = self.words.parameters.keys() | self.words.inputs
-        judged = self.judged[call.name]
-        pairs = [*zip(judged.takes, call.parts, strict=False)]
-        fixed = [(name, part) for name, part in pairs
-                 if {*judged.meanings.get(name, ())} & still]  # fmt: skip
-        others = {self._place_of(pair[1]) for pair in pairs if pair not in fixed}
-        others = (others | {*moving}) - {""}
-        return any(self._place_of(p) in others and self._place_of(p) != n for n, p in fixed)
-
-    def _place_of(self, part: Term) -> str:
-        """Where a value stands; the whole array for one of its entries."""
-        if part.kind in ("entry", "call"):
-            base = part.parts[0] if part.kind == "entry" else part
-            return base.name if base.kind in ("name", "call") else base.text
-        return part.text or part.name if part.kind in ("name", "field") else ""
-
-    def _speed_of(self, word: str) -> str:
-        q, u = self.words.coordinates, self.words.speeds
-        return u[q.index(word)] if len(q) == len(u) else word
-
-    def _ordered(self, entries: Sequence[tuple[int, tuple[str, list[Any]]]]) -> bool:
-        """Whether entries of one array that are passed stand in one of the usual orders."""
-        keys = [[k for k in key if isinstance(k, Fraction)] for _, (_, key) in entries]
-        if any(len(key) != 1 for key in keys):
-            return True
-        places = {
-            word: int(key[0]) - self.first
-            for (_, (word, _)), key in zip(entries, keys, strict=True)
-        }
-        if all(word in self.words.state for word in places):
-            return any(
-                all(0 <= k < len(order) and order[k] == word for word, k in places.items())
-                for order in self._orders()
-            )
-        numbers = [*places.values()]
-        return numbers == sorted(numbers)
-
-    def _meaning(self, name: str) -> str:
-        """What a name is, by what the judged function calls so, else by the scene."""
-        for judged in self.judged.values():
-            if words := judged.meanings.get(name):
-                return words[0] if len(words) == 1 else ""
-        around = (judged.around.get(name, "") for judged in self.judged.values())
-        return self.words.meaning(name) or next(filter(None, around), "")
-
-    def _accepted(self, judged: JudgedFunction, name: str, part: Term, value: Any) -> bool:
-        """Whether an argument is what the function takes at its place."""
+def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
+    """A call of the judged function."""
+    judged = run.judged[call.name]
+    takes = judged.takes
+    if len(call.parts) > len(takes):
+        run.memory.misused = True
+        return UNKNOWN
+    at: dict[str, Any] = {}
+    entries: dict[str, list[tuple[int, Any]]] = {}
+    out: list[Term] = []
+    for name, part in zip(takes, call.parts, strict=False):
+        if part.kind == "absent":
+            continue
+        if part.kind == "set":  # by its name: accel(x; l=1)
+            run.memory.misused = True
+            continue
+        if name in judged.fills:
+            out.append(part)
+            continue
+        value = value_of(run, part, env)
         words = judged.meanings.get(name, ())
-        if not words and name in judged.defaults:
-            return bool(value == judged.defaults[name])
-        own = part.name.rpartition(".")[2] if part.kind in ("name", "field") else ""
-        if own != name and own in judged.takes and own:
-            return False
-        if isinstance(value, Table) and any(isinstance(k[0], str) for k in value.entries):
-            pairs = ((self._meaning(str(k[0])), v) for k, v in value.entries.items())
-            return all(self._fits(m, v, m) for m, v in pairs if m and m not in self.words.state)
-        if not words:
-            meaning = self._meaning(own) if own else ""
-            same = own == name or meaning in ("", self._meaning(name))
-            return same and not isinstance(value, Handle)
-        if len(words) == 1 and words[0] in self.words.inputs and part.parts:
-            if words[0] not in {self._meaning(one) for one in part.names()}:
-                return True  # -K*y, what a controller makes
-            if part.kind in ("minus", "binary"):
-                return False
-        made = part.kind in ("call", "binary", "minus", "other", "list")
-        if isinstance(value, Unknown) and made and any(p.names() for p in part.parts):
-            return False
-        if len(words) > 1:
-            if isinstance(value, Unknown):
-                return True
-            if not isinstance(value, Table):
-                return False
-            if {*words} & {*self.words.state}:
-                named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
-                return value.name != "parameters" and all(
-                    self._meaning(one.name) in ("", word)
-                    for word, one in zip(words, named, strict=False)
-                    if one.kind in ("name", "field")
-                )
-            if not value.entries:
-                return True
-            dense = [value.entries.get((k + self.first,), UNKNOWN) for k in range(len(words))]
-            return (value.size or len(words)) == len(words) and all(
-                self._fits(w, v, "") for w, v in zip(words, dense, strict=True)
-            )
-        (word,) = words
-        meaning = self._meaning(own) if own else ""
-        if meaning and meaning != word:
-            return False
-        if word in self.words.state:
-            made = part.kind in ("minus", "binary") and not self.stepping
-            if made and word in map(self._meaning, part.names()):
-                return False  # accel(-th, w)
-            return isinstance(value, Unknown) or (
-                isinstance(value, Fraction)
-                and (self.stepping or isinstance(value, Literal)
-                     or part.kind in ("entry", "item", "field", "call", "name"))
-            )  # fmt: skip
-        if word in self.words.inputs and (meaning == word or self._is_made(word, own, value)):
-            return True
-        begun = isinstance(value, Fraction) and value in self.initial and not meaning
-        given = part.kind in ("entry", "item", "name", "field")
-        return self._fits(word, value, meaning) or (begun and given)
-
-    def _is_made(self, word: str, name: str, value: Any) -> bool:
-        """Whether a name without a meaning has what a controller makes."""
-        if not name or self._meaning(name) or not isinstance(value, Fraction):
-            return False
-        share = value / number("word", word)
-        return max(abs(share.numerator), share.denominator) > FAR
-
-    def _fits(self, word: str, value: Any, meaning: str) -> bool:
-        if isinstance(value, Literal):
-            return self._possible(word, value)
-        if isinstance(value, Unknown):
-            return True
-        return isinstance(value, Fraction) and value == number("word", word)
-
-    def _possible(self, word: str, value: Fraction) -> bool:
-        """Whether a number is one that the scene allows a parameter."""
-        symbols = self.words.parameters
-        if word not in symbols:
-            return value >= 0 or word in self.words.inputs
-        return not (
-            (value <= 0 and symbols[word].is_positive)
-            or (value < 0 and symbols[word].is_nonnegative)
-        )
-
-    def _vectors(self, block: Term, env: Mapping[str, Any], done: Set[str] = frozenset()) -> None:
-        """Names that are arrays: those with entries, and those that are passed for one."""
-        inner = {one.name for one in block.all() if one.kind == "call"} - done
-        for name in sorted(inner & self.own.keys()):
-            self._vectors(self.own[name].body, env, done | inner)
-        for one in block.all():
-            handle = env.get(one.name) if one.kind == "call" else None
-            if isinstance(handle, Handle) and handle.body is not None and one.name in inner:
-                self._vectors(handle.body, env, done | inner)
-                self.called_in |= handle.body.names()
-                for name, part in zip(handle.takes, one.parts, strict=False):
-                    if name in self.vectors:
-                        self._holds_vector(part)
-        for one in block.all():
-            if one.kind in ("entry", "field"):
-                self.vectors.add(root_of(one))
-            if one.kind == "call" and (known := self.judged.get(one.name)) is not None:
-                for name, part in zip(known.takes, one.parts, strict=False):
-                    if len(known.meanings.get(name, ())) > 1:
-                        self._holds_vector(part)
-            if one.kind == "call" and one.name in self.own:
-                for name, part in zip(self.own[one.name].takes, one.parts, strict=False):
-                    if name in self.vectors:
-                        self._holds_vector(part)
-            if one.kind == "call" and self.brackets and one.name not in self.own:
-                self.vectors.add(one.name)
-        for one in block.all():
-            if one.kind == "set" and (
-                one.parts[0].name in self.vectors or one.parts[0].kind == "list"
-            ):
-                self._holds_vector(one.parts[1])
-
-    def _holds_vector(self, part: Term) -> None:
-        """Take what a part names for an array, or for an array of such."""
-        if part.kind == "name":
-            self.vectors.add(part.name)
-        elif part.kind == "entry" and len(part.parts) == 2 and part.parts[1].kind != "whole":
-            self.rows.add(root_of(part))
-
-    def _forget(self, block: Term, env: dict[str, Any], value: Any = None) -> None:
-        """Take away what a block changes."""
-        for one in block.all():
-            roots: set[str] = set()
-            if one.kind == "set":
-                roots = {root_of(t) for t in targets_of(one.parts[0])}
-            if one.kind == "call" and one.name == "append" and one.parts:
-                roots = {root_of(one.parts[0])}
-            if one.kind == "call" and (known := self.judged.get(one.name)) is not None:
-                roots = {root_of(p) for n, p in zip(known.takes, one.parts, strict=False)
-                         if n in known.fills}  # fmt: skip
-            if one.kind == "call" and one.name in self.own:
-                other = self.own[one.name]
-                if not other.gives:
-                    roots = {root_of(p) for n, p in zip(other.takes, one.parts, strict=False)
-                             if n in other.shared}  # fmt: skip
-                    roots |= other.fills & env.keys()
-            for root in roots:
-                if isinstance(env.get(root), Table):
-                    self.vectors.add(root)
-                if value is not None:
-                    env[root] = value
-                else:
-                    env.pop(root, None)
-
-    def _row(self, values: Sequence[Any]) -> Table:
-        """A vector of some values."""
-        return Table("", {(k + self.first,): v for k, v in enumerate(values)}, len(values))
-
-    def _dense(self, value: Any) -> list[Any] | None:
-        """Entries of a vector."""
-        if isinstance(value, Fraction):
-            return [value]
-        if not isinstance(value, Table) or value.name == "parameters":
-            return None
-        size = value.size or len(self.words.state)
-        return [self._entry(value, (k + self.first,)) for k in range(size)]
-
-    def _entry(self, table: Table, key: tuple[Any, ...]) -> Any:
-        if key not in table.entries:
-            if not table.name:
-                return UNKNOWN
-            word = self._meaning(key[-1]) if isinstance(key[-1], str) else ""
-            if word and word not in self.words.state:
-                return number("word", word)
-            new = number(self._count, table.name, key)
-            new += sum(2 * (k - FAR) for k in key if isinstance(k, int) and k >= FAR)  # times grow
-            table.entries[key] = new
-            self.initial[new] = (table.name, key)
-        return table.entries[key]
-
-    def _read(self, root: str, key: tuple[Any, ...], env: dict[str, Any]) -> Any:
-        if root not in env:
-            base, _, last = root.rpartition(".")
-            if isinstance(inner := env.get(base), Table) and (last,) in inner.entries:
-                return self._read(base, (last, *key), env)  # p["g"] of a table
-            word = self._meaning(root)
-            if not key and (root in self.judged or root in self.own):
-                return Handle((), None, {"": root})
-            if key or root in self.vectors:
-                env[root] = Table(root)
-            elif root.rpartition(".")[2] in ("pi", "M_PI"):
-                env[root] = Literal(355, 113)
-            elif word and word not in self.words.state:
-                env[root] = number("word", word)
+        if not accepted(run, judged, name, part, value):
+            run.memory.misused = True
+        if len(words) == 1 and part.kind in ("entry", "call") and isinstance(value, Fraction):
+            places = part.parts[1:] if part.kind == "entry" else part.parts
+            if words[0] in run.words.state or part.kind == "entry":
+                keys = [value_of(run, p, env) for p in places]
+                entries.setdefault(root_of(part), []).append((takes.index(name), (words[0], keys)))
+        if name == judged.time and isinstance(value, Fraction):
+            at[MOMENT] = Fraction(value)
+        if len(words) > 1 and {*words} & {*run.words.state}:
+            dense = entries_of(run, value)
+            if dense is None:
+                at |= dict.fromkeys(words, UNKNOWN)
             else:
-                new = Fraction(FAR + 7) if root in self.places else number(self._count, root)
-                env[root] = new
-                self.initial[new] = (root, ())
-        value = env[root]
-        if not key:
-            return value
-        if not isinstance(value, Table):
-            return UNKNOWN
-        if any(isinstance(place, Unknown) for place in key):
-            return UNKNOWN
-        keys = self._keys(root, value, key)
-        if keys is None:
-            return self._entry(value, self._from_end(value, key))
-        if key == (None,):
-            return value
-        return self._row([self._entry(value, one) for one in keys])
+                at |= dict(zip(words, dense, strict=False))
+        elif len(words) == 1 and words[0] in run.words.state:
+            at[words[0]] = value
+    if is_another(run, call, ()):
+        run.memory.misused = True
+    if not run.memory.stepping and any(not in_usual_order(run, one) for one in entries.values()):
+        run.memory.misused = True
+    result = _returned(run, judged, at)
+    for k, part in enumerate(out):
+        value = result
+        if len(out) > 1 and isinstance(result, Table):
+            value = result.entries.get((k + run.language.first,), UNKNOWN)
+        _store(run, part, value, env)
+    return result
 
-    def _keys(self, root: str, table: Table, key: tuple[Any, ...]) -> list[tuple[Any, ...]] | None:
-        """Places of a row or a part of an array; None for a single one."""
-        key = self._from_end(table, key)
-        whole = [k for k, place in enumerate(key) if place is None or isinstance(place, range)]
-        inner = (k for k in table.entries if len(k) == len(key) + 1 and k[:-1] == key)
-        if not whole and (root in self.rows or any(isinstance(k[-1], int) for k in inner)):
-            key, whole = (*key, None), [len(key)]
-        if not whole:
-            return None
-        if len(whole) > 1:
-            raise NotFollowedError
-        size = table.size if table.size and len(key) == 1 else len(self.words.state)
-        axis, places = whole[0], key[whole[0]]
-        if places is None:
-            places = range(self.first, self.first + size)
-        elif places.stop == FAR:
-            places = range(places.start, self.first + size)
-        return [(*key[:axis], k, *key[axis + 1 :]) for k in places]
 
-    def _from_end(self, table: Table, key: tuple[Any, ...]) -> tuple[Any, ...]:
-        """A place that counts from the end: of a list of times, that is the present one."""
-        if self.first or not any(isinstance(k, int) and k < 0 for k in key):
-            return key
-        end = table.size or FAR + 8 + table.added
-        return tuple(k + end if isinstance(k, int) and k < 0 else k for k in key)
+def find_vectors(
+    run: Run, block: Term, env: Mapping[str, Any], done: Set[str] = frozenset()
+) -> None:
+    """Names that are arrays: those with entries, and those that are passed for one."""
+    inner = {one.name for one in block.all() if one.kind == "call"} - done
+    for name in sorted(inner & run.own.keys()):
+        find_vectors(run, run.own[name].body, env, done | inner)
+    for one in block.all():
+        handle = env.get(one.name) if one.kind == "call" else None
+        if isinstance(handle, Handle) and handle.body is not None and one.name in inner:
+            find_vectors(run, handle.body, env, done | inner)
+            run.memory.called_in |= handle.body.names()
+            for name, part in zip(handle.takes, one.parts, strict=False):
+                if name in run.memory.vectors:
+                    _holds_vector(run, part, run.memory.sizes.get(name))
+    for one in block.all():
+        if one.kind in ("entry", "field"):
+            run.memory.vectors.add(root_of(one))
+        if one.kind == "call" and (known := run.judged.get(one.name)) is not None:
+            for name, part in zip(known.takes, one.parts, strict=False):
+                if (size := len(known.meanings.get(name, ()))) > 1:
+                    _holds_vector(run, part, size)
+        if one.kind == "call" and one.name in run.own:
+            for name, part in zip(run.own[one.name].takes, one.parts, strict=False):
+                if name in run.memory.vectors:
+                    _holds_vector(run, part, run.memory.sizes.get(name))
+        if one.kind == "call" and run.language.brackets and one.name not in run.own:
+            run.memory.vectors.add(one.name)
+    for one in block.all():
+        if one.kind == "set" and (
+            one.parts[0].name in run.memory.vectors or one.parts[0].kind == "list"
+        ):
+            _holds_vector(run, one.parts[1], run.memory.sizes.get(one.parts[0].name))
 
-    def _path(self, term: Term, env: dict[str, Any]) -> tuple[str, tuple[Any, ...]]:
-        if term.kind == "name":
-            return term.name, ()
-        if term.kind == "call":
-            return term.name, tuple(self._place(p, env) for p in term.parts)
-        if term.kind == "field":
-            root, key = self._path(term.parts[0], env)
-            return root, (*key, term.name)
-        if term.kind in ("entry", "item"):
-            root, key = self._path(term.parts[0], env)
-            return root, (*key, *(self._place(p, env) for p in term.parts[1:]))
-        raise NotFollowedError
 
-    def _place(self, term: Term, env: dict[str, Any]) -> Any:
-        if term.kind == "whole":
-            return None
-        if term.kind == "range":
-            ends = [self._place(part, env) for part in term.parts]
-            if not isinstance(ends[0], int) or not isinstance(ends[1], int | None):
-                return UNKNOWN
-            return range(ends[0], FAR if ends[1] is None else ends[1] + 1)
-        value = self._value(term, env)
-        if isinstance(value, Fraction) and value.denominator == 1:
-            return int(value)
-        return UNKNOWN
+def _holds_vector(run: Run, part: Term, size: int | None) -> None:
+    """Take what a part names for an array, or for an array of such."""
+    if part.kind == "name":
+        run.memory.vectors.add(part.name)
+        if size is not None and size != len(run.words.state):
+            run.memory.sizes[part.name] = size
+    elif part.kind == "entry" and [p.kind in ("whole", "range") for p in part.parts[1:]] == [False]:
+        run.memory.rows.add(root_of(part))
 
-    def _store(self, target: Term, value: Any, env: dict[str, Any]) -> None:
-        root, key = self._path(target, env)
-        if not key:
-            if isinstance(value, Table):
-                self._dense(value) if value.name and not value.entries else None
-                value = Table("" if value.name != "parameters" else value.name,
-                              dict(value.entries), value.size)  # fmt: skip
-            env[root] = value
-            word = self._meaning(root)
-            if word and isinstance(value, Literal) and not self.stepping:
-                known = word in self.words.state or not self._possible(word, value)
-                env[root] = Literal(value) if known else number("word", word)
-            return
-        table = env.get(root)
-        if not isinstance(table, Table):
-            table = env[root] = Table(root)
-        if any(isinstance(place, Unknown) for place in key):
-            env[root] = UNKNOWN
-            return
-        keys = self._keys(root, table, key)
-        dense = self._dense(value) if isinstance(value, Table) else None
-        if keys is None and dense is not None:
-            key = self._from_end(table, key)
-            keys = [(*key, k + self.first) for k in range(len(dense))]
-        if keys is None:
-            table.entries[self._from_end(table, key)] = value
-            return
-        if dense is None or len(dense) != len(keys):
-            env[root] = UNKNOWN
-            return
-        table.entries.update(zip(keys, dense, strict=True))
 
-    def _try(self, line: Term, env: dict[str, Any]) -> bool:
-        """Run a line; whether it uses the function as it is."""
-        self.misused = False
-        try:
-            self._run(line, env)
-        except (NotFollowedError, RecursionError, ZeroDivisionError):
-            self._forget(line, env, UNKNOWN)
-        return not self.misused
+def forget(run: Run, block: Term, env: dict[str, Any], value: Any = None) -> None:
+    """Take away what a block changes."""
+    for one in block.all():
+        roots: set[str] = set()
+        if one.kind == "set":
+            roots = {root_of(t) for t in targets_of(one.parts[0])}
+        if one.kind == "call" and one.name == "append" and one.parts:
+            roots = {root_of(one.parts[0])}
+        if one.kind == "call" and (known := run.judged.get(one.name)) is not None:
+            roots = {root_of(p) for n, p in zip(known.takes, one.parts, strict=False)
+                     if n in known.fills}  # fmt: skip
+        if one.kind == "call" and one.name in run.own:
+            other = run.own[one.name]
+            if not other.gives:
+                roots = {root_of(p) for n, p in zip(other.takes, one.parts, strict=False)
+                         if n in other.shared}  # fmt: skip
+                roots |= other.fills & env.keys()
+        for root in roots:
+            if isinstance(env.get(root), Table):
+                run.memory.vectors.add(root)
+            if value is not None:
+                env[root] = value
+            else:
+                env.pop(root, None)
 
-    def _run(self, term: Term, env: dict[str, Any]) -> Any:
-        """Run statements; what they return."""
-        if term.kind in ("loop", "case") and _only_turns(term):
-            return None
-        match term.kind:
-            case "block":
-                for part in term.parts:
-                    result = self._run(part, env)
-                    if result is not None and part.kind in ("return", "block", "loop"):
-                        return result
-                return None
-            case "return":
-                return self._value(term.parts[0], env) if term.parts else UNKNOWN
-            case "set":
-                self._assign(term, env)
-                return None
-            case "loop":
-                self._turns(term, env)
-                return None
-            case "case":
-                if self.stepping and any(
-                    (t.kind == "call" and t.name in self._functions(env))
-                    or t.text.startswith("continue")
-                    for t in term.all()
-                ):
-                    raise NotFollowedError
-                self._forget(term, env, UNKNOWN)
-                return None
-            case "other":
-                if term.names() and self.stepping:
-                    self._poison(term, env)
-                return None
-            case _:
-                self._value(term, env)
-                return None
 
-    def _poison(self, term: Term, env: dict[str, Any]) -> None:
-        """Take what a call may change as unknown."""
-        for name in term.names() & env.keys():
-            if isinstance(env[name], Table):
-                env[name] = UNKNOWN
-        for part in (p for p in term.parts if p.text.startswith("&")):
-            env[root_of(part)] = UNKNOWN
-
-    def _assign(self, term: Term, env: dict[str, Any]) -> None:
-        target, value = term.parts
-        if target.kind == "list":
-            self._several(target.parts, value, env)
-            return
-        if value.kind == "handle":
-            env[root_of(target)] = self._handle(value, env)
-            return
-        made = self._value(value, env)
-        if term.name:
-            made = self._operation(term.name, self._value(target, env), made)
-        self._store(target, made, env)
-
-    def _several(self, targets: Sequence[Term], value: Term, env: dict[str, Any]) -> None:
-        if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
-            each = [self._value(part, env) for part in value.parts]
-            for one, other in zip(targets, each, strict=True):
-                self._store(one, other, env)
-            return
-        made = self._value(value, env)
-        entries = self._dense(made) if isinstance(made, Table) else None
-        for k, one in enumerate(targets):
-            known = entries is not None and k < len(entries)
-            self._store(one, entries[k] if known and entries is not None else UNKNOWN, env)
-
-    def _turns(self, term: Term, env: dict[str, Any]) -> None:
-        limits, body = term.parts
-        ends = [self._value(one, env) for one in limits.parts]
-        if len(ends) != 2 or not all(isinstance(e, Fraction) for e in ends) or not term.name:
-            raise NotFollowedError
-        first, last = (int(e) for e in ends)
-        if last - first > TURNS:
-            raise NotFollowedError
-        for turn in range(first, last + 1):
-            env[term.name] = Fraction(turn)
-            self._run(body, env)
-
-    def _value(self, term: Term, env: dict[str, Any]) -> Any:
-        value = self._evaluated(term, env)
-        if isinstance(value, Fraction) and self._may_be_a_step(term, value):
-            self.scalars.add(Fraction(value))
-        return value
-
-    def _may_be_a_step(self, term: Term, value: Fraction) -> bool:
-        match term.kind:
-            case "name" | "field":
-                counts = value.denominator == 1 and not isinstance(value, Literal)
-                small = not isinstance(value, Literal) or value < 1 or term.name in STEPS
-                return small and not counts and not self._meaning(term.name)
-            case "number":
-                return value < 1
-            case "binary":
-                return term.name == "-" and not isinstance(value, Literal)
-        return False
-
-    def _evaluated(self, term: Term, env: dict[str, Any]) -> Any:
-        match term.kind:
-            case "number":
-                try:
-                    return Literal(term.name)
-                except ValueError:
-                    return UNKNOWN
-            case "name":
-                return self._read(term.name, (), env)
-            case "entry" | "field" | "item":
-                try:
-                    return self._read(*self._path(term, env), env)
-                except NotFollowedError:
-                    return UNKNOWN
-            case "minus":
-                return self._operation("*", Literal(-1), self._value(term.parts[0], env))
-            case "binary":
-                left, right = (self._value(part, env) for part in term.parts)
-                if term.name == "/" and self.language.integers and self._whole(term.parts[0]):
-                    return self._whole_quotient(term.parts[1], left, right)
-                return self._operation(term.name, left, right)
-            case "list":
-                return self._list(term, env)
-            case "handle":
-                return self._handle(term, env)
-            case "block":
-                return self._run_last(term, env)
-            case "call":
-                return self._call(term, env)
-            case "choice":
-                for part in term.parts:
-                    self._value(part, env)
-        return UNKNOWN
-
-    def _whole(self, term: Term) -> bool:
-        """Whether a number is an integer as it is written."""
-        return term.kind == "number" and term.name.isdigit()
-
-    def _whole_quotient(self, divisor: Term, left: Any, right: Any) -> Any:
-        """1/6 is 0 in C, and 1/n where n is an integer."""
-        if self._whole(divisor) and right:
-            return Literal(int(left) // int(right))
-        if isinstance(right, Literal) and right.denominator == 1:
-            return UNKNOWN
-        return self._operation("/", left, right)
-
-    def _run_last(self, term: Term, env: dict[str, Any]) -> Any:
-        """The value of a block is what it returns, or that of its last line."""
-        for part in term.parts[:-1]:
-            self._run(part, env)
-        last = term.parts[-1] if term.parts else Term("other")
-        if last.kind == "return":
-            return self._run(last, env)
-        if last.kind == "set":
-            self._run(last, env)
-            return self._value(last.parts[0], env)
-        return self._value(last, env)
-
-    def _list(self, term: Term, env: dict[str, Any]) -> Any:
-        if any(part.kind == "set" for part in term.parts):
-            record = Table()
-            for part in term.parts:
-                inner = part.parts[0] if part.kind == "set" else part
-                value = self._value(part.parts[1] if part.kind == "set" else part, env)
-                record.entries[(inner.name,)] = value
-            return record
-        values: list[Any] = []
-        for part in term.parts:
-            value = self._value(part, env)
-            values += (self._dense(value) or [UNKNOWN]) if isinstance(value, Table) else [value]
-        return Table("", {(k + self.first,): v for k, v in enumerate(values)}, len(values))
-
-    def _operation(self, sign: str, left: Any, right: Any) -> Any:
-        if isinstance(left, Fraction) and isinstance(right, Fraction):
-            literal = isinstance(left, Literal) and isinstance(right, Literal)
-            kind = Literal if literal else Fraction
-            match sign:
-                case "+":
-                    return kind(Fraction(left) + Fraction(right))
-                case "-":
-                    return kind(Fraction(left) - Fraction(right))
-                case "*":
-                    return kind(Fraction(left) * Fraction(right))
-                case "/" if right:
-                    return kind(Fraction(left) / Fraction(right))
-                case "^" if right in (1, 2, 3):
-                    return kind(Fraction(left) ** int(right))
-            return UNKNOWN
-        a, b = self._dense(left), self._dense(right)
-        if a is None or b is None:
-            return UNKNOWN
-        if isinstance(left, Table) and isinstance(right, Table):
-            if len(a) != len(b) or sign not in "+-":
-                return UNKNOWN
-            pairs = zip(a, b, strict=True)
-        elif isinstance(left, Table) and sign in "*/":
-            pairs = ((one, right) for one in a)  # type: ignore[assignment]
-        elif isinstance(right, Table) and sign == "*":
-            pairs = ((left, one) for one in b)  # type: ignore[assignment]
+def read_name(run: Run, root: str, key: tuple[Any, ...], env: dict[str, Any]) -> Any:
+    """What a name is, or an entry of it; a random number where nobody has set it."""
+    if root not in env:
+        base, _, last = root.rpartition(".")
+        if isinstance(inner := env.get(base), Table) and (last,) in inner.entries:
+            return read_name(run, base, (last, *key), env)  # p["g"] of a table
+        word = meaning_of(run, root)
+        if not key and (root in run.judged or root in run.own):
+            return Handle((), None, {"": root})
+        if key or root in run.memory.vectors:
+            env[root] = Table(root, size=run.memory.sizes.get(root))
+        elif root.rpartition(".")[2] in ("pi", "M_PI"):
+            env[root] = Literal(355, 113)
+        elif word and word not in run.words.state:
+            env[root] = number("word", word)
         else:
-            return UNKNOWN
-        made = [self._operation(sign, one, other) for one, other in pairs]
-        return self._row(made)
+            new = Fraction(FAR + 7) if root in run.memory.places else number(run.memory.count, root)
+            env[root] = new
+            run.memory.initial[new] = (root, ())
+    value = env[root]
+    if not key:
+        return value
+    if not isinstance(value, Table):
+        return UNKNOWN
+    if any(isinstance(place, Unknown) for place in key):
+        return UNKNOWN
+    keys = _keys(run, root, value, key)
+    if keys is None:
+        return entry_of(run, value, _from_end(run, value, key))
+    if key == (None,):
+        return value
+    return row_of(run, [entry_of(run, value, one) for one in keys])
 
-    def _spread(self, term: Term, env: dict[str, Any]) -> Term:
-        """A call with its arguments one by one: rate(t, y, *p)."""
-        if not any(part.kind == "star" for part in term.parts):
-            return term
-        parts: list[Term] = []
+
+def _keys(run: Run, root: str, table: Table, key: tuple[Any, ...]) -> list[tuple[Any, ...]] | None:
+    """Places of a row or a part of an array; None for a single one."""
+    key = _from_end(run, table, key)
+    whole = [k for k, place in enumerate(key) if place is None or isinstance(place, range)]
+    inner = (k for k in table.entries if len(k) == len(key) + 1 and k[:-1] == key)
+    if not whole and (root in run.memory.rows or any(isinstance(k[-1], int) for k in inner)):
+        key, whole = (*key, None), [len(key)]
+    if not whole:
+        return None
+    if len(whole) > 1:
+        raise NotFollowedError
+    size = table.size if table.size and len(key) == 1 else len(run.words.state)
+    axis, places = whole[0], key[whole[0]]
+    if places is None:
+        places = range(run.language.first, run.language.first + size)
+    elif places.stop == FAR:
+        places = range(places.start, run.language.first + size)
+    return [(*key[:axis], k, *key[axis + 1 :]) for k in places]
+
+
+def _from_end(run: Run, table: Table, key: tuple[Any, ...]) -> tuple[Any, ...]:
+    """A place that counts from the end: of a list of times, that is the present one."""
+    if run.language.first or not any(isinstance(k, int) and k < 0 for k in key):
+        return key
+    end = table.size or FAR + 8 + table.added
+    return tuple(k + end if isinstance(k, int) and k < 0 else k for k in key)
+
+
+def _path(run: Run, term: Term, env: dict[str, Any]) -> tuple[str, tuple[Any, ...]]:
+    if term.kind == "name":
+        return term.name, ()
+    if term.kind == "call":
+        return term.name, tuple(_place(run, p, env) for p in term.parts)
+    if term.kind == "field":
+        root, key = _path(run, term.parts[0], env)
+        return root, (*key, term.name)
+    if term.kind in ("entry", "item"):
+        root, key = _path(run, term.parts[0], env)
+        return root, (*key, *(_place(run, p, env) for p in term.parts[1:]))
+    raise NotFollowedError
+
+
+def _place(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    if term.kind == "whole":
+        return None
+    if term.kind == "range":
+        ends = [_place(run, part, env) for part in term.parts]
+        if not isinstance(ends[0], int) or not isinstance(ends[1], int | None):
+            return UNKNOWN
+        return range(ends[0], FAR if ends[1] is None else ends[1] + 1)
+    value = value_of(run, term, env)
+    if isinstance(value, Fraction) and value.denominator == 1:
+        return int(value)
+    return UNKNOWN
+
+
+def _store(run: Run, target: Term, value: Any, env: dict[str, Any]) -> None:
+    root, key = _path(run, target, env)
+    if not key:
+        if isinstance(value, Table):
+            entries_of(run, value) if value.name and not value.entries else None
+            value = Table("" if value.name != "parameters" else value.name,
+                          dict(value.entries), value.size)  # fmt: skip
+        env[root] = value
+        word = meaning_of(run, root)
+        if word and isinstance(value, Literal) and not run.memory.stepping:
+            known = word in run.words.state or not is_possible(run, word, value)
+            env[root] = Literal(value) if known else number("word", word)
+        return
+    table = env.get(root)
+    if not isinstance(table, Table):
+        table = env[root] = Table(root)
+    if any(isinstance(place, Unknown) for place in key):
+        env[root] = UNKNOWN
+        return
+    keys = _keys(run, root, table, key)
+    dense = entries_of(run, value) if isinstance(value, Table) else None
+    if keys is None and dense is not None:
+        key = _from_end(run, table, key)
+        keys = [(*key, k + run.language.first) for k in range(len(dense))]
+    if keys is None:
+        table.entries[_from_end(run, table, key)] = value
+        return
+    if dense is None or len(dense) != len(keys):
+        env[root] = UNKNOWN
+        return
+    table.entries.update(zip(keys, dense, strict=True))
+
+
+def attempt(run: Run, line: Term, env: dict[str, Any]) -> bool:
+    """Run a line; whether it uses the function as it is."""
+    run.memory.misused = False
+    try:
+        execute(run, line, env)
+    except (NotFollowedError, RecursionError, ZeroDivisionError):
+        forget(run, line, env, UNKNOWN)
+    return not run.memory.misused
+
+
+def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """Run statements; what they return."""
+    if term.kind in ("loop", "case") and _only_turns(term):
+        return None
+    match term.kind:
+        case "block":
+            for part in term.parts:
+                result = execute(run, part, env)
+                if result is not None and part.kind in ("return", "block", "loop"):
+                    return result
+            return None
+        case "return":
+            return value_of(run, term.parts[0], env) if term.parts else UNKNOWN
+        case "set":
+            _assign(run, term, env)
+            return None
+        case "loop":
+            _turns(run, term, env)
+            return None
+        case "case":
+            if run.memory.stepping and any(
+                (t.kind == "call" and t.name in functions_in(run, env))
+                or t.text.startswith("continue")
+                for t in term.all()
+            ):
+                raise NotFollowedError
+            forget(run, term, env, UNKNOWN)
+            return None
+        case "other":
+            if term.names() and run.memory.stepping:
+                _poison(run, term, env)
+            return None
+        case _:
+            value_of(run, term, env)
+            return None
+
+
+def _poison(run: Run, term: Term, env: dict[str, Any]) -> None:
+    """Take what a call may change as unknown."""
+    for name in term.names() & env.keys():
+        if isinstance(env[name], Table):
+            env[name] = UNKNOWN
+    for part in (p for p in term.parts if p.text.startswith("&")):
+        env[root_of(part)] = UNKNOWN
+
+
+def _assign(run: Run, term: Term, env: dict[str, Any]) -> None:
+    target, value = term.parts
+    if target.kind == "list":
+        _several(run, target.parts, value, env)
+        return
+    if value.kind == "handle":
+        env[root_of(target)] = handle_of(run, value, env)
+        return
+    made = value_of(run, value, env)
+    if term.name:
+        made = _operation(run, term.name, value_of(run, target, env), made)
+    _store(run, target, made, env)
+
+
+def _several(run: Run, targets: Sequence[Term], value: Term, env: dict[str, Any]) -> None:
+    if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
+        each = [value_of(run, part, env) for part in value.parts]
+        for one, other in zip(targets, each, strict=True):
+            _store(run, one, other, env)
+        return
+    made = value_of(run, value, env)
+    entries = entries_of(run, made) if isinstance(made, Table) else None
+    for k, one in enumerate(targets):
+        known = entries is not None and k < len(entries)
+        _store(run, one, entries[k] if known and entries is not None else UNKNOWN, env)
+
+
+def _turns(run: Run, term: Term, env: dict[str, Any]) -> None:
+    limits, body = term.parts
+    ends = [value_of(run, one, env) for one in limits.parts]
+    if len(ends) != 2 or not all(isinstance(e, Fraction) for e in ends) or not term.name:
+        raise NotFollowedError
+    first, last = (int(e) for e in ends)
+    if last - first > TURNS:
+        raise NotFollowedError
+    for turn in range(first, last + 1):
+        env[term.name] = Fraction(turn)
+        execute(run, body, env)
+
+
+def value_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """The value of a formula; numbers that may be the step of an integrator are kept."""
+    value = _evaluated(run, term, env)
+    if isinstance(value, Fraction) and _may_be_a_step(run, term, value):
+        run.memory.scalars.add(Fraction(value))
+    return value
+
+
+def _may_be_a_step(run: Run, term: Term, value: Fraction) -> bool:
+    match term.kind:
+        case "name" | "field":
+            counts = value.denominator == 1 and not isinstance(value, Literal)
+            small = not isinstance(value, Literal) or value < 1 or term.name in STEPS
+            return small and not counts and not meaning_of(run, term.name)
+        case "number":
+            return value < 1
+        case "binary":
+            return term.name == "-" and not isinstance(value, Literal)
+    return False
+
+
+def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    match term.kind:
+        case "number":
+            try:
+                return Literal(term.name)
+            except ValueError:
+                return UNKNOWN
+        case "name":
+            return read_name(run, term.name, (), env)
+        case "entry" | "field" | "item":
+            try:
+                return read_name(run, *_path(run, term, env), env)
+            except NotFollowedError:
+                return UNKNOWN
+        case "minus":
+            return _operation(run, "*", Literal(-1), value_of(run, term.parts[0], env))
+        case "binary":
+            left, right = (value_of(run, part, env) for part in term.parts)
+            if term.name == "/" and run.language.integers and _whole(run, term.parts[0]):
+                return _whole_quotient(run, term.parts[1], left, right)
+            return _operation(run, term.name, left, right)
+        case "list":
+            return _list(run, term, env)
+        case "handle":
+            return handle_of(run, term, env)
+        case "block":
+            return _run_last(run, term, env)
+        case "call":
+            return _call(run, term, env)
+        case "choice":
+            for part in term.parts:
+                value_of(run, part, env)
+    return UNKNOWN
+
+
+def _whole(run: Run, term: Term) -> bool:
+    """Whether a number is an integer as it is written."""
+    return term.kind == "number" and term.name.isdigit()
+
+
+def _whole_quotient(run: Run, divisor: Term, left: Any, right: Any) -> Any:
+    """1/6 is 0 in C, and 1/n where n is an integer."""
+    if _whole(run, divisor) and right:
+        return Literal(int(left) // int(right))
+    if isinstance(right, Literal) and right.denominator == 1:
+        return UNKNOWN
+    return _operation(run, "/", left, right)
+
+
+def _run_last(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """The value of a block is what it returns, or that of its last line."""
+    for part in term.parts[:-1]:
+        execute(run, part, env)
+    last = term.parts[-1] if term.parts else Term("other")
+    if last.kind == "return":
+        return execute(run, last, env)
+    if last.kind == "set":
+        execute(run, last, env)
+        return value_of(run, last.parts[0], env)
+    return value_of(run, last, env)
+
+
+def _list(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    if any(part.kind == "set" for part in term.parts):
+        record = Table()
         for part in term.parts:
-            if part.kind != "star":
-                parts.append(part)
-                continue
-            (inner,) = part.parts
-            value = self._value(inner, env)
-            if inner.kind == "list":
-                parts += inner.parts
-            elif isinstance(value, Table) and value.size:
-                places = (Term("number", str(k + self.first)) for k in range(value.size))
-                parts += (Term("item", "", (inner, place), inner.text) for place in places)
-            else:
-                break
-        return replace(term, parts=tuple(parts))
+            inner = part.parts[0] if part.kind == "set" else part
+            value = value_of(run, part.parts[1] if part.kind == "set" else part, env)
+            record.entries[(inner.name,)] = value
+        return record
+    values: list[Any] = []
+    for part in term.parts:
+        value = value_of(run, part, env)
+        values += (entries_of(run, value) or [UNKNOWN]) if isinstance(value, Table) else [value]
+    return Table("", {(k + run.language.first,): v for k, v in enumerate(values)}, len(values))
 
-    def _append(self, term: Term, env: dict[str, Any]) -> Any:
-        """A value at the end of a list of times."""
-        target, part = term.parts
-        value, root = self._value(part, env), root_of(target)
-        if target.kind == "name" and not isinstance(env.get(root), Table):
-            env[root] = Table(root)
-        if isinstance(table := env.get(root), Table) and target.kind == "name":
-            table.size, table.added = None, table.added + 1
-            place = Term("number", str(FAR + 7 + table.added))
-            self._store(Term("entry", "", (target, place)), value, env)
+
+def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
+    if isinstance(left, Fraction) and isinstance(right, Fraction):
+        literal = isinstance(left, Literal) and isinstance(right, Literal)
+        kind = Literal if literal else Fraction
+        match sign:
+            case "+":
+                return kind(Fraction(left) + Fraction(right))
+            case "-":
+                return kind(Fraction(left) - Fraction(right))
+            case "*":
+                return kind(Fraction(left) * Fraction(right))
+            case "/" if right:
+                return kind(Fraction(left) / Fraction(right))
+            case "^" if right in (1, 2, 3):
+                return kind(Fraction(left) ** int(right))
         return UNKNOWN
-
-    def _call(self, term: Term, env: dict[str, Any]) -> Any:
-        term = self._spread(term, env)
-        known = env.get(term.name)
-        if isinstance(known, Handle):
-            return self._of_handle(known, term, env)
-        if term.name in self.judged:
-            return self._judged(term, env)
-        array = self.brackets and term.name in self.vectors and term.name not in self.own
-        if term.parts and (isinstance(known, Table) or (array and known is None)):
-            return self._read(*self._path(term, env), env)
-        if term.name in self.own:
-            return self._inlined(term, env)
-        if term.name == "memcpy" and len(term.parts) == 3:
-            self._store(term.parts[0], self._value(term.parts[1], env), env)
+    a, b = entries_of(run, left), entries_of(run, right)
+    if a is None or b is None:
+        return UNKNOWN
+    if isinstance(left, Table) and isinstance(right, Table):
+        if len(a) != len(b) or sign not in "+-":
             return UNKNOWN
-        if term.name == "append" and len(term.parts) == 2 and not self.first:
-            return self._append(term, env)
-        values = [self._value(part, env) for part in term.parts]
-        if term.name == "len" and isinstance(values[0], Table):
-            return Fraction(values[0].size or len(self.words.state))
-        if self.language.pointers and term.name not in self.language.shows:
-            self._poison(term, env)
-        if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
-            return Literal(number("call", term.name, *values))
-        if not values and self.stepping:  # micros()
-            return 2 + number(self._count, term.name)
+        pairs = zip(a, b, strict=True)
+    elif isinstance(left, Table) and sign in "*/":
+        pairs = ((one, right) for one in a)  # type: ignore[assignment]
+    elif isinstance(right, Table) and sign == "*":
+        pairs = ((left, one) for one in b)  # type: ignore[assignment]
+    else:
         return UNKNOWN
+    made = [_operation(run, sign, one, other) for one, other in pairs]
+    return row_of(run, made)
 
-    def _of_handle(self, handle: Handle, term: Term, env: dict[str, Any]) -> Any:
-        if handle.body is None:
-            return self._named(handle.inside[""], term, env)
-        inside = dict(handle.inside)
-        inside |= {n: self._value(p, env) for n, p in zip(handle.takes, term.parts, strict=False)}
-        return self._value(handle.body, inside)
 
-    def _named(self, name: str, term: Term, env: dict[str, Any]) -> Any:
-        other = replace(term, name=name)
-        return self._judged(other, env) if name in self.judged else self._inlined(other, env)
+def _spread(run: Run, term: Term, env: dict[str, Any]) -> Term:
+    """A call with its arguments one by one: rate(t, y, *p)."""
+    if not any(part.kind == "star" for part in term.parts):
+        return term
+    parts: list[Term] = []
+    for part in term.parts:
+        if part.kind != "star":
+            parts.append(part)
+            continue
+        (inner,) = part.parts
+        value = value_of(run, inner, env)
+        if inner.kind == "list":
+            parts += inner.parts
+        elif isinstance(value, Table) and value.size:
+            places = (Term("number", str(k + run.language.first)) for k in range(value.size))
+            parts += (Term("item", "", (inner, place), inner.text) for place in places)
+        else:
+            break
+    return replace(term, parts=tuple(parts))
 
-    def _inlined(self, term: Term, env: dict[str, Any]) -> Any:
-        if self.depth > DEPTH:
-            raise NotFollowedError
-        one = self.own[term.name]
-        inside: dict[str, Any] = {}
-        for name, part in zip(one.takes, term.parts, strict=False):
-            if part.kind == "absent":
-                continue
-            value = self._value(part, env)
-            if isinstance(value, Table) and self.first and one.gives:
-                self._dense(value) if value.name and not value.entries else None
-                value = Table("", dict(value.entries), value.size)
-            inside[name] = value
-        own = {*inside, *one.local}
-        shared = {} if one.gives else {n: v for n, v in env.items() if n not in own}
-        inside = {**shared, **inside}
-        called = {n: root_of(p) for n, p in zip(one.takes, term.parts, strict=False) if root_of(p)}
-        for name, other in called.items():  # state.w, where the caller says s.w
-            inside |= {f"{name}.{n.removeprefix(f'{other}.')}": v for n, v in env.items()
-                       if n.startswith(f"{other}.")}  # fmt: skip
-        self.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
-        self.depth += 1
-        result = self._run(one.body, inside)
-        self.depth -= 1
-        for name in one.fills & shared.keys():
-            env[name] = inside.get(name, UNKNOWN)
-        for name, (base, dot, last) in ((n, n.partition(".")) for n in one.fills):
-            if dot and name in inside:
-                env[f"{called.get(base, base)}.{last}"] = inside[name]
-        for name, part in zip(one.takes, term.parts, strict=False):
-            if name in one.shared and not isinstance(inside.get(name), Table):
-                self._store(part, inside[name], env)
-        self.explained.add(term.name)
-        if one.gives:
-            given = [self._read(n, (), inside) for n in one.gives]
-            return given[0] if len(given) == 1 else Table(
-                "", {(k + self.first,): v for k, v in enumerate(given)}, len(given)
-            )  # fmt: skip
-        return UNKNOWN if result is None else result
+
+def _append(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """A value at the end of a list of times."""
+    target, part = term.parts
+    value, root = value_of(run, part, env), root_of(target)
+    if target.kind == "name" and not isinstance(env.get(root), Table):
+        env[root] = Table(root)
+    if isinstance(table := env.get(root), Table) and target.kind == "name":
+        table.size, table.added = None, table.added + 1
+        place = Term("number", str(FAR + 7 + table.added))
+        _store(run, Term("entry", "", (target, place)), value, env)
+    return UNKNOWN
+
+
+def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    term = _spread(run, term, env)
+    known = env.get(term.name)
+    if isinstance(known, Handle):
+        return _of_handle(run, known, term, env)
+    if term.name in run.judged:
+        return call_judged(run, term, env)
+    array = run.language.brackets and term.name in run.memory.vectors and term.name not in run.own
+    if term.parts and (isinstance(known, Table) or (array and known is None)):
+        return read_name(run, *_path(run, term, env), env)
+    if term.name in run.own:
+        return _inlined(run, term, env)
+    if term.name == "memcpy" and len(term.parts) == 3:
+        _store(run, term.parts[0], value_of(run, term.parts[1], env), env)
+        return UNKNOWN
+    if term.name == "append" and len(term.parts) == 2 and not run.language.first:
+        return _append(run, term, env)
+    values = [value_of(run, part, env) for part in term.parts]
+    if term.name == "len" and isinstance(values[0], Table):
+        return Fraction(values[0].size or len(run.words.state))
+    if run.language.pointers and term.name not in run.language.shows:
+        _poison(run, term, env)
+    if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
+        return Literal(number("call", term.name, *values))
+    if not values and run.memory.stepping:  # micros()
+        return 2 + number(run.memory.count, term.name)
+    return UNKNOWN
+
+
+def _of_handle(run: Run, handle: Handle, term: Term, env: dict[str, Any]) -> Any:
+    if handle.body is None:
+        return _named(run, handle.inside[""], term, env)
+    inside = dict(handle.inside)
+    inside |= {n: value_of(run, p, env) for n, p in zip(handle.takes, term.parts, strict=False)}
+    return value_of(run, handle.body, inside)
+
+
+def _named(run: Run, name: str, term: Term, env: dict[str, Any]) -> Any:
+    other = replace(term, name=name)
+    return call_judged(run, other, env) if name in run.judged else _inlined(run, other, env)
+
+
+def _inlined(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    if run.memory.depth > DEPTH:
+        raise NotFollowedError
+    one = run.own[term.name]
+    inside: dict[str, Any] = {}
+    for name, part in zip(one.takes, term.parts, strict=False):
+        if part.kind == "absent":
+            continue
+        value = value_of(run, part, env)
+        if isinstance(value, Table) and run.language.first and one.gives:
+            entries_of(run, value) if value.name and not value.entries else None
+            value = Table("", dict(value.entries), value.size)
+        inside[name] = value
+    own = {*inside, *one.local}
+    shared = {} if one.gives else {n: v for n, v in env.items() if n not in own}
+    inside = {**shared, **inside}
+    called = {n: root_of(p) for n, p in zip(one.takes, term.parts, strict=False) if root_of(p)}
+    for name, other in called.items():  # state.w, where the caller says s.w
+        inside |= {f"{name}.{n.removeprefix(f'{other}.')}": v for n, v in env.items()
+                   if n.startswith(f"{other}.")}  # fmt: skip
+    run.memory.vectors |= {n for n, v in inside.items() if isinstance(v, Table)}
+    run.memory.depth += 1
+    result = execute(run, one.body, inside)
+    run.memory.depth -= 1
+    for name in one.fills & shared.keys():
+        env[name] = inside.get(name, UNKNOWN)
+    for name, (base, dot, last) in ((n, n.partition(".")) for n in one.fills):
+        if dot and name in inside:
+            env[f"{called.get(base, base)}.{last}"] = inside[name]
+    for name, part in zip(one.takes, term.parts, strict=False):
+        if name in one.shared and not isinstance(inside.get(name), Table):
+            _store(run, part, inside[name], env)
+    run.memory.explained.add(term.name)
+    if one.gives:
+        given = [read_name(run, n, (), inside) for n in one.gives]
+        return given[0] if len(given) == 1 else Table(
+            "", {(k + run.language.first,): v for k, v in enumerate(given)}, len(given)
+        )  # fmt: skip
+    return UNKNOWN if result is None else result

@@ -111,6 +111,8 @@ class JudgedFunction:
         Numbers of arguments that a call may leave out.
     unused : frozenset of str
         Arguments that make no difference.
+    time : str
+        The argument that is the time, where that makes a difference.
     """
 
     name: str
@@ -121,6 +123,7 @@ class JudgedFunction:
     around: Mapping[str, str] = field(default_factory=dict)
     defaults: Mapping[str, Fraction] = field(default_factory=dict)
     unused: frozenset[str] = frozenset()
+    time: str = ""
 
 
 @dataclass(frozen=True)

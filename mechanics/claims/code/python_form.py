@@ -17,7 +17,7 @@ SIGNS: dict[type[ast.operator], str] = {
 }  # fmt: skip
 SAME = frozenset(
     ("array", "asarray", "float", "copy", "deepcopy", "float64", "list", "tuple", "ravel",
-     "flatten", "squeeze", "tolist", "item", "atleast_1d")
+     "flatten", "squeeze", "tolist", "item", "atleast_1d", "hstack", "concatenate")
 )  # fmt: skip
 """Calls that leave a value as it is."""
 MODULES = frozenset(("np", "numpy", "math", "jnp", "plt", "scipy", "sp", "copy", "integrate", "la"))

@@ -46,7 +46,8 @@ def judged_function(node: Defined, names: SceneNames) -> JudgedFunction:
         meanings |= {n: names.state for n in takes if n in parted and n not in meanings}
     unused = frozenset({*takes} - {name for line in node.body for name in words_in(line)})
     gives, defaults = _gives(node, meanings, names), _defaults(node, meanings)
-    return JudgedFunction(node.name, takes, meanings, (), gives, {}, defaults, unused)
+    time = next((n for n in takes if n in TIMES and n not in unused), "")
+    return JudgedFunction(node.name, takes, meanings, (), gives, {}, defaults, unused, time)
 
 
 def _single(name: str, names: SceneNames) -> tuple[str, ...]:

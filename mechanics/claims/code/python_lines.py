@@ -18,8 +18,9 @@ from typing import Any
 
 from sympy import Symbol
 
-from mechanics.claims.code.call_sites import CallSites
+from mechanics.claims.code.call_sites import function_lines, is_result, lines_of
 from mechanics.claims.code.changed_numbers import MAKES
+from mechanics.claims.code.integrator_steps import is_step
 from mechanics.claims.code.interpreter_values import (
     FileFunction,
     JudgedFunction,
@@ -48,6 +49,7 @@ from mechanics.claims.code.python_functions import (
 )
 from mechanics.claims.code.python_laws import ARITHMETIC, Scope, assigned, laws, roots_in
 from mechanics.claims.code.reachability import reachable
+from mechanics.claims.code.run import Run
 from mechanics.claims.names import Naming
 
 LONGEST = 60
@@ -238,9 +240,9 @@ class _File:
                   if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}  # fmt: skip
         return {n: passed_function(n, inside, self.names) for n in sorted(given & called)}
 
-    def sites(self, judged: Mapping[str, JudgedFunction]) -> CallSites:
-        """What looks at lines around some functions."""
-        return CallSites(judged, self.functions, self.users, self.names, PYTHON)
+    def run(self, judged: Mapping[str, JudgedFunction]) -> Run:
+        """What stands around some functions."""
+        return Run(judged, self.functions, self.users, self.names, PYTHON)
 
     @cached_property
     def top(self) -> list[ast.stmt]:
@@ -259,8 +261,10 @@ class _File:
     def known(self) -> tuple[dict[str, Any], list[str]]:
         """What names of the file are, and lines outside of functions that are not innocent."""
         known: dict[str, Any] = {}
-        sites = self.sites(self.judged)
-        found = [text for one in self.top for text in sites.lines(statement(one, self.form), known)]
+        run = self.run(self.judged)
+        found = [
+            text for one in self.top for text in lines_of(run, statement(one, self.form), known)
+        ]
         return known, found
 
     def called(self) -> Iterator[str]:
@@ -268,25 +272,27 @@ class _File:
         known, found = self.known
         yield from found
         for one in self.outer:
-            sites = self.sites({**self.judged, **self.passed(one)})
-            yield from sites.function(file_function(one, self.form), known)
+            run = self.run({**self.judged, **self.passed(one)})
+            yield from function_lines(run, file_function(one, self.form), known)
 
     def steps(
         self, judged: Mapping[str, JudgedFunction], around: Defined | None,
         body: Sequence[ast.stmt],
     ) -> set[str]:  # fmt: skip
         """What a block advances as an integrator does: of a function, or all of it."""
-        sites = self.sites(judged)
+        run = self.run(judged)
         one = file_function(around, self.form) if around is not None else None
         before = [s for s in (self.top if around is None else around.body)
                   if isinstance(s, ast.Assign) and s not in body]  # fmt: skip
-        sites.before = [*filter(sites.is_result, (statement(s, self.form) for s in before))]
+        run.memory.before = [
+            *filter(partial(is_result, run), (statement(s, self.form) for s in before))
+        ]
         lines = block(body, self.form)
         apart = {*one.takes, *one.local} if one is not None else set()
         known = {name: value for name, value in self.known[0].items() if name not in apart}
         whole = one if around is not None and body is around.body else None
-        found = sites.steps(lines, known, "", whole)
-        return {root for root, _ in sites.advanced} if found else set()
+        found = is_step(run, lines, known, "", whole)
+        return {root for root, _ in run.memory.advanced} if found else set()
 
     # what is said without a judged function
 

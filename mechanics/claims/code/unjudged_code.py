@@ -14,7 +14,13 @@ from typing import Any
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code import cpp_functions, julia, matlab
-from mechanics.claims.code.call_sites import CallSites
+from mechanics.claims.code.call_sites import (
+    changed_numbers,
+    concerns,
+    function_lines,
+    lines_of,
+    misuses,
+)
 from mechanics.claims.code.cpp_objects import objects
 from mechanics.claims.code.intermediate_form import Term, term, with_names
 from mechanics.claims.code.interpreter_values import (
@@ -25,6 +31,7 @@ from mechanics.claims.code.interpreter_values import (
 )
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
+from mechanics.claims.code.run import Run
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import plain_symbol
@@ -91,20 +98,18 @@ def unjudged_code(
     seen = _seen(judged, found, others, lines, naming, title)
     names = names_of(naming)
     around = (others, users, names, ROWS.get(suffix, ROWS[".cpp"]))
-    uses = CallSites({seen.name: seen}, *around)
+    uses = Run({seen.name: seen}, *around)
     said: list[str] = []
     if suffix not in LANGUAGES:
         made = objects(root, seen, names.meaning)
         said += (
-            call.text
-            for kind, call in made
-            if CallSites({kind.name: kind}, *around).misuses(call, {})
+            call.text for kind, call in made if misuses(Run({kind.name: kind}, *around), call, {})
         )
     known: dict[str, Any] = {}
     for node in lines:
         line = with_names(term(node), title)
-        concerned = suffix in LANGUAGES and uses.concerns(line, known)
-        quoted = uses.lines(line, known)
+        concerned = suffix in LANGUAGES and concerns(uses, line, known)
+        quoted = lines_of(uses, line, known)
         if suffix not in LANGUAGES:
             continue
         if not (quoted or concerned or chosen) and _says(node, own, users, naming, title, judged):
@@ -114,11 +119,11 @@ def unjudged_code(
     free = {n for name in own & others.keys() for n in others[name].free()}
     for name in (n for n in every if n not in own):
         if suffix not in LANGUAGES:
-            said += (f"{name}: {line}" for line in uses.changed(others[name], free))
+            said += (f"{name}: {line}" for line in changed_numbers(uses, others[name], free))
     for name in (n for n in every if n in users):
-        said += (f"{name}: {line}" for line in uses.function(others[name], known))
+        said += (f"{name}: {line}" for line in function_lines(uses, others[name], known))
     for name, node in functions.items():
-        apart = not (chosen or name in own | users | PROGRAM | uses.explained)
+        apart = not (chosen or name in own | users | PROGRAM | uses.memory.explained)
         if apart and not _only_shows(node):
             said.insert(0, f"function {name}")
     return tuple(dict.fromkeys(one[:LONGEST] for one in said))
@@ -225,7 +230,9 @@ def _seen(
     )
     single = {m.name: m.meaning for m in found.names if m.name not in takes}
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
-    return JudgedFunction(name, takes, meanings, filled, gives, around)
+    used = functions[name].body.names() if name in functions else ()
+    time = "t" if "t" in takes and "t" in used else ""
+    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time)
 
 
 def _is_set(function: FileFunction, name: str) -> bool:

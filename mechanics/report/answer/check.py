@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from rich.console import Group
 
 from mechanics.claims.names import Match
+from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.kernel import Verdict
 from mechanics.report.answer.code_formula import numbered, once, spelled
@@ -39,6 +40,8 @@ class Check:
         Lines and sentences that were set aside, as the person asked.
     suggested : tuple of str
         Which option would give a verdict of what is shown.
+    set_aside : tuple of Statement
+        The statements among what was set aside.
 
     Examples
     --------
@@ -61,6 +64,7 @@ class Check:
     beside: tuple[str, ...] = ()
     aside: tuple[str, ...] = ()
     suggested: tuple[str, ...] = ()
+    set_aside: tuple[Statement, ...] = ()
 
     @property
     def verdict(self) -> Verdict:

@@ -48,7 +48,7 @@ class Judged:
         """Whether the evidence of the finding says what a reader wants to know."""
         finding = self.finding
         plain = finding.verdict in (Verdict.PROVED, Verdict.REFUTED)
-        return self.of_dimension or finding.undefined or not plain
+        return bool(finding.evidence) and (self.of_dimension or finding.undefined or not plain)
 
 
 def of_dimension(finding: Finding) -> bool:

@@ -11,16 +11,19 @@ from mechanics.report import words
 from mechanics.report.answer import formulas
 from mechanics.report.answer.cards import sheets_of
 from mechanics.report.answer.check import Check
+from mechanics.report.answer.marks import printable
 from mechanics.report.answer.segments import parted
 from mechanics.report.answer.sentences import (
     counted,
     formulas_alone,
+    located,
+    number_and_line,
     order,
     read_as,
     two_sided,
     which,
 )
-from mechanics.report.answer.sheets import shared_notes
+from mechanics.report.answer.sheets import shared_notes, shared_reasons
 from mechanics.report.drawing import drawing
 from mechanics.report.environment import environment
 from mechanics.report.projection import View
@@ -56,6 +59,7 @@ def check_html(found: Check) -> str:
     )  # fmt: skip
     made.tests["wide"] = formulas.wide
     told, notes = shared_notes(found.told)
+    told, reasons = shared_reasons(told)
     form = goal_of((found.derived,)) if found.derived is not None else ()
     state = dict(found.scene.example)
     return made.get_template("answer/page.html").render(
@@ -63,8 +67,9 @@ def check_html(found: Check) -> str:
         scene=found.scene,
         sheets=sheets_of(told, found.scene),
         notes=notes,
+        reasons=reasons,
         hand=formulas.hand_of(told[0].statement) if told else formulas.Hand("", None),
-        tally=words.tally(entry.finding for entry in found.judged),
+        tally=words.tally(entry.verdict for entry in found.judged),
         drawing=Markup(drawing(found.scene, state)),
         symbols=_symbols(found, state),
         form=form,
@@ -72,8 +77,20 @@ def check_html(found: Check) -> str:
         alone=formulas_alone(
             [entry.verdict for entry in found.judged], len(found.unjudged), len(found.aside)
         ),
+        aside=_aside(found),
         derived_steps=_derivation(found, form, state),
     )
+
+
+def _aside(found: Check) -> list[tuple[str, Markup]]:
+    """What was set aside: where it stands, and an equation, or a sentence."""
+    statements = {located(statement): statement for statement in found.set_aside}
+    return [
+        (number_and_line(one), formulas.equation(one.source, formulas.hand_of(one)))
+        if (one := statements.get(words)) is not None
+        else ("", Markup("<p>{}</p>").format(printable(words)))
+        for words in found.aside
+    ]
 
 
 def _missing(found: Check) -> str:

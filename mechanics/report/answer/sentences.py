@@ -80,6 +80,28 @@ def place(statement: Statement) -> str:
     return statement.place.removeprefix("text, ").removeprefix("LaTeX, ")
 
 
+LINE = re.compile(r"line (\d+)$")
+
+
+def line_of(statement: Statement) -> int:
+    """In which line of its text a statement begins; 0 where it has none."""
+    line = LINE.search(statement.place)
+    return int(line[1]) if line else 0
+
+
+def number_and_line(statement: Statement) -> str:
+    """Its number where it has one, and its line: ``(2), line 4``."""
+    line, tag = line_of(statement), statement.tag
+    where = [tag] if tag.startswith("(") and tag != statement.source else []
+    return ", ".join([*where, *([f"line {line}"] if line else [])])
+
+
+def located(statement: Statement) -> str:
+    """A statement as it is quoted: where it stands, and what is written."""
+    where = number_and_line(statement)
+    return f"{where}: {statement.source}" if where else statement.source
+
+
 def sides(statement: Statement) -> tuple[str, str]:
     """What the two values of a witness are: of both sides, or of what is written and derived."""
     row = statement.row
@@ -122,8 +144,9 @@ def formulas_alone(verdicts: Sequence[Verdict], unjudged: int, aside: int = 0) -
         return ""
     proved = {*verdicts} <= {*shown}
     verdict = next((v.name for v in shown if v in verdicts), "")
-    around = "sentence around them was" if unjudged == 1 else "sentences around them were"
-    parts = [f"{unjudged} {around} not judged."] if unjudged and proved else []
+    around = "it" if aside and len(verdicts) == 1 else "them"
+    was = f"sentence around {around} was" if unjudged == 1 else f"sentences around {around} were"
+    parts = [f"{unjudged} {was} not judged."] if unjudged and proved else []
     if not aside:
         return " ".join([f"The formulas are {verdict}.", *parts]) if proved else ""
     chosen = plural(len(verdicts), "statement")

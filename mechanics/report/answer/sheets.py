@@ -1,4 +1,4 @@
-"""What several statements share is told once: an equation of matrices, and how it was read.
+"""What several statements share is told once: an equation of matrices, how it was read, a reason.
 
 1 row 1, 1 row 2, 1 row 3 of one source    ->    the source, and three verdicts
 """
@@ -6,9 +6,11 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
+from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
+from mechanics.report.answer.meaning import meaning
 
 ROW = re.compile(r"(?P<whole>.*) (?P<row>row \d+)")
 
@@ -49,3 +51,35 @@ def shared_notes(judged: Sequence[Judged]) -> tuple[tuple[Judged, ...], tuple[st
         )
         for entry in judged
     ), often
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why several statements are UNDECIDED.
+
+    Attributes
+    ----------
+    tags : tuple of str
+        Of these statements.
+    words : str
+    """
+
+    tags: tuple[str, ...]
+    words: str
+
+
+def shared_reasons(judged: Sequence[Judged]) -> tuple[tuple[Judged, ...], tuple[Reason, ...]]:
+    """Statements without the reason that several of them are UNDECIDED for, and those reasons."""
+    tags: dict[str, list[str]] = {}
+    for entry in judged:
+        if entry.finding.verdict is Verdict.UNDECIDED and entry.finding.evidence:
+            tags.setdefault(entry.finding.evidence, []).append(entry.statement.tag)
+    often = {evidence for evidence, some in tags.items() if len(some) > 1}
+    told = tuple(
+        replace(entry, finding=replace(entry.finding, evidence=""))
+        if entry.finding.verdict is Verdict.UNDECIDED and entry.finding.evidence in often
+        else entry
+        for entry in judged
+    )
+    first = {entry.finding.evidence: meaning(entry.finding)[0] for entry in reversed(judged)}
+    return told, tuple(Reason(tuple(tags[one]), first[one]) for one in tags if one in often)

@@ -39,7 +39,7 @@ from mechanics.report.answer.sentences import (
     two_sided,
     which,
 )
-from mechanics.report.answer.sheets import shared_notes, sheets
+from mechanics.report.answer.sheets import shared_notes, shared_reasons, sheets
 from mechanics.report.answer.source import Source
 from mechanics.report.answer.term_values import term_values
 from mechanics.report.answer.witness import short_state, short_value, short_values
@@ -88,6 +88,10 @@ def answer(
         parts += [Hanging(line(words)), ""]
     apart = False
     told, notes = shared_notes(judged)
+    told, reasons = shared_reasons(told)
+    for reason in reasons:
+        lead = f"{', '.join(reason.tags)}: "
+        parts += [Hanging(line(reason.words, STYLES[Verdict.UNDECIDED], lead)), ""]
     for sheet in sheets(told):
         made = [line for n, entry in enumerate(sheet) for line in one(entry, scene, again=n > 0)]
         if parts and parts[-1] != "" and (len(made) > 1 or apart):
@@ -123,8 +127,10 @@ def one(
     else:
         yield Hanging(head)
         yield _source(statement.source, edits)
+    helping = [below(line(words, "yellow", "right if ")) for words in entry.right_if]
     if entry.open:
         yield below(line(OPEN))
+        yield from helping
     if entry.says_why:
         plain_words, known = meaning(finding)
         yield below(line(plain_words))
@@ -132,7 +138,8 @@ def one(
             yield below(line(known, "dim", "(how it is known: ").append(")"))
     if blame is not None:
         yield from _blame(blame, statement)
-    yield from (below(line(words, "yellow", "right if ")) for words in entry.right_if)
+    if not entry.open:
+        yield from helping
     if not entry.of_dimension:
         yield from _state(entry, scene)
     yield from (below(line(note, "dim")) for note in statement.notes)
