@@ -177,7 +177,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     chosen = function or (_last(names, best) if best else "")
     if not (own or function):
         held_ones = {n for n, v in _own(whole).items() if isinstance(v, HOLDING)}
-        if strange := unsettled(ast.parse(code), held_ones):
+        if strange := unsettled(ast.parse(code), held_ones, whole):
             raise InputError(f"file {path}: {strange}")
         claims = _equations(whole)
         lines, unread = claims_of(code, _own(whole))
@@ -196,7 +196,7 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         )
     others = [] if function else _others(names, own, chosen, shown, passing(code))
     used = set().union(*(used_by(whole, n) for n in (chosen, *(other.name for other in others))))
-    if strange := unsettled(ast.parse(code), used, used):
+    if strange := unsettled(ast.parse(code), used, whole, used):
         raise InputError(f"file {path}: {strange}")
     lines, unread = claims_of(code, _own(whole))
     formulas: list[Any] = ["\n".join(lines)] if lines and not unread else []

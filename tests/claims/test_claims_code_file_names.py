@@ -44,9 +44,9 @@ OTHER = (
 
 @pytest.mark.parametrize("text", SAME)
 def test_formulas_of_numbers_are_the_same_everywhere(text: str) -> None:
-    assert unsettled(ast.parse(text), {"K"}) == ""
+    assert unsettled(ast.parse(text), {"K"}, {}) == ""
 
 
 @pytest.mark.parametrize("text", OTHER)
 def test_what_asks_who_runs_it_is_named(text: str) -> None:
-    assert unsettled(ast.parse(text), {"K"}).startswith("K depends on where the file is run")
+    assert unsettled(ast.parse(text), {"K"}, {}).startswith("K depends on where the file is run")

@@ -13,13 +13,14 @@ import builtins
 import inspect
 import sys
 import types
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from mechanics.claims.code.changed_numbers import MAKES
 from mechanics.claims.code.closure_numbers import called_by, content, named, owner_of
+from mechanics.claims.code.escape_analysis import escape, same_objects
 from mechanics.errors import InputError
 
 KNOWN = {
@@ -93,7 +94,7 @@ def refuse_unsettled(function: Callable[..., Any], standing: Container[str] = ()
         roots = {f.__qualname__.partition(".")[0]: f for f in own}
         names |= {n for n, f in roots.items() if "<locals>" not in f.__qualname__}
         around = {n for n, f in roots.items() if "<locals>" in f.__qualname__ and _holds(f)}
-        if why := unsettled(tree, names, {*roots}, around, standing):
+        if why := unsettled(tree, names, owner.__globals__, {*roots}, around, standing):
             raise InputError(f"function {origin.__name__}: {why}")
 
 
@@ -110,8 +111,8 @@ def globals_of(code: types.CodeType) -> set[str]:
 
 
 def unsettled(
-    tree: ast.Module, names: Iterable[str], called: Container[str] = (),
-    around: Iterable[str] = (), standing: Container[str] = (),
+    tree: ast.Module, names: Iterable[str], values: Mapping[str, Any],
+    called: Container[str] = (), around: Iterable[str] = (), standing: Container[str] = (),
 ) -> str:  # fmt: skip
     """Which of some names that a function uses is another one elsewhere, in a sentence.
 
@@ -121,6 +122,8 @@ def unsettled(
         The file.
     names : iterable of str
         What functions that are followed later use, and these.
+    values : mapping of str to object
+        What names of the file are.
     called : container of str
         These functions, and their classes: what they change is seen when they are followed.
     around : iterable of str
@@ -130,9 +133,17 @@ def unsettled(
     """
     file = _File(tree, called)
     file.done |= {(n, strict): "" for n in file.bound if n in standing for strict in (True, False)}
-    names = [name for name in names if name not in standing]
-    every = (*map(file.used, sorted(names)), *map(file.around, around))
-    return next((why for why in every if why), "")
+    names = {name for name in names if name not in standing}
+    objects = {other: name for name in names for other in same_objects(name, values)}
+    every = (*map(file.used, sorted(names | objects.keys())), *map(file.around, around))
+    if why := next((why for why in every if why), ""):
+        return why
+    places = (escape(tree, name, values, called) for name in sorted(objects))
+    place = next(filter(None, places), None)
+    return (
+        f"{objects[place.name]} may be changed in line {place.line}, where {place.name} is passed"
+        " on: write what it is" if place else ""
+    )  # fmt: skip
 
 
 class _File:
@@ -295,7 +306,8 @@ def _elsewhere(node: ast.ImportFrom, name: str) -> str:
     if not path.endswith(".py") or "site-packages" in path:
         return ""
     try:
-        why = unsettled(ast.parse(Path(path).read_text(encoding="utf-8")), {name})
+        tree = ast.parse(Path(path).read_text(encoding="utf-8"))
+        why = unsettled(tree, {name}, vars(module))
     except (OSError, SyntaxError, ValueError, RecursionError):
         return f"{name} of {node.module} is not read: write what it is"
     return f"{node.module}.py: {why}" if why else ""
