@@ -314,12 +314,15 @@ PART_OF_DOCUMENT = re.compile(
 )
 """What names a part of a document."""
 GIVEN = re.compile(
-    r"(?:^|[\n,;:$({]|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
+    r"(?:^|\\\[|[\n,;:$({]|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
     r"|Real|[A-Z]\w*(?:\.[A-Z]\w*)+)\b)[ \t]*(?:\w+\.)*\\?(?P<name>[A-Za-z]\w*)"
     r"(?:[ \t]*\([^()\n]*=[^()\n]*\))?[ \t]*=[ \t]*"
-    r"(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)[fF]?(?![ \t]*[\w*^/(\\.+-])"
+    r"(?:\\(?:SI|qty|num)\s?\{)?[ \t]*"
+    r"(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)[fF]?"
+    r"(?:(?=(?:\\[,;:! ]|~|\s)*\\(?:mathrm|text|textrm|rm|unit|si|mathsf|operatorname)\b)"
+    r"|(?![ \t]*[\w*^/(\\.+-]))"
 )
-"""A parameter that is a number."""
+"""A parameter that is a number, as it is or in a unit."""
 DENIAL = re.compile(
     r"\b(?:is|are|was|were|be) (?:\w+ly )?"
     r"(?:wrong|false|incorrect|erroneous|not (?:true|correct|right))\b"

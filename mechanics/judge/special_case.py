@@ -73,7 +73,7 @@ def _open(truth: Equations, entry: Judged) -> Judged:
         return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
     table = dict(_given(truth, written)) if written.notation == "latex" else {}
     # Of what stands in the statement itself, a value is an example, but where it says no more.
-    alone = all(side in held or side.is_number for side in row.sides)
+    alone = all(isinstance(s, Expr) and (s in held or s.is_number) for s in row.sides)
     beside = {s: v for s, v in _stated(truth, written).items() if alone or s not in held}
     for some in (table, table | beside):
         if (needed := _needed(truth, row, some)) is not None:

@@ -296,6 +296,20 @@ def test_a_value_that_the_scene_cannot_have_shows_nothing(
     assert check(truths["rod_pendulum"], text, blame=False).verdict is Verdict.UNDECIDED
 
 
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        (r"with $g = -9.81\,\mathrm{m/s^2}$", Verdict.UNDECIDED),
+        (r"with $g = \SI{-9.81}{m/s^2}$", Verdict.UNDECIDED),
+        (r"\[ l = -2\,\text{m} \]", Verdict.UNDECIDED),
+        (r"with $g = 9.81\,\mathrm{m/s^2}$", Verdict.PROVED),
+    ],
+)
+def test_a_value_in_its_unit(truths: dict[str, Equations], said: str, verdict: Verdict) -> None:
+    text = rf"\[ {EQUATIONS['rod_pendulum']} \] {said}"
+    assert check(truths["rod_pendulum"], text, blame=False).verdict is verdict
+
+
 QUOTED = [
     ("two_mass_chain", r"The springs are made of steel."),
     ("two_mass_chain", r"Federn aus Stahl verbinden die Massen."),

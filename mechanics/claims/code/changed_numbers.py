@@ -15,7 +15,7 @@ from typing import Any
 
 from sympy import Expr
 
-from mechanics.claims.code.closure_assignments import around, file_of, kinds_of
+from mechanics.claims.code.closure_assignments import around, file_of, kinds_of, paired
 from mechanics.claims.names import key
 
 MAKES = ("__new__", "__init__", "__post_init__")
@@ -67,7 +67,7 @@ def _assigned(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
         match one:
             case ast.Assign(targets=targets, value=value):
                 for target in targets:
-                    yield from _paired(target, value)
+                    yield from paired(target, value)
             case ast.AnnAssign(target=target, value=ast.expr() as value):
                 yield target, value
             case ast.AugAssign(target=target, op=op, value=value):
@@ -77,14 +77,6 @@ def _assigned(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
                 args=[ast.expr() as owner, ast.Constant(value=str() as name), value],
             ):
                 yield ast.Attribute(owner, name), value
-
-
-def _paired(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:
-    """``a, b = 1, 2`` is two assignments."""
-    if isinstance(target, ast.Tuple | ast.List) and isinstance(value, ast.Tuple | ast.List):
-        yield from zip(target.elts, value.elts, strict=False)
-    else:
-        yield target, value
 
 
 def _differs(name: str, value: ast.expr, meaning: set[str]) -> bool:

@@ -175,9 +175,9 @@ def _stores(body: Sequence[ast.stmt]) -> Iterator[tuple[str, ast.expr | None]]:
                 yield statement.name, None
                 continue
             case ast.Assign(targets=targets, value=value):
-                pairs = [pair for target in targets for pair in _paired(target, value)]
+                pairs = [pair for target in targets for pair in paired(target, value)]
             case ast.AnnAssign(target=target, value=ast.expr() as value):
-                pairs = list(_paired(target, value))
+                pairs = list(paired(target, value))
             case _:
                 pairs = []
         plain = {id(target): value for target, value in pairs}
@@ -192,7 +192,7 @@ def _stores(body: Sequence[ast.stmt]) -> Iterator[tuple[str, ast.expr | None]]:
                 yield node.asname or node.name, None
 
 
-def _paired(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:
+def paired(target: ast.expr, value: ast.expr) -> Iterator[tuple[ast.expr, ast.expr]]:
     """``a, b = 1, 2`` is two assignments."""
     many = (ast.Tuple, ast.List)
     if isinstance(target, many) and isinstance(value, many):

@@ -29,6 +29,8 @@ METHODS = frozenset(
 )  # fmt: skip
 """Methods that change nothing of their object."""
 MUTABLE = (list, dict, set, bytearray)
+IMMUTABLE = ("builtins", "fractions", "decimal", "sympy", "casadi", "enum")
+"""Modules whose other objects are numbers, names and formulas."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 PARTS = (ast.Attribute, ast.Subscript)
 
@@ -201,17 +203,14 @@ def _entry(value: Any, node: ast.expr) -> Any:
 
 def _is_mutable(value: Any) -> bool:
     """Whether an object can be changed in place."""
-    if isinstance(value, MUTABLE):
-        return True
+    if isinstance(value, (*MUTABLE, tuple)):
+        return not isinstance(value, tuple) or any(map(_is_mutable, value))
     kind = type(value)
-    if isinstance(value, type) or kind.__module__ in ("builtins", "fractions", "decimal", "sympy"):
+    library = (kind.__module__ or "sympy").partition(".")[0]
+    if isinstance(value, type) or library in IMMUTABLE:
         return False
-    if kind.__module__.partition(".")[0] in ("sympy", "casadi", "enum"):
-        return False
-    if kind.__module__.partition(".")[0] == "numpy":
+    if library == "numpy":
         return hasattr(value, "shape") and value.shape != ()
-    if isinstance(value, tuple):
-        return any(map(_is_mutable, value))
     if is_dataclass(value) and kind.__dataclass_params__.frozen:
         return any(_is_mutable(getattr(value, field.name)) for field in fields(value))
     return hasattr(value, "__dict__") and not callable(value)
@@ -223,7 +222,7 @@ def _is_flat(value: Any) -> bool:
         return not any(map(_is_mutable, value.values()))
     if isinstance(value, (list, set, tuple)):
         return not any(map(_is_mutable, value))
-    return type(value).__module__.partition(".")[0] == "numpy" and getattr(value, "ndim", 2) < 2
+    return getattr(value, "ndim", 2) < 2
 
 
 def _own(node: ast.AST) -> set[str]:

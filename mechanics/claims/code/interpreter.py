@@ -15,6 +15,7 @@ from typing import Any
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
+    MOVING,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -45,6 +46,11 @@ from mechanics.claims.code.run import (
     row_of,
 )
 
+IMPURE = frozenset(
+    ("next", "pop", "popleft", "popitem", "rand", "randn", "random", "randint", "uniform", "normal",
+     "choice", "input", "readline")
+)  # fmt: skip
+"""Calls that give another value each time."""
 TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
@@ -408,14 +414,29 @@ def _assign(run: Run, term: Term, env: dict[str, Any]) -> None:
     made = value_of(run, value, env)
     if term.name:
         made = _operation(run, term.name, value_of(run, target, env), made)
-    _store(run, target, made, env)
+    _store(run, target, _moving(run, value, made, env), env)
+
+
+def _moving(run: Run, term: Term, value: Any, env: Mapping[str, Any]) -> Any:
+    """What a formula gives, where nothing follows it: whether it is made of what moves."""
+    if not isinstance(value, Unknown):
+        return value
+    names = term.names()
+    moves = any(env.get(n) is MOVING or _is_state(run, n, env.get(n)) for n in names)
+    return MOVING if moves else value
+
+
+def _is_state(run: Run, name: str, value: Any) -> bool:
+    """Whether a name is the state, or an entry of it."""
+    whole = isinstance(value, Table) and value.size == len(run.words.state) and bool(value.name)
+    return meaning_of(run, name) in run.words.state or (whole and value.name != "parameters")
 
 
 def _several(run: Run, targets: Sequence[Term], value: Term, env: dict[str, Any]) -> None:
     if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
         each = [value_of(run, part, env) for part in value.parts]
-        for one, other in zip(targets, each, strict=True):
-            _store(run, one, other, env)
+        for one, part, other in zip(targets, value.parts, each, strict=True):
+            _store(run, one, _moving(run, part, other, env), env)
         return
     made = value_of(run, value, env)
     entries = entries_of(run, made) if isinstance(made, Table) else None
@@ -593,8 +614,19 @@ def _spread(run: Run, term: Term, env: dict[str, Any]) -> Term:
             places = (Term("number", str(k + run.language.first)) for k in range(value.size))
             parts += (Term("item", "", (inner, place), inner.text) for place in places)
         else:
+            # Nothing says the order of what a call gives: f(*p.values()).
+            uses = term.name in run.judged or term.name in run.users
+            run.memory.misused |= uses and _whole_call(run, inner).kind == "call"
             break
     return replace(term, parts=tuple(parts))
+
+
+def _whole_call(run: Run, term: Term) -> Term:
+    """What functions that keep the order of its entries are given."""
+    keeps = run.language.keeps or ()
+    while term.kind == "call" and term.name in keeps and len(term.parts) == 1:
+        (term,) = term.parts
+    return term
 
 
 def _append(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -632,6 +664,8 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return Fraction(values[0].size or len(run.words.state))
     if run.language.pointers and term.name not in run.language.shows:
         _poison(run, term, env)
+    if term.name in IMPURE:
+        return MOVING
     if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
         return Literal(number("call", term.name, *values))
     if not values and run.memory.stepping:  # micros()

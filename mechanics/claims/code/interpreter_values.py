@@ -24,6 +24,8 @@ class Unknown:
 
 
 UNKNOWN = Unknown()
+MOVING = Unknown()
+"""What is made of the state, and not followed."""
 
 
 class Literal(Fraction):

@@ -10,6 +10,7 @@ from typing import Any
 
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
+    MOVING,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -150,7 +151,7 @@ def fits_word(run: Run, word: str, value: Any, meaning: str) -> bool:
     if isinstance(value, Literal):
         return is_possible(run, word, value)
     if isinstance(value, Unknown):
-        return True
+        return value is not MOVING or word in run.words.inputs
     return isinstance(value, Fraction) and value == number("word", word)
 
 

@@ -14,12 +14,14 @@ import ast
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
+from itertools import chain
 from typing import Any
 
 from sympy import Symbol
 
 from mechanics.claims.code.call_sites import function_lines, is_result, lines_of
 from mechanics.claims.code.changed_numbers import MAKES
+from mechanics.claims.code.closure_assignments import paired
 from mechanics.claims.code.integrator_steps import is_step
 from mechanics.claims.code.interpreter_values import (
     FileFunction,
@@ -47,7 +49,7 @@ from mechanics.claims.code.python_functions import (
     within,
     words_in,
 )
-from mechanics.claims.code.python_laws import ARITHMETIC, Scope, assigned, laws, roots_in
+from mechanics.claims.code.python_laws import ARITHMETIC, Scope, assigned, laws, root_in, roots_in
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
 from mechanics.claims.names import Naming
@@ -67,6 +69,9 @@ COLLECTED = frozenset(
 """Functions that leave what they are given as it is, compare, show or integrate it."""
 HIDDEN = frozenset(("exec", "eval", "compile", "setattr", "globals", "locals", "__setattr__"))
 """Calls that do what no line says."""
+INNER = frozenset(("modules", "patch", "__builtins__", "__class__", "__closure__", "__code__",
+                   "__defaults__", "__dict__", "__globals__", "__kwdefaults__"))  # fmt: skip
+"""Names through which lines change what a function or a module is."""
 LINEAR = frozenset(("expm", "lsim", "lsim2", "StateSpace", "TransferFunction", "lfilter",
                     "forced_response", "initial_response"))  # fmt: skip
 """Calls that solve a law which is a matrix."""
@@ -262,10 +267,20 @@ class _File:
         """What names of the file are, and lines outside of functions that are not innocent."""
         known: dict[str, Any] = {}
         run = self.run(self.judged)
-        found = [
-            text for one in self.top for text in lines_of(run, statement(one, self.form), known)
-        ]
+        lines = [*self._attributes(), *self.top]
+        found = [text for one in lines for text in lines_of(run, statement(one, self.form), known)]
         return known, found
+
+    def _attributes(self) -> Iterator[ast.stmt]:
+        """What classes give their attributes, as lines outside of them: P.m = 1."""
+        for kind in self.tree.body:
+            if isinstance(kind, ast.ClassDef):
+                owner = ast.Name(kind.name, ast.Load())
+                for one in (line for line in kind.body if isinstance(line, ast.Assign)):
+                    for target, value in chain(*(paired(t, one.value) for t in one.targets)):
+                        place = ast.Attribute(owner, root_in(target), ast.Store())
+                        line = ast.copy_location(ast.Assign([place], value), one)
+                        yield ast.fix_missing_locations(line)
 
     def called(self) -> Iterator[str]:
         """Lines that use what is judged otherwise than as it is."""
@@ -316,6 +331,8 @@ class _File:
         for one in scope.inside:
             match one:
                 case ast.Call() if self._hides(one) or self._sets_attribute(one):
+                    yield one
+                case ast.Name(id=name) | ast.Attribute(attr=name) if name in INNER:
                     yield one
                 case ast.Lambda() if not (words_in(one.body) & scope.inert) and _computes(one):
                     yield one
