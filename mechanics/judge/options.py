@@ -29,7 +29,10 @@ RULES = {
     "about": ("it is for what is read, not called", READ),
     "values": ("it is for what is read, not called", READ),
     EXACT: ("it is for code that rounds", (*FILES, "CasADi", "Python")),
-    HARMLESS: ("it is for C and C++ of which a file is not here", (C, "C as a text")),
+    HARMLESS: (
+        "it is for C, C++ and MATLAB of which a part is not here",
+        (C, "C as a text", "MATLAB"),
+    ),  # fmt: skip
 }
 """What options are for: in words, and the kinds of things."""
 SPELLED = {
