@@ -32,7 +32,7 @@ RULES = {
     HARMLESS: (
         "it is for C, C++ and MATLAB of which a part is not here",
         (C, "C as a text", "MATLAB"),
-    ),  # fmt: skip
+    ),
 }
 """What options are for: in words, and the kinds of things."""
 SPELLED = {
