@@ -5,7 +5,7 @@ theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v,
 
 import re
 
-from sympy import Symbol, cos, sin
+from sympy import Expr, S, Symbol, cos, sin
 
 from mechanics.scene import Scene
 from mechanics.scene.units import rolled
@@ -45,8 +45,17 @@ def angular(scene: Scene) -> set[Symbol]:
         for matrix in matrices:
             for function in matrix.atoms(sin, cos):
                 (of,) = function.args
-                found |= {q for q in of.free_symbols & {*scene.q} if of.diff(q).is_number}
+                found |= {q for q in of.free_symbols & {*scene.q} if _is_ratio(of.diff(q))}
     return found - rolled(scene)
+
+
+def _is_ratio(rate: Expr) -> bool:
+    """Whether it is a number, or one by the units of its symbols, as r_1/r_2 of gears."""
+    powers: dict[str, Expr] = {}
+    for base, power in rate.as_powers_dict().items():
+        unit = "" if base.is_number else getattr(base, "unit", "?")
+        powers[unit] = powers.get(unit, S.Zero) + power
+    return all(unit in ("", "1") or power == 0 for unit, power in powers.items())
 
 
 def quantity(scene: Scene, name: str) -> str:

@@ -33,15 +33,19 @@ WHICH = re.compile(
 LOWER = re.compile(r"(?:low|small|slow|fundamental)(?!.*period)", re.IGNORECASE)
 HIGHER = re.compile(r"(?:high|larg|fast)(?!.*period)", re.IGNORECASE)
 """Of frequencies; a period is larger where its frequency is smaller."""
+WITHOUT = (
+    r"(?<!not )(?<!without )(?<!never )(?:without|no|neglect\w*|ignor\w*|disregard\w*)"
+    r"\s+(?:the\s+|any\s+)?(?:damp|friction|drag)\w*"
+)
 KINDS = {
-    "natural": re.compile(
-        r"\b(?:natural|undamped|eigen\w*)\b|\b(?:without|no|neglect\w*|ignor\w*)\s+(?:\w+\s+){0,2}"
-        r"(?:damp|friction|drag)|omega_[n0]\b|w_?[n0]\b", re.IGNORECASE,
-    ),
-    "damped": re.compile(r"\bdamped\b|omega_d\b|w_?d\b", re.IGNORECASE),
-    "resonant": re.compile(r"\bresonan\w*|\bpeak\b|omega_r\b|w_?r\b", re.IGNORECASE),
-}  # fmt: skip
-"""Frequencies of one freedom with a damper, and what says which one is meant."""
+    "natural": (rf"\b(?:natural|undamped|eigen\w*)\b|\b{WITHOUT}", r"\w*?_?(?:n|0|nat)"),
+    "damped": (r"\bdamped\b", r"\w+?_?d"),
+    "resonant": (r"\bresonan\w*|\bpeak\b", r"\w+?_?(?:r|res)"),
+}
+"""Frequencies of one freedom with a damper: what says in a text which one is meant, and what in its
+name.
+"""
+OF_FREQUENCY = r"\W+(?:angular\W+|circular\W+)?(?:\w*frequenc\w*|period\w*)"
 
 
 def one_root_each(
@@ -101,16 +105,27 @@ def _other_kind(truth: Equations, statement: Statement) -> str:
     """What is to be said where a damper makes several frequencies, and not this one is said."""
     square = truth.scene.plain(_square(statement))
     damped = [one for one in oscillations(truth) if one.damped is not None]
-    kinds = [
-        k for k in KINDS if any(is_zero(getattr(o, k).xreplace({SQUARE: square})) for o in damped)
-    ]
-    written = statement.written
-    sentence = sentence_around(written.text, written.start) if written is not None else ""
-    words = f"{' '.join(sentence.split())} {_name(statement)}"
-    said = [kind for kind, pattern in KINDS.items() if pattern.search(words)] or ["damped"]
+    zeros = {k: [getattr(o, k) for o in damped if getattr(o, k) is not None] for k in KINDS}
+    kinds = [k for k in KINDS if any(is_zero(z.xreplace({SQUARE: square})) for z in zeros[k])]
+    said = _said(statement) or ["damped"]
     if not kinds or said == kinds:
         return ""
-    return f"it is the {kinds[0]} frequency of what has a damper: say '{kinds[0]}', and no other"
+    return f"it is the {kinds[0]} frequency of what has a damper: write '{kinds[0]} frequency'"
+
+
+def _said(statement: Statement) -> list[str]:
+    """Which kinds are said: by the word before "frequency", else by any, else by the name."""
+    written = statement.written
+    sentence = sentence_around(written.text, written.start) if written is not None else ""
+    for behind in (OF_FREQUENCY, ""):
+        found = [
+            kind for kind, (words, _) in KINDS.items()
+            if re.search(rf"(?:{words}){behind}", sentence, re.IGNORECASE)
+        ]  # fmt: skip
+        if found:
+            return found
+    name = _name(statement)
+    return [kind for kind, (_, name_of) in KINDS.items() if re.fullmatch(name_of, name)]
 
 
 def _left_open(entry: Judged, words: str) -> Judged:

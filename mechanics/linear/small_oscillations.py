@@ -6,7 +6,8 @@ Where the loads are not linear in these, all of them are 0. One freedom with a d
 
     natural     M omega^2 = K                      without the damper
     damped      4 M^2 omega^2 = 4 M K - C^2        of its free motion
-    resonant    2 M^2 omega^2 = 2 M K - C^2        of a drive under which it swings widest
+    resonant    2 M^2 omega^2 = 2 M K - C^2        of a force, of one amplitude, under which it
+                                                   swings widest
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,6 +21,7 @@ from mechanics.claims.kinds import angular
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError, InputError, SceneError, SingularError
 from mechanics.linear.linearize import linearize
+from mechanics.scene.symbols import DOTS
 
 SQUARE = Symbol("omega2", real=True)
 """The square of a frequency."""
@@ -39,7 +41,7 @@ class Oscillation:
     natural : Expr
         det(K - omega^2 M).
     damped, resonant : Expr or None
-        With the damper; None where nothing damps.
+        With the damper; None where nothing damps, or no force drives it.
     """
 
     place: str
@@ -67,7 +69,15 @@ def oscillations(equations: Equations) -> Iterator[Oscillation]:
         else:
             mass, damping = linear.mass[0], linear.damping[0]
             damped, resonant = (n * mass * free - damping**2 for n in (4, 2))
-            yield Oscillation(words, free, damped, resonant)
+            yield Oscillation(words, free, damped, resonant if _is_forced(equations) else None)
+
+
+def _is_forced(equations: Equations) -> bool:
+    """Whether an input is a force, and none is a motion, of which rates count, too."""
+    scene = equations.scene
+    rates = {f"{u.name}{dots}" for u in scene.input_symbols for dots in DOTS[1:]}
+    symbols = set().union(*(row.free_symbols for row in equations.residual))
+    return len(scene.input_symbols) == 1 and rates.isdisjoint(map(str, symbols))
 
 
 def equilibria(equations: Equations) -> Iterator[Mapping[str, Expr]]:

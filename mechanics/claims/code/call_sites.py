@@ -70,6 +70,12 @@ STATE_FIRST = frozenset(("lsode", "lsoda", "dassl"))
 MADE_AGAIN = frozenset(("remake", "init", "solve"))
 STEPPED = frozenset(("step!", "solve!", "plot!", "lines!", "scatter!", "push!", "append!"))
 """Calls with ! that do not change what they are given, or as the solver does."""
+OTHER_VALUES = frozenset(
+    ("abs", "fabs", "round", "int", "trunc", "floor", "ceil", "max", "min", "fmax", "fmin",
+     "maximum", "minimum", "clip", "sign", "degrees", "radians", "deg2rad", "rad2deg", "norm",
+     "flip", "flipud", "fliplr", "reverse", "sort", "reversed", "sorted")
+)  # fmt: skip
+"""Calls that make other values of what they are given, or another order."""
 TESTS = frozenset(("assert", "assert_", "test"))
 """Calls that compare."""
 
@@ -467,10 +473,15 @@ def _computes(run: Run, line: Term, functions: set[str], made: set[str]) -> bool
         return False
     inner = line.parts
     keeps = run.language.keeps
-    if line.kind == "call" and keeps is not None:
-        inert = line.name in keeps or line.name in functions or line.name in run.own
-        if not inert and _results(run, line, functions, made):
+    if line.kind == "call" and line.name not in functions and _results(run, line, functions, made):
+        own = run.own.get(line.name)
+        if _alters_values(own) if own is not None else keeps is not None and line.name not in keeps:
             return True
+    if line.kind in ("set", "return") and any(
+        one.kind == "call" and one.name in OTHER_VALUES and _results(run, one, functions, made)
+        for one in line.all()
+    ):
+        return True
     if line.kind in ("binary", "minus") and _results(run, line, functions, made):
         return True
     if _reorders(run, line, functions, made):
@@ -488,6 +499,16 @@ def _computes(run: Run, line: Term, functions: set[str], made: set[str]) -> bool
         if _results(run, value, functions, made) and _moved(run, target, value):
             return True
     return any(_computes(run, part, functions, made) for part in inner)
+
+
+def _alters_values(function: FileFunction) -> bool:
+    """Whether a function returns something that it computes."""
+    returned = [t for t in function.body.all() if t.kind == "return"]
+    names = {*function.gives}.union(*(t.names() for t in returned))
+    sets = [t.parts[1] for t in function.body.all()
+            if t.kind == "set" and (t.name or root_of(t.parts[0]) in names)]  # fmt: skip
+    return any(one.kind in ("binary", "minus") or one.name in OTHER_VALUES
+               for t in (*returned, *sets) for one in t.all())  # fmt: skip
 
 
 def _reorders(run: Run, line: Term, functions: set[str], made: set[str]) -> bool:

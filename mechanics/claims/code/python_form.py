@@ -69,7 +69,14 @@ def statement(node: ast.stmt, file: PythonFile) -> Term:
     """A statement, with the line in which it begins."""
     first = file.lines[node.lineno - 1] if 0 < node.lineno <= len(file.lines) else ""
     text = " ".join(first.split()) or ast.unparse(node).partition("\n")[0]
-    return replace(_statement(node, file), text=text)
+    return _with_text(_statement(node, file), text)
+
+
+def _with_text(term: Term, text: str) -> Term:
+    """A statement with its line; so are those that it is made of and that have no own line."""
+    if term.kind == "block":
+        term = replace(term, parts=tuple(p if p.text else _with_text(p, text) for p in term.parts))
+    return replace(term, text=text)
 
 
 def _statement(node: ast.stmt, file: PythonFile) -> Term:
@@ -256,7 +263,7 @@ def arguments_of(args: ast.arguments) -> list[str]:
 def _call(node: ast.Call, file: PythonFile) -> Term:
     name, owner = word(node.func), _owner(node, file)
     given = [expression(arg, file) for arg in node.args]
-    if name in SAME and len(given) + len(owner) == 1:
+    if name in SAME and name not in file.takes and len(given) + len(owner) == 1:
         return (*owner, *given)[0]
     name = file.calls.get(ast.unparse(node.func), name)
     if name in file.takes:

@@ -99,8 +99,10 @@ def lines_around(code: str, judged: Collection[str], naming: Naming) -> tuple[st
     tree = ast.parse(code)
     file = _File(tree, code.splitlines(), reached(tree, judged), names_of(naming))
     found = {one.lineno - 1 for one in file.found(naming) if hasattr(one, "lineno")}
-    found |= {text.index(line) for line in file.called() if line in text}
-    return tuple(dict.fromkeys(text[k][:LONGEST] for k in sorted(found)))
+    called = [*file.called()]
+    found |= {text.index(line) for line in called if line in text}
+    lines = [text[k] for k in sorted(found)] + [line for line in called if line not in text]
+    return tuple(dict.fromkeys(line[:LONGEST] for line in lines))
 
 
 def reached(tree: ast.Module, judged: Collection[str]) -> set[str]:
