@@ -7,12 +7,15 @@ import pytest
 from mechanics.claims.code.file_names import unsettled
 
 DEFINED = """
-from dataclasses import dataclass
+from collections import deque
 from types import SimpleNamespace
 C = [-1, 2]
 D = dict(k=4.0, l=[1, 2])
 S = SimpleNamespace(s=-1)
-def f(x): return C[0]*D["k"]*S.s*x
+E = dict(k=4.0)
+N = {"a": {"g": 1}}
+Q = deque([1, 2])
+def f(x): return C[0]*D["k"]*S.s*x*N["a"]["g"]*Q[0]*E["k"]
 def flip(q): q.reverse()
 def show(q, n): return q[0]*n
 """
@@ -25,7 +28,7 @@ def place(line: str) -> str:
     code = DEFINED + line
     if not line.startswith(("if", "def", "for")):
         exec(line, names)
-    return unsettled(ast.parse(code), {"f", "C", "D", "S"}, names, {"f"})
+    return unsettled(ast.parse(code), {"f", "C", "D", "S", "E", "N", "Q"}, names, {"f"})
 
 
 @pytest.mark.parametrize(
@@ -44,6 +47,10 @@ def place(line: str) -> str:
         "if x: D.pop('k')",
         "def main(): return [C]",
         "if x: other.keep(state=C)",
+        "def main():\n    for one in N.values(): one['g'] = 1",
+        "if x: list(N.values())[0].clear()",
+        "if x: Q.rotate(1)",
+        "if x: flip(Q)",
     ],
 )
 def test_what_may_be_changed_is_no_number(line: str) -> None:
@@ -54,11 +61,11 @@ def test_what_may_be_changed_is_no_number(line: str) -> None:
     "line",
     [
         "print(C, len(D), S.s, f'{C}')",
-        "if x: print(C, D['k'], D.get('k'), sorted(C))",
+        "if x: print(C, D['k'], E.get('k'), sorted(C))",
         "if x: y = C[0] + D['k']*S.s",
         "if x: y = show(C, 2)",
         "if x: y = [k*2 for k in C]",
-        "if x: y = dict(D, m=1)",
+        "if x: y = dict(E, m=1)",
         "if x: a, b = C",
         "if x: y = f(C[0])",
         "def main(C): C[0] = 1",

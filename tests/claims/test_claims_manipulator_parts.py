@@ -119,7 +119,7 @@ def test_what_a_method_does_not_set_of_its_object_is_asked_for(tmp_path: Path) -
     text = CPP.replace("  C(1,1) = 0;\n", "")
     found = _checked(tmp_path, "arm.cpp", text)
     assert found.verdict.name == "UNDECIDED"
-    assert "entries of C that getC does not set are 0" in str(found)
+    assert "entries of C that getC does not set are 0" in " ".join(str(found).split())
     declared = _checked(tmp_path, "arm.cpp", text, convention=HARMLESS)
     assert declared.verdict.name == "PROVED"
     assert f"convention: {HARMLESS}" in str(declared)
@@ -163,7 +163,7 @@ def test_a_header_that_is_not_here_leaves_all_open_unless_it_changes_nothing(
     for text, verdict in ((CPP, "PROVED"), (wrong, "REFUTED")):
         found = _checked(tmp_path, "arm.cpp", HEADER + text)
         assert found.verdict.name == "UNDECIDED"
-        assert f"--convention '{HARMLESS}'" in str(found)
+        assert f"--convention '{HARMLESS}'" in " ".join(str(found).split())
         declared = _checked(tmp_path, "arm.cpp", HEADER + text, convention=HARMLESS)
         assert declared.verdict.name == verdict
 

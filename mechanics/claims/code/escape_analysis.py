@@ -14,23 +14,27 @@ import ast
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cached_property
+from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 READERS = frozenset(
-    ("abs", "all", "any", "array", "asdict", "copy", "deepcopy", "dict", "dumps", "enumerate",
-     "fields", "float", "format", "hstack", "isinstance", "join", "len", "linspace", "list", "max",
-     "mean", "min", "norm", "pprint", "print", "range", "replace", "repr", "reversed", "round",
-     "set", "sorted", "str", "sum", "tuple", "zip")
+    ("abs", "all", "any", "dumps", "float", "format", "isinstance", "join", "len", "linspace",
+     "max", "mean", "min", "norm", "pprint", "print", "range", "repr", "round", "str", "sum")
 )  # fmt: skip
-"""Functions that read or copy what they are given."""
-METHODS = frozenset(
-    ("copy", "count", "dot", "get", "index", "items", "keys", "max", "mean", "min", "sum", "tolist",
-     "union", "values", "_asdict")
+"""Functions that give numbers and texts of what they are given."""
+COPIERS = frozenset(
+    ("asarray", "asdict", "astuple", "copy", "deepcopy", "dict", "enumerate", "fields", "get",
+     "hstack", "index", "items", "keys", "list", "reversed", "set", "sorted", "tolist", "tuple",
+     "union", "values", "zip", "_asdict", "count", "dot", "vstack", "column_stack")
 )  # fmt: skip
-"""Methods that change nothing of their object."""
-MUTABLE = (list, dict, set, bytearray)
-IMMUTABLE = ("builtins", "fractions", "decimal", "sympy", "casadi", "enum")
-"""Modules whose other objects are numbers, names and formulas."""
+"""Functions and methods that hand out its entries, or another object of the same."""
+METHODS = frozenset(("copy", "count", "dot", "index", "max", "mean", "min", "sum", "tolist"))
+"""Methods that give numbers, or a copy."""
+NUMBERS = ("fractions", "decimal", "sympy", "casadi", "enum", "datetime", "re", "pathlib")
+"""Modules whose objects are numbers, names and formulas."""
+PLAIN = (int, float, complex, str, bytes, bool, type(None), range, frozenset, type, property,
+         FunctionType, BuiltinFunctionType, MethodType, ModuleType)  # fmt: skip
+"""What is not changed in place; of functions and modules, lines that do so are found elsewhere."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 PARTS = (ast.Attribute, ast.Subscript)
 
@@ -130,7 +134,8 @@ class _File:
             return True  # a change, which is looked at elsewhere
         match parent:
             case ast.Attribute(attr=method):
-                return method in METHODS or self._is_of_import(node)
+                copies = method in COPIERS and _is_flat(value)
+                return method in METHODS or copies or self._is_of_import(node)
             case ast.Call(func=func) if func is node:
                 return True
             case ast.Call() if self._is_of_import(node):
@@ -170,7 +175,7 @@ class _File:
             return True
         one = self.functions.get(name) if isinstance(call.func, ast.Name) else None
         if one is None:
-            return name in READERS
+            return name in READERS or (name in COPIERS and _is_flat(value))
         takes = [a.arg for a in one.args.args]
         taken = keyword or (takes[call.args.index(node)] if call.args.index(node) < len(takes)
                             else "")  # fmt: skip
@@ -203,17 +208,17 @@ def _entry(value: Any, node: ast.expr) -> Any:
 
 def _is_mutable(value: Any) -> bool:
     """Whether an object can be changed in place."""
-    if isinstance(value, (*MUTABLE, tuple)):
-        return not isinstance(value, tuple) or any(map(_is_mutable, value))
     kind = type(value)
     library = (kind.__module__ or "sympy").partition(".")[0]
-    if isinstance(value, type) or library in IMMUTABLE:
+    if isinstance(value, PLAIN) or library in NUMBERS:
         return False
+    if isinstance(value, tuple):
+        return any(map(_is_mutable, value))
     if library == "numpy":
-        return hasattr(value, "shape") and value.shape != ()
+        return getattr(value, "shape", ()) != () or kind.__name__ == "Generator"
     if is_dataclass(value) and kind.__dataclass_params__.frozen:
         return any(_is_mutable(getattr(value, field.name)) for field in fields(value))
-    return hasattr(value, "__dict__") and not callable(value)
+    return True
 
 
 def _is_flat(value: Any) -> bool:
