@@ -263,6 +263,11 @@ def test_c_plus_plus_is_innocent(tmp_path: Path, function: str, text: str) -> No
 
 
 OPTIONS = "o = odeset({});\n[t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0], o);"
+AGAIN = """y0 = [0.1; 0];
+for i = 1:9
+  [t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [i i+1], y0);
+  y0 = {};
+end"""
 PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), p)\n"
 
 
@@ -279,6 +284,15 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         "[y, t] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0]);",
         'x = lsode("rate", [0.1; 0], linspace(0, 1));', "c = {l, m};\n[m, l] = c{:};", "l = l/2;",
         "[m, l] = deal(l, m);", "g = abs(g)*-1;", "p.l = l;\np = setfield(p, 'l', p.l/2);",
+        "key = 'Mass';\n" + OPTIONS.format("key, [1 0; 0 2]"),
+        OPTIONS.format("key, 1").replace("; 0], o)", "; 0], odeset(key, 1))"),
+        "load('o.mat');\n" + OPTIONS.partition("\n")[2], OPTIONS.partition("\n")[2],
+        "f = str2func('@(t, y) [y(2); y(1)]');\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+        AGAIN.format("fliplr(y(end, :))'"), AGAIN.format("-y(end, :)'"),
+        AGAIN.format("[y(end, 1); -y(end, 2)]"), AGAIN.format("[y(end, 2); y(end, 1)]"),
+        AGAIN.format("y(end, :)';\n  y0(2) = -0.9*y(end, 2)"),
+        AGAIN.format("y(end, :)';\n  y0(2) = 0"),
+        EULER.format("y = y + dt*d;") + "\ny = flipud(y);\n" + EULER.format("y = y + dt*d;")[28:],
     ],
 )  # fmt: skip
 def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -290,6 +304,11 @@ def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, li
     [
         OPTIONS.format("'RelTol', 1e-8, 'AbsTol', 1e-9"), "p = struct('m', 1, 'g', 9.81);",
         "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+        OPTIONS.replace("\n", "\no = odeset(o, 'MaxStep', 0.1);\no.AbsTol = 1e-9;\n").format(
+            "'RelTol', 1e-8"),
+        AGAIN.format("y(end, :)'"), AGAIN.format("[y(end, 1); y(end, 2)]"),
+        AGAIN.format("y(end, :)';\n  y0(2) = y(end, 2)"),
+        EULER.format("y = y + dt*d;") + "\ny = 180/pi*y;\nplot(y)",
     ],
 )  # fmt: skip
 def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> None:
@@ -309,6 +328,23 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = remake(prob, p=(l, m, g, u))",
         "prob2 = DiscreteProblem(rate!, [0.1, 0.0], (0, 10), p)",
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = NonlinearProblem(rate!, [0.1, 0], (l, m, g, u))",
+        "sol = solve(prob, Tsit5(), callback=cb)",
+        'include("bounce.jl")\nsol = solve(remake(prob; callback=bounce), Tsit5())',
+        "sol = solve(prob, Tsit5(); callback)",
+        "kw = (callback=cb,)\nsol = solve(prob, Tsit5(); kw...)",
+        "sol = solve(prob, Tsit5(); options...)",
+        "cb = bounce()\nsol = solve(prob; callback=cb)",
+        "sol = solve(prob, FunctionMap(), dt=0.1)",
+        "alg = FunctionMap()\nsol = solve(prob, alg)",
+        "reverse!(prob.p)",
+        "sort!(p)",
+        "replace!(prob.p, 0.5 => -0.5)",
+        "q = p\nreverse!(q)",
+        "using LinearAlgebra\nlmul!(Diagonal([1, -1, 1, 1]), prob.p)",
+        "p = reverse(p)",
+        "integrator = init(prob, Tsit5())\nfor i in 1:9\n  reverse!(integrator.u)\nend",
+        "s = solve(prob)\nprob2 = remake(prob, u0=-s.u[end])",
+        "s = solve(prob)\nu0 = [s.u[end][2], s.u[end][1]]\nprob2 = remake(prob, u0=u0)",
     ],
 )
 def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -335,6 +371,11 @@ def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> N
         "prob2 = remake(prob; p=(2.0, 1.0, 9.81, 0.0), tspan=(0.0, 2.0))",
         "f = ODEFunction(rate!)\nprob2 = ODEProblem(f, [0.1, 0.0], (0.0, 10.0), p)",
         "integrator = init(prob, Tsit5())\nfor i in 1:10\n  step!(integrator, 0.1)\nend",
+        "alg = Rodas5P()\nsol = solve(prob, alg; callback=TerminateSteadyState(), saveat)",
+        "kw = (reltol=1e-8, abstol=1e-8)\nsol = solve(prob, Vern7(); kw..., saveat=0.1)",
+        "xs = [2.0, 1.0]\nsort!(xs)\npush!(xs, 0.1)\nplot!(xs)\nsol = solve(prob)",
+        "for i in 1:9\n  s = solve(prob, Tsit5())\n  global prob = remake(prob, u0=s.u[end])\nend",
+        "s = solve(prob)\nu0 = [s.u[end][1], s.u[end][2]]\nprob2 = remake(prob, u0=u0)",
     ],
 )
 def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> None:

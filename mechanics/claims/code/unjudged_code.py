@@ -98,7 +98,8 @@ def unjudged_code(
     seen = _seen(judged, found, others, lines, naming, title)
     names = names_of(naming)
     around = (others, users, names, ROWS.get(suffix, ROWS[".cpp"]))
-    uses = Run({seen.name: seen}, *around)
+    terms = [with_names(term(node), title) for node in lines]
+    uses = Run({seen.name: seen}, *around, Term("block", "", tuple(terms)))
     said: list[str] = []
     if suffix not in LANGUAGES:
         made = objects(root, seen, names.meaning)
@@ -106,8 +107,7 @@ def unjudged_code(
             call.text for kind, call in made if misuses(Run({kind.name: kind}, *around), call, {})
         )
     known: dict[str, Any] = {}
-    for node in lines:
-        line = with_names(term(node), title)
+    for node, line in zip(lines, terms, strict=True):
         concerned = suffix in LANGUAGES and concerns(uses, line, known)
         quoted = lines_of(uses, line, known)
         if suffix not in LANGUAGES:
