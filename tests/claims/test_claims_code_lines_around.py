@@ -156,6 +156,9 @@ def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines:
     assert beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)
 
 
+MADE = "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), {})\n"
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -168,6 +171,13 @@ def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines:
         "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\n",
         LOOP.format("rate!(du, y, p, 0.0)\n  y .-= dt .* du"),
         LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* reverse(du)"),
+        LOOP.format("l = abs(y[2])\n  rate!(du, y, (m, l, g, u), 0.0)\n  y .+= dt .* du"),
+        "r = (m=1.0, l=0.5, g=9.81, u=0.0)\n" + MADE.format("(r.l, r.m, r.g, r.u)"),
+        "r = (m=1.0, l=0.5, g=9.81, u=0.0)\np = [r.l, r.m, r.g, r.u]\n" + MADE.format("p"),
+        "r = Dict(:m => 1.0, :l => 0.5)\n" + MADE.format("(r[:l], r[:m], g, u)"),
+        'r = Dict("m" => 1.0, "l" => 0.5)\n' + MADE.format('(r["l"], r["m"], g, u)'),
+        MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)"),
+        "p = (l=1.0, m=0.5, g=9.81, u=0.0)\n" + MADE.format("p"),
     ],
 )  # fmt: skip
 def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
@@ -191,6 +201,8 @@ def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
             "double a = -accel(th, om, 0, 1, 1, 9.81); om += h*a; th += h*om;"))),
         ("accel", SMALL.format(ONE.format(
             "double a = accel(th, om, 0, 1, 1, 9.81); om += h*a; th -= h*om;"))),
+        ("accel", SMALL.format(ONE.format(
+            "double l = fabs(om), a = accel(th, om, 0, 1, l, 9.81); om += h*a; th += h*om;"))),
         ("accel", SMALL.format(ONE.format(
             "double a = accel(th, om, 0, 1, 1, 9.81); om += h*th; th += h*om;"))),
         ("accel", SMALL.format(
@@ -238,6 +250,10 @@ def test_an_acceleration_is_used_innocently(tmp_path: Path, lines: str) -> None:
     [
         "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\nsol = solve(prob)\n",
         LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* du\n  push!(ys, copy(y))"),
+        LOOP.format("l = 0.5\n  rate!(du, y, (m, l, g, u), 0.0)\n  y .+= dt .* du"),
+        "r = (l=0.5, m=1.0, g=9.81, u=0.0)\np = [r.m, r.l, r.g, r.u]\n" + MADE.format("p"),
+        "r = Dict(:l => 1.0, :m => 0.5)\n" + MADE.format("(r[:m], r[:l], g, u)"),
+        MADE.format("(m=1.0, l=0.5, g=9.81, u=0.0)"),
         "function run()\n  y = [0.1, 0.0]; du = similar(y); h = 0.01; t = 0.0\n  while t < 10\n"
         "    rate!(du, y, (1.0, 0.5, 9.81, 0.0), t)\n    y[1] += h*du[1]\n    y[2] += h*du[2]\n"
         "    t += h\n  end\nend\n",
@@ -292,6 +308,8 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         AGAIN.format("[y(end, 1); -y(end, 2)]"), AGAIN.format("[y(end, 2); y(end, 1)]"),
         AGAIN.format("y(end, :)';\n  y0(2) = -0.9*y(end, 2)"),
         AGAIN.format("y(end, :)';\n  y0(2) = 0"),
+        EULER.format("y = y + dt*d;\n  l = abs(y(2));"),
+        "c = {l, m, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
         EULER.format("y = y + dt*d;") + "\ny = flipud(y);\n" + EULER.format("y = y + dt*d;")[28:],
     ],
 )  # fmt: skip
@@ -306,6 +324,7 @@ def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, li
         "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
         OPTIONS.replace("\n", "\no = odeset(o, 'MaxStep', 0.1);\no.AbsTol = 1e-9;\n").format(
             "'RelTol', 1e-8"),
+        "c = {m, l, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
         AGAIN.format("y(end, :)'"), AGAIN.format("[y(end, 1); y(end, 2)]"),
         AGAIN.format("y(end, :)';\n  y0(2) = y(end, 2)"),
         EULER.format("y = y + dt*d;") + "\ny = 180/pi*y;\nplot(y)",
@@ -508,3 +527,10 @@ def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, ch
         path.write_text(text % change)
         with pytest.raises(InputError):
             mechanics.check(rod_pendulum.scene(), path, blame=False, function=function)
+
+
+def test_a_record_whose_entries_have_names_has_any_order(tmp_path: Path) -> None:
+    function = JULIA.replace("m, l, g, u = p", "(; m, l, g, u) = p")
+    assert not beside(tmp_path, ".jl", function + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)"))
+    other = JULIA + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)")
+    assert beside(tmp_path, ".jl", other)

@@ -28,7 +28,9 @@ from mechanics.claims.code.interpreter_values import (
     JudgedFunction,
     Language,
     names_of,
+    root_of,
 )
+from mechanics.claims.code.manipulator_parts import parts_of
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
@@ -91,7 +93,7 @@ def unjudged_code(
     functions = dict(_functions(root, suffix))
     every = {**dict(_idle(root, suffix)), **functions}
     parts = {name: {*_names(node, title)} & every.keys() - {name} for name, node in every.items()}
-    own = reachable(judged, parts)
+    own = reachable({n for one in judged for n in parts_of(one, every)}, parts)
     users = {name for name in every if reachable({name}, parts) & {*judged}} - own
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
@@ -232,7 +234,18 @@ def _seen(
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
     used = functions[name].body.names() if name in functions else ()
     time = "t" if "t" in takes and "t" in used else ""
-    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time)
+    places = _by_place(functions[name]) if name in functions else frozenset()
+    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time, places=places)
+
+
+def _by_place(function: FileFunction) -> frozenset[str]:
+    """Arguments of which a function takes entries by their places: m, c = p; p[1]."""
+    lines = [*function.body.all()]
+    by_name = {one for t in lines if t.text.startswith("@unpack") for one in t.all()}
+    unpacked = {t.parts[1].name for t in lines if t.kind == "set" and t.parts[0].kind == "list"
+                and t not in by_name and not t.parts[0].text.startswith("(;")}  # fmt: skip
+    entries = {root_of(t) for t in lines if t.kind == "entry" and t.parts[1].kind == "number"}
+    return frozenset((unpacked | entries) & {*function.takes})
 
 
 def _is_set(function: FileFunction, name: str) -> bool:
