@@ -308,6 +308,8 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         AGAIN.format("[y(end, 1); -y(end, 2)]"), AGAIN.format("[y(end, 2); y(end, 1)]"),
         AGAIN.format("y(end, :)';\n  y0(2) = -0.9*y(end, 2)"),
         AGAIN.format("y(end, :)';\n  y0(2) = 0"),
+        AGAIN.format("[b; a]").replace("  y0", "  [a, b] = deal(y(end, 1), y(end, 2));\n  y0"),
+        AGAIN.format("[w(end); a(end)]").replace("  y0", "  a = y(:, 1); w = y(:, 2);\n  y0"),
         EULER.format("y = y + dt*d;\n  l = abs(y(2));"),
         "c = {l, m, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
         EULER.format("y = y + dt*d;") + "\ny = flipud(y);\n" + EULER.format("y = y + dt*d;")[28:],
@@ -325,6 +327,9 @@ def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, li
         OPTIONS.replace("\n", "\no = odeset(o, 'MaxStep', 0.1);\no.AbsTol = 1e-9;\n").format(
             "'RelTol', 1e-8"),
         "c = {m, l, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
+        "f = str2func('rate');\n" + SOLVED.format("f(t, y, m, l, g, u)"),
+        AGAIN.format("[a; y(n, 2)]").replace("  y0", "  n = length(t); a = y(n, 1);\n  y0"),
+        AGAIN.format("[a(end); w(end)]").replace("  y0", "  a = y(:, 1); w = y(:, 2);\n  y0"),
         AGAIN.format("y(end, :)'"), AGAIN.format("[y(end, 1); y(end, 2)]"),
         AGAIN.format("y(end, :)';\n  y0(2) = y(end, 2)"),
         EULER.format("y = y + dt*d;") + "\ny = 180/pi*y;\nplot(y)",
@@ -364,6 +369,13 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "integrator = init(prob, Tsit5())\nfor i in 1:9\n  reverse!(integrator.u)\nend",
         "s = solve(prob)\nprob2 = remake(prob, u0=-s.u[end])",
         "s = solve(prob)\nu0 = [s.u[end][2], s.u[end][1]]\nprob2 = remake(prob, u0=u0)",
+        "prob2 = remake(prob, u0=-solve(prob).u[end])",
+        "v = solve(prob).u[end]\nv[2] = -v[2]\nprob2 = remake(prob, u0=v)",
+        "p = [1.0, 0.5, 9.81, 0.0]\np[1], p[2] = p[2], p[1]\nprob2 = remake(prob, p=p)",
+        "kw = Dict(:callback => cb)\nsol = solve(prob; kw...)",
+        "sol = solve(prob, alg)",
+        "run(prob; kw...) = solve(prob, Tsit5(); kw...)\nrun(prob; callback=cb)",
+        "function run(prob; kw...)\n  solve(prob; kw...)\nend\nsol = run(prob; callback=cb)",
     ],
 )
 def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -395,6 +407,8 @@ def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> N
         "xs = [2.0, 1.0]\nsort!(xs)\npush!(xs, 0.1)\nplot!(xs)\nsol = solve(prob)",
         "for i in 1:9\n  s = solve(prob, Tsit5())\n  global prob = remake(prob, u0=s.u[end])\nend",
         "s = solve(prob)\nu0 = [s.u[end][1], s.u[end][2]]\nprob2 = remake(prob, u0=u0)",
+        "prob2 = remake(prob, u0=solve(prob).u[end])",
+        "saveat = 0.0:0.1:1.0\nsol = solve(prob, OrdinaryDiffEq.Vern9(); saveat)",
     ],
 )
 def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> None:

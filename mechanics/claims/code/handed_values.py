@@ -31,15 +31,15 @@ def changes_handed(run: Run, line: Term) -> bool:
     handed = _handed(run)
     if any(_mutates(run, one, handed | run.memory.problems) for one in line.all()):
         return True
-    if line.kind != "set":
+    if line.kind != "set" or solves(line.parts[1]):
         return False
     target, value = line.parts
-    root = root_of(target)
-    if not (line.name or root in value.names()) or root_of(value) == root:
-        return False
-    return target.kind == "name" and (
-        root in _parameters(run) or root in _between(run, line)
-    ) and not solves(value)  # fmt: skip
+    made = {
+        root_of(t): t.kind for t in targets_of(target) if line.name or root_of(t) in value.names()
+    }
+    whole = {root for root, kind in made.items() if kind == "name" and root_of(value) != root}
+    parts = {root for root, kind in made.items() if kind != "name"}
+    return bool((whole | parts) & _parameters(run) or whole & _between(run, line))
 
 
 def _mutates(run: Run, call: Term, handed: set[str]) -> bool:

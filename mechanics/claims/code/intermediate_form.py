@@ -184,7 +184,10 @@ def _call(parts: list[Any]) -> Term:
     inside = [p for one in rest for p in (_inside(one) if "argument" in one.type else [one])]
     name = words(head)
     given = _parts(inside)
-    if name in CHANGES and len(given) == 1:
+    named_one = (
+        name == "str2func" and given and given[0].kind == "name" and given[0].text[0] in "'\""
+    )
+    if (name in CHANGES and len(given) == 1) or named_one:
         return given[0]
     if name == "Dict" and all(p.kind == "binary" and p.name == "=>" for p in given):
         pairs = [(KEY.fullmatch(p.parts[0].text), p) for p in given]

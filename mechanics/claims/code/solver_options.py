@@ -66,7 +66,7 @@ def _is_matlab_told_more(run: Run, call: Term) -> bool:
 
 def _holds_options(run: Run, part: Term) -> bool:
     """Whether it is `[]`, or what `odeset` and fields of a record of options make."""
-    if part.kind in ("list", "call") and (not part.parts or part.name in MADE_BY_NAME):
+    if part.name in MADE_BY_NAME or (part.kind == "list" and not part.parts):
         return True
     lines = run.definitions.get(part.name, ()) if part.kind == "name" else ()
     return bool(lines) and all(_sets_options(run, line) for line in lines)
@@ -135,12 +135,10 @@ def _is_plain(run: Run, part: Term) -> bool:
     if part.kind == "call":
         own = part.name.rpartition(".")[2]
         return bool(ALGORITHM.fullmatch(own)) or part.name in run.own
-    if part.kind != "name":
-        return False
-    lines = run.definitions.get(part.name, ())
-    if lines:
-        return all(line.parts[1].kind == "call" and _is_plain(run, line.parts[1]) for line in lines)
-    return part.name in JULIA_OPTIONS or part.name == "nothing"
+    if part.kind != "name" or part.name in JULIA_OPTIONS or part.name == "nothing":
+        return part.kind == "name"
+    made = [line.parts[1] for line in run.definitions.get(part.name, ())]
+    return bool(made) and all(one.kind == "call" and _is_plain(run, one) for one in made)
 
 
 def _is_spread(run: Run, one: Term) -> bool:

@@ -40,8 +40,6 @@ def changes_start(run: Run, line: Term) -> bool:
     line : Term
     """
     solutions = _solutions(run)
-    if not solutions:
-        return False
     calls = (one for one in line.all() if one.kind == "call")
     if any(not _keeps(run, part, solutions) for one in calls for part in _starts(run, one)):
         return True
@@ -62,7 +60,7 @@ def _solutions(run: Run) -> set[str]:
     found: set[str] = set()
     pairs = [(name, one) for name, lines in run.definitions.items() for one in lines]
     while new := {n for n, one in pairs
-                  if solves(one.parts[1]) or _uses(one.parts[1], found)} - found:  # fmt: skip
+                  if _uses(one.parts[1], found)} - found:  # fmt: skip
         found |= new
     return found
 
@@ -83,26 +81,39 @@ def _starts(run: Run, call: Term) -> Iterator[Term]:
 def _start_names(run: Run) -> set[str]:
     """Names of which starts of solvers are made."""
     calls = [one for one in run.block.all() if one.kind == "call"]
-    found = {n for one in calls for part in _starts(run, one) for n in part.names()}
+    found = {n for one in calls for part in _starts(run, one) for n in _bases(run, part)}
     while new := {
         n for name in found for line in run.definitions.get(name, ())
-        if not solves(line.parts[1]) for n in line.parts[1].names()
+        if not solves(line.parts[1]) for n in _bases(run, line.parts[1])
     } - found:  # fmt: skip
         found |= new
     return found
 
 
+def _bases(run: Run, value: Term) -> Iterator[str]:
+    """Names of which a value is made, without those that count its places."""
+    if value.kind == "name" or value.name in run.definitions:
+        yield value.name
+    elif value.kind in ("entry", "field"):
+        yield root_of(value)
+    else:
+        for part in value.parts:
+            yield from _bases(run, part)
+
+
 def _uses(value: Term, names: Set[str]) -> bool:
-    return not names.isdisjoint(value.names())
+    """Whether a value has one of some names in it, or what a solver returns."""
+    return not names.isdisjoint(value.names()) or any(map(solves, value.all()))
 
 
 def _keeps(run: Run, value: Term, solutions: Set[str]) -> bool:
     """Whether a value is no solution, or some entries of one in their order."""
-    if not _uses(value, solutions) or value.kind in ("name", "field", "whole"):
+    if not _uses(value, solutions) or value.kind in ("name", "field", "whole") or solves(value):
         return True
     if value.kind == "call" and value.name in KEEPS:
         return all(_keeps(run, part, solutions) for part in value.parts)
-    if value.kind in ("entry", "call") and root_of(value) in solutions:
+    root = root_of(value)
+    if value.kind in ("entry", "call") and (root in solutions or is_solver(root)):
         places = value.parts[1:] if value.kind == "entry" else value.parts
         return all(map(_is_in_order, places))
     if value.kind != "list":
@@ -122,10 +133,19 @@ def _is_in_order(place: Term) -> bool:
 
 def _numbers(run: Run, value: Term) -> list[int]:
     """Numbers among the places of an entry, also of one that a name stands for."""
-    if value.kind == "name" and len(lines := run.definitions.get(value.name, ())) == 1:
-        (line,) = lines
-        value = line.parts[1] if [*targets_of(line.parts[0])] == [value] else value
-    places = value.parts[1:] if value.kind == "entry" else value.parts
-    if value.kind not in ("entry", "call"):
+    if value.kind not in ("name", "entry", "call"):
         return []
-    return [int(p.name) for p in places if p.kind == "number" and p.name.isdigit()]
+    root = root_of(value)
+    lines = run.definitions.get(root, ())
+    base = _given(lines[0], root) if len(lines) == 1 else None
+    before = _numbers(run, base) if base is not None and root not in base.names() else []
+    places = value.parts[1:] if value.kind == "entry" else value.parts
+    return [*before, *(int(p.name) for p in places if p.kind == "number" and p.name.isdigit())]
+
+
+def _given(line: Term, name: str) -> Term | None:
+    """What a line gives a name; none where a solver, or more than one name, is in it."""
+    targets, value = [*targets_of(line.parts[0])], line.parts[1]
+    values = value.parts if line.parts[0].kind == "list" and value.kind == "list" else (value,)
+    pairs = {t.name: v for t, v in zip(targets, values, strict=False) if t.kind == "name"}
+    return None if len(targets) != len(values) or solves(value) else pairs.get(name)

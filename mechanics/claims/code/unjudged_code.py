@@ -122,7 +122,7 @@ def unjudged_code(
     for name in (n for n in every if n not in own):
         if suffix not in LANGUAGES:
             said += (f"{name}: {line}" for line in changed_numbers(uses, others[name], free))
-    for name in (n for n in every if n in users):
+    for name in (n for n in every if n in users | uses.memory.explained - own):
         said += (f"{name}: {line}" for line in function_lines(uses, others[name], known))
     for name, node in functions.items():
         apart = not (chosen or name in own | users | PROGRAM | uses.memory.explained)
