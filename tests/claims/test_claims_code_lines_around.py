@@ -548,3 +548,10 @@ def test_a_record_whose_entries_have_names_has_any_order(tmp_path: Path) -> None
     assert not beside(tmp_path, ".jl", function + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)"))
     other = JULIA + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)")
     assert beside(tmp_path, ".jl", other)
+
+
+@pytest.mark.parametrize(("made", "quoted"), [("o = odeset('RelTol', 1e-8);", False), ("", True)])
+def test_options_that_another_function_makes(tmp_path: Path, made: str, quoted: bool) -> None:
+    solve = f"function y = solved(f)\n{made}\n[t, y] = ode45(f, [0 1], [0.1; 0], o);\nend\n"
+    script = GIVEN + "y = solved(@(t, y) rate(t, y, m, l, g, u));\n"
+    assert bool(beside(tmp_path, ".m", script + MATLAB + solve, "rate")) == quoted

@@ -135,9 +135,14 @@ def function_lines(run: Run, one: FileFunction, around: Mapping[str, Any]) -> li
         return []
     begin(run)
     find_vectors(run, one.body, around)
-    run = replace(run, block=Term("block", "", (*run.block.parts, one.body)))
+    run = _with_body(run, one)
     env = {n: v for n, v in around.items() if n not in one.takes and n not in one.local}
     return _lines(run, one.body, env, set(), _states_around(run, one))
+
+
+def _with_body(run: Run, one: FileFunction) -> Run:
+    """What is looked at, with the lines of a function."""
+    return replace(run, block=Term("block", "", (*run.block.parts, one.body)))
 
 
 def _states_around(run: Run, function: FileFunction) -> frozenset[str]:
@@ -544,7 +549,7 @@ def _taken(run: Run, call: Term, handed: Sequence[int], env: dict[str, Any]) -> 
     if call.name in run.memory.taken:
         return True
     taken = Memory(taken=run.memory.taken | {call.name})
-    other = replace(run, memory=taken)
+    other = replace(_with_body(run, one), memory=taken)
     if not is_step(other, one.body, dict(given), "", one):
         begin(other)
         find_vectors(other, one.body, given)
