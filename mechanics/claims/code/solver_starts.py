@@ -39,15 +39,15 @@ def changes_start(run: Run, line: Term) -> bool:
     ----------
     line : Term
     """
-    solutions = _solutions(run)
-    calls = (one for one in line.all() if one.kind == "call")
-    if any(not _keeps(run, part, solutions) for one in calls for part in _starts(run, one)):
-        return True
-    if line.kind != "set" or solves(line.parts[1]):
+    if run.language.name not in ("MATLAB", "Julia"):
         return False
-    target, value = line.parts
-    if root_of(target) not in _start_names(run):
-        return False
+    starts = [part for one in line.all() if one.kind == "call" for part in _starts(run, one)]
+    target, value = line.parts if line.kind == "set" else (line, line)
+    gives = line.kind == "set" and not solves(value) and root_of(target) in _start_names(run)
+    solutions = _solutions(run) if starts or gives else set()
+    changed = not all(_keeps(run, part, solutions) for part in starts)
+    if changed or not gives:
+        return changed
     ones, others = _numbers(run, target), _numbers(run, value)
     moved = target.kind != "name" and bool(ones and others) and ones[-1] not in others
     part = target.kind != "name" and value.kind == "number"
