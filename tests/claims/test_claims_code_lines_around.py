@@ -156,6 +156,9 @@ def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines:
     assert beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)
 
 
+MADE = "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), {})\n"
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -168,6 +171,13 @@ def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines:
         "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\n",
         LOOP.format("rate!(du, y, p, 0.0)\n  y .-= dt .* du"),
         LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* reverse(du)"),
+        LOOP.format("l = abs(y[2])\n  rate!(du, y, (m, l, g, u), 0.0)\n  y .+= dt .* du"),
+        "r = (m=1.0, l=0.5, g=9.81, u=0.0)\n" + MADE.format("(r.l, r.m, r.g, r.u)"),
+        "r = (m=1.0, l=0.5, g=9.81, u=0.0)\np = [r.l, r.m, r.g, r.u]\n" + MADE.format("p"),
+        "r = Dict(:m => 1.0, :l => 0.5)\n" + MADE.format("(r[:l], r[:m], g, u)"),
+        'r = Dict("m" => 1.0, "l" => 0.5)\n' + MADE.format('(r["l"], r["m"], g, u)'),
+        MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)"),
+        "p = (l=1.0, m=0.5, g=9.81, u=0.0)\n" + MADE.format("p"),
     ],
 )  # fmt: skip
 def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
@@ -191,6 +201,8 @@ def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
             "double a = -accel(th, om, 0, 1, 1, 9.81); om += h*a; th += h*om;"))),
         ("accel", SMALL.format(ONE.format(
             "double a = accel(th, om, 0, 1, 1, 9.81); om += h*a; th -= h*om;"))),
+        ("accel", SMALL.format(ONE.format(
+            "double l = fabs(om), a = accel(th, om, 0, 1, l, 9.81); om += h*a; th += h*om;"))),
         ("accel", SMALL.format(ONE.format(
             "double a = accel(th, om, 0, 1, 1, 9.81); om += h*th; th += h*om;"))),
         ("accel", SMALL.format(
@@ -238,6 +250,10 @@ def test_an_acceleration_is_used_innocently(tmp_path: Path, lines: str) -> None:
     [
         "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), (m, l, g, u))\nsol = solve(prob)\n",
         LOOP.format("rate!(du, y, p, 0.0)\n  y .+= dt .* du\n  push!(ys, copy(y))"),
+        LOOP.format("l = 0.5\n  rate!(du, y, (m, l, g, u), 0.0)\n  y .+= dt .* du"),
+        "r = (l=0.5, m=1.0, g=9.81, u=0.0)\np = [r.m, r.l, r.g, r.u]\n" + MADE.format("p"),
+        "r = Dict(:l => 1.0, :m => 0.5)\n" + MADE.format("(r[:m], r[:l], g, u)"),
+        MADE.format("(m=1.0, l=0.5, g=9.81, u=0.0)"),
         "function run()\n  y = [0.1, 0.0]; du = similar(y); h = 0.01; t = 0.0\n  while t < 10\n"
         "    rate!(du, y, (1.0, 0.5, 9.81, 0.0), t)\n    y[1] += h*du[1]\n    y[2] += h*du[2]\n"
         "    t += h\n  end\nend\n",
@@ -263,6 +279,11 @@ def test_c_plus_plus_is_innocent(tmp_path: Path, function: str, text: str) -> No
 
 
 OPTIONS = "o = odeset({});\n[t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0], o);"
+AGAIN = """y0 = [0.1; 0];
+for i = 1:9
+  [t, y] = ode45(@(t, y) rate(t, y, m, l, g, u), [i i+1], y0);
+  y0 = {};
+end"""
 PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), p)\n"
 
 
@@ -279,6 +300,19 @@ PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0,
         "[y, t] = ode45(@(t, y) rate(t, y, m, l, g, u), [0 1], [0.1; 0]);",
         'x = lsode("rate", [0.1; 0], linspace(0, 1));', "c = {l, m};\n[m, l] = c{:};", "l = l/2;",
         "[m, l] = deal(l, m);", "g = abs(g)*-1;", "p.l = l;\np = setfield(p, 'l', p.l/2);",
+        "key = 'Mass';\n" + OPTIONS.format("key, [1 0; 0 2]"),
+        OPTIONS.format("key, 1").replace("; 0], o)", "; 0], odeset(key, 1))"),
+        "load('o.mat');\n" + OPTIONS.partition("\n")[2], OPTIONS.partition("\n")[2],
+        "f = str2func('@(t, y) [y(2); y(1)]');\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+        AGAIN.format("fliplr(y(end, :))'"), AGAIN.format("-y(end, :)'"),
+        AGAIN.format("[y(end, 1); -y(end, 2)]"), AGAIN.format("[y(end, 2); y(end, 1)]"),
+        AGAIN.format("y(end, :)';\n  y0(2) = -0.9*y(end, 2)"),
+        AGAIN.format("y(end, :)';\n  y0(2) = 0"),
+        AGAIN.format("[b; a]").replace("  y0", "  [a, b] = deal(y(end, 1), y(end, 2));\n  y0"),
+        AGAIN.format("[w(end); a(end)]").replace("  y0", "  a = y(:, 1); w = y(:, 2);\n  y0"),
+        EULER.format("y = y + dt*d;\n  l = abs(y(2));"),
+        "c = {l, m, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
+        EULER.format("y = y + dt*d;") + "\ny = flipud(y);\n" + EULER.format("y = y + dt*d;")[28:],
     ],
 )  # fmt: skip
 def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -290,6 +324,15 @@ def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, li
     [
         OPTIONS.format("'RelTol', 1e-8, 'AbsTol', 1e-9"), "p = struct('m', 1, 'g', 9.81);",
         "f = @(t, y) rate(t, y, m, l, g, u);\n[t, y] = ode45(f, [0 1], [0.1; 0]);",
+        OPTIONS.replace("\n", "\no = odeset(o, 'MaxStep', 0.1);\no.AbsTol = 1e-9;\n").format(
+            "'RelTol', 1e-8"),
+        "c = {m, l, g, u};\n" + SOLVED.format("rate(t, y, c{:})"),
+        "f = str2func('rate');\n" + SOLVED.format("f(t, y, m, l, g, u)"),
+        AGAIN.format("[a; y(n, 2)]").replace("  y0", "  n = length(t); a = y(n, 1);\n  y0"),
+        AGAIN.format("[a(end); w(end)]").replace("  y0", "  a = y(:, 1); w = y(:, 2);\n  y0"),
+        AGAIN.format("y(end, :)'"), AGAIN.format("[y(end, 1); y(end, 2)]"),
+        AGAIN.format("y(end, :)';\n  y0(2) = y(end, 2)"),
+        EULER.format("y = y + dt*d;") + "\ny = 180/pi*y;\nplot(y)",
     ],
 )  # fmt: skip
 def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> None:
@@ -309,6 +352,30 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = remake(prob, p=(l, m, g, u))",
         "prob2 = DiscreteProblem(rate!, [0.1, 0.0], (0, 10), p)",
         "m, l, g, u = 1.0, 0.5, 9.81, 0.0\nprob2 = NonlinearProblem(rate!, [0.1, 0], (l, m, g, u))",
+        "sol = solve(prob, Tsit5(), callback=cb)",
+        'include("bounce.jl")\nsol = solve(remake(prob; callback=bounce), Tsit5())',
+        "sol = solve(prob, Tsit5(); callback)",
+        "kw = (callback=cb,)\nsol = solve(prob, Tsit5(); kw...)",
+        "sol = solve(prob, Tsit5(); options...)",
+        "cb = bounce()\nsol = solve(prob; callback=cb)",
+        "sol = solve(prob, FunctionMap(), dt=0.1)",
+        "alg = FunctionMap()\nsol = solve(prob, alg)",
+        "reverse!(prob.p)",
+        "sort!(p)",
+        "replace!(prob.p, 0.5 => -0.5)",
+        "q = p\nreverse!(q)",
+        "using LinearAlgebra\nlmul!(Diagonal([1, -1, 1, 1]), prob.p)",
+        "p = reverse(p)",
+        "integrator = init(prob, Tsit5())\nfor i in 1:9\n  reverse!(integrator.u)\nend",
+        "s = solve(prob)\nprob2 = remake(prob, u0=-s.u[end])",
+        "s = solve(prob)\nu0 = [s.u[end][2], s.u[end][1]]\nprob2 = remake(prob, u0=u0)",
+        "prob2 = remake(prob, u0=-solve(prob).u[end])",
+        "v = solve(prob).u[end]\nv[2] = -v[2]\nprob2 = remake(prob, u0=v)",
+        "p = [1.0, 0.5, 9.81, 0.0]\np[1], p[2] = p[2], p[1]\nprob2 = remake(prob, p=p)",
+        "kw = Dict(:callback => cb)\nsol = solve(prob; kw...)",
+        "sol = solve(prob, alg)",
+        "run(prob; kw...) = solve(prob, Tsit5(); kw...)\nrun(prob; callback=cb)",
+        "function run(prob; kw...)\n  solve(prob; kw...)\nend\nsol = run(prob; callback=cb)",
     ],
 )
 def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines: str) -> None:
@@ -335,6 +402,13 @@ def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> N
         "prob2 = remake(prob; p=(2.0, 1.0, 9.81, 0.0), tspan=(0.0, 2.0))",
         "f = ODEFunction(rate!)\nprob2 = ODEProblem(f, [0.1, 0.0], (0.0, 10.0), p)",
         "integrator = init(prob, Tsit5())\nfor i in 1:10\n  step!(integrator, 0.1)\nend",
+        "alg = Rodas5P()\nsol = solve(prob, alg; callback=TerminateSteadyState(), saveat)",
+        "kw = (reltol=1e-8, abstol=1e-8)\nsol = solve(prob, Vern7(); kw..., saveat=0.1)",
+        "xs = [2.0, 1.0]\nsort!(xs)\npush!(xs, 0.1)\nplot!(xs)\nsol = solve(prob)",
+        "for i in 1:9\n  s = solve(prob, Tsit5())\n  global prob = remake(prob, u0=s.u[end])\nend",
+        "s = solve(prob)\nu0 = [s.u[end][1], s.u[end][2]]\nprob2 = remake(prob, u0=u0)",
+        "prob2 = remake(prob, u0=solve(prob).u[end])",
+        "saveat = 0.0:0.1:1.0\nsol = solve(prob, OrdinaryDiffEq.Vern9(); saveat)",
     ],
 )
 def test_a_problem_that_is_solved_is_innocent(tmp_path: Path, lines: str) -> None:
@@ -467,3 +541,17 @@ def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, ch
         path.write_text(text % change)
         with pytest.raises(InputError):
             mechanics.check(rod_pendulum.scene(), path, blame=False, function=function)
+
+
+def test_a_record_whose_entries_have_names_has_any_order(tmp_path: Path) -> None:
+    function = JULIA.replace("m, l, g, u = p", "(; m, l, g, u) = p")
+    assert not beside(tmp_path, ".jl", function + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)"))
+    other = JULIA + MADE.format("(l=1.0, m=0.5, g=9.81, u=0.0)")
+    assert beside(tmp_path, ".jl", other)
+
+
+@pytest.mark.parametrize(("made", "quoted"), [("o = odeset('RelTol', 1e-8);", False), ("", True)])
+def test_options_that_another_function_makes(tmp_path: Path, made: str, quoted: bool) -> None:
+    solve = f"function y = solved(f)\n{made}\n[t, y] = ode45(f, [0 1], [0.1; 0], o);\nend\n"
+    script = GIVEN + "y = solved(@(t, y) rate(t, y, m, l, g, u));\n"
+    assert bool(beside(tmp_path, ".m", script + MATLAB + solve, "rate")) == quoted

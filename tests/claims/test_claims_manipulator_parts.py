@@ -62,7 +62,9 @@ def _checked(folder: Path, name: str, text: str, *, heavy: bool = True, **how: o
 
 @pytest.mark.parametrize("name", FILES)
 def test_three_functions_are_one_equation(name: str, tmp_path: Path) -> None:
-    assert _checked(tmp_path, name, FILES[name]).verdict.name == "PROVED"
+    found = _checked(tmp_path, name, FILES[name])
+    assert found.verdict.name == "PROVED"
+    assert not found.beside
 
 
 @pytest.mark.parametrize(

@@ -7,13 +7,13 @@
 All else is quoted.
 """
 
-import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
+from mechanics.claims.code.handed_values import changes_handed
 from mechanics.claims.code.integrator_steps import is_step
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
@@ -51,25 +51,13 @@ from mechanics.claims.code.run import (
     meaning_of,
     orders,
 )
+from mechanics.claims.code.solver_options import MADE_BY_NAME, is_solver_told_more
+from mechanics.claims.code.solver_starts import SOLVERS, STATE_FIRST, changes_start, is_solver
 
-SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian", re.IGNORECASE)
-"""In the names of what takes a function by its name."""
 TIMES = frozenset(("t", "time", "tt", "~", "_"))
-MATLAB_OPTIONS = frozenset(
-    ("reltol", "abstol", "maxstep", "initialstep", "minstep", "outputfcn", "outputsel", "stats",
-     "refine", "events", "normcontrol", "bdf", "maxorder", "jacobian", "jpattern", "vectorized")
-)  # fmt: skip
-JULIA_OPTIONS = frozenset(
-    ("reltol", "abstol", "saveat", "dt", "dtmax", "dtmin", "adaptive", "dense", "save_everystep",
-     "save_start", "save_end", "save_on", "save_idxs", "maxiters", "tstops", "progress", "verbose",
-     "callback", "u0", "tspan", "syms", "sensealg", "alg_hints", "force_dtmin")
-)  # fmt: skip
-"""Options of a solver that leave the law as it is; an event's function is looked at itself."""
-UNFOLLOWED = frozenset(("setfield", "assignin", "evalin", "eval", "DiscreteProblem"))
-STATE_FIRST = frozenset(("lsode", "lsoda", "dassl"))
-MADE_AGAIN = frozenset(("remake", "init", "solve"))
-STEPPED = frozenset(("step!", "solve!", "plot!", "lines!", "scatter!", "push!", "append!"))
-"""Calls with ! that do not change what they are given, or as the solver does."""
+UNFOLLOWED = frozenset(
+    ("setfield", "assignin", "evalin", "eval", "DiscreteProblem", "inline", "str2func")
+)
 OTHER_VALUES = frozenset(
     ("abs", "fabs", "round", "int", "trunc", "floor", "ceil", "max", "min", "fmax", "fmin",
      "maximum", "minimum", "clip", "sign", "degrees", "radians", "deg2rad", "rad2deg", "norm",
@@ -153,8 +141,14 @@ def function_lines(run: Run, one: FileFunction, around: Mapping[str, Any]) -> li
         return []
     begin(run)
     find_vectors(run, one.body, around)
+    run = _with_body(run, one)
     env = {n: v for n, v in around.items() if n not in one.takes and n not in one.local}
     return _lines(run, one.body, env, set(), _states_around(run, one))
+
+
+def _with_body(run: Run, one: FileFunction) -> Run:
+    """What is looked at, with the lines of a function."""
+    return replace(run, block=Term("block", "", (*run.block.parts, one.body)))
 
 
 def _states_around(run: Run, function: FileFunction) -> frozenset[str]:
@@ -219,14 +213,17 @@ def _resets(run: Run, line: Term, env: dict[str, Any]) -> bool:
     """Whether a line gives a solver another law, another state, or impossible numbers."""
     if line.kind == "set":
         target, value = line.parts
-        if value.kind == "call" and _is_solver(run, value.name):
+        if value.kind == "call" and is_solver(value.name):
             run.memory.problems |= {root_of(t) for t in targets_of(target)}
         fields = [t.name.lower() for t in target.all() if t.kind == "field"]
         if fields and (root_of(target) in run.memory.problems or "mass" in fields):
             return True
         targets = [t.name for t in targets_of(target)]
-        if value.kind == "call" and value.name.startswith("ode") and len(targets) > 1:
-            return targets[1] in TIMES - {"~", "_"} and targets[0] not in TIMES
+        two = value.kind == "call" and value.name.startswith("ode") and len(targets) > 1
+        if two and targets[1] in TIMES - {"~", "_"} and targets[0] not in TIMES:
+            return True
+    if changes_start(run, line) or changes_handed(run, line):
+        return True
     if any(_kicks(run, one) for one in line.all() if one.kind == "set"):
         return True
     methods = [(one, n) for one in line.all() if one.kind == "call" and run.language.pointers
@@ -288,10 +285,6 @@ def misuses(run: Run, call: Term, env: dict[str, Any]) -> bool:
     return found
 
 
-def _is_solver(run: Run, name: str) -> bool:
-    return bool(SOLVERS.search(name)) or name in MADE_AGAIN
-
-
 def _alters(run: Run, call: Term, env: dict[str, Any]) -> bool:
     """Whether a call sets options of a solver that are not known, or changes what it solves."""
     if call.name in UNFOLLOWED:
@@ -301,37 +294,19 @@ def _alters(run: Run, call: Term, env: dict[str, Any]) -> bool:
         pairs = zip(takes, call.parts, strict=False)
         if any(_excludes(run, name, known_value(run, part, env)) for name, part in pairs):
             return True
-    if call.name in ("odeset", "struct"):
+    if call.name == "struct":
         names = [p.text.strip("'\"") for p in call.parts[::2]]
-        if call.name == "struct":
-            values = [known_value(run, part, env) for part in call.parts[1::2]]
-            words = [Term("name", name) for name in names]
-            return any(map(partial(_excludes, run), names, values)) or any(
-                map(partial(_is_another_word, run), words, call.parts[1::2])
-            )
-        known = MATLAB_OPTIONS | {n.lower() for n in env}
-        return any(name.lower() not in known for name in names)
-    given = call.parts[0].name if call.parts and call.parts[0].kind == "name" else ""
-    head = call.text.partition("(")[0].rpartition(".")[2].strip()
-    if given in run.memory.problems and head.endswith("!") and head not in STEPPED:
-        return True
-    if run.language.name != "Julia" or not _is_solver(run, call.name):
+        values = [known_value(run, part, env) for part in call.parts[1::2]]
+        words = [Term("name", name) for name in names]
+        return any(map(partial(_excludes, run), names, values)) or any(
+            map(partial(_is_another_word, run), words, call.parts[1::2])
+        )
+    if call.name in run.own or not (is_solver(call.name) or call.name in MADE_BY_NAME):
         return False
-    for one in (part for part in call.all() if part is not call and part.kind == "set"):
-        name = one.parts[0].name
-        if name == "p":
-            if not _is_parameter_list(run, one.parts[1], env):
-                return True
-        elif name not in JULIA_OPTIONS and one in _options(run, call):
-            return True
-    return False
-
-
-def _options(run: Run, call: Term) -> list[Term]:
-    """What a call gives by name, after a semicolon, too."""
-    inner = [p for part in call.parts for p in (part.parts if part.kind in ("block", "other")
-                                                else (part,))]  # fmt: skip
-    return [part for part in inner if part.kind == "set"]
+    return is_solver_told_more(run, call) or (run.language.name == "Julia" and any(
+        one.parts[0].name == "p" and not _is_parameter_list(run, one.parts[1], env)
+        for one in call.all() if one.kind == "set"
+    ))  # fmt: skip
 
 
 def _is_parameter_list(run: Run, part: Term, env: dict[str, Any]) -> bool:
@@ -404,7 +379,7 @@ def _innocent(run: Run, line: Term, env: dict[str, Any], made: set[str]) -> bool
         handed = _by_name(run, call, env)
         if handed and call.name in run.own and not _taken(run, call, handed, env):
             return False
-        solver = run.language.name != "Python" or _is_solver(run, call.name)
+        solver = run.language.name != "Python" or is_solver(call.name)
         if handed and call.name not in run.own and solver and not _solved(run, call, env):
             return False
         if call.name in run.users and not _called_plainly(run, call, env):
@@ -595,7 +570,7 @@ def _taken(run: Run, call: Term, handed: Sequence[int], env: dict[str, Any]) -> 
     if call.name in run.memory.taken:
         return True
     taken = Memory(taken=run.memory.taken | {call.name})
-    other = replace(run, memory=taken)
+    other = replace(_with_body(run, one), memory=taken)
     if not is_step(other, one.body, dict(given), "", one):
         begin(other)
         find_vectors(other, one.body, given)

@@ -151,10 +151,22 @@ def _parameters_change(run: Run, block: Term, env: Mapping[str, Any]) -> bool:
     sets = _sets(run, block)
     apart = {"", *run.words.state, *run.words.inputs}
     words = {root: meaning_of(run, root) for root in sets & env.keys()}
+    made = {root for root in words if isinstance(env[root], Unknown)} & _made_of_state(run, block)
     return any(
-        not fits_word(run, word, env[root], word) for root, word in words.items()
+        root in made or not fits_word(run, word, env[root], word) for root, word in words.items()
         if word not in apart and word in run.words.parameters
     )  # fmt: skip
+
+
+def _made_of_state(run: Run, block: Term) -> set[str]:
+    """Names that a block makes of the state, or of what it sets."""
+    asked = {value for at in run.memory.called for value in at.values()}
+    moving = {root for value, (root, _) in run.memory.initial.items() if value in asked}
+    moving |= _sets(run, block)
+    lines = (
+        t for t in block.all() if t.kind == "set" and not moving.isdisjoint(t.parts[1].names())
+    )
+    return {root_of(target) for line in lines for target in targets_of(line.parts[0])}
 
 
 def _located(run: Run, env: Mapping[str, Any]) -> Iterator[dict[str, Place]]:

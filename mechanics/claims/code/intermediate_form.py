@@ -24,6 +24,8 @@ BRACKETS = ("parenthesis", "parenthesized_expression", "condition_clause", "post
             "adjoint_expression", "typed_expression")  # fmt: skip
 COMMAND = re.compile(r"([^\W\d]\w*)\s*([-+*/])=\s*(.+)", re.DOTALL)
 """``x += 2``, which the grammar of MATLAB takes for a command."""
+KEY = re.compile(r"(?::(?=\w)|\")([^\W\d]\w*)\"?")
+"""``:m`` and ``"m"``, keys of a record of Julia."""
 CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
 
@@ -119,6 +121,8 @@ def _term(node: Any, text: str) -> Term:
         case "index_expression" | "subscript_expression" if len(parts) == 2:
             places = [Term("whole") if words(p) == ":" else term(p) for p in _inside(parts[1])]
             base = term(parts[0])
+            if len(places) == 1 and (key := KEY.fullmatch(places[0].text)) is not None:
+                return Term("field", key[1], (base,))
             if base.kind == "entry":
                 return Term("entry", "", (*base.parts, *places))
             return Term("entry", "", (base, *places))
@@ -180,8 +184,17 @@ def _call(parts: list[Any]) -> Term:
     inside = [p for one in rest for p in (_inside(one) if "argument" in one.type else [one])]
     name = words(head)
     given = _parts(inside)
-    if name in CHANGES and len(given) == 1:
+    named_one = (
+        name == "str2func" and given and given[0].kind == "name" and given[0].text[0] in "'\""
+    )
+    if (name in CHANGES and len(given) == 1) or named_one:
         return given[0]
+    if name == "Dict" and all(p.kind == "binary" and p.name == "=>" for p in given):
+        pairs = [(KEY.fullmatch(p.parts[0].text), p) for p in given]
+        return Term("list", "", tuple(
+            Term("set", "", (Term("name", key[1]), p.parts[1]), p.text) if key else p
+            for key, p in pairs
+        ))  # fmt: skip
     if name == "deal" and len(given) > 1:
         return Term("list", "", given)
     if head.type == "identifier" or "::" in name or "." in name:

@@ -314,6 +314,15 @@ def _place(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return UNKNOWN
 
 
+def _as_word(run: Run, name: str, value: Any) -> Any:
+    """The number of a word of the scene for one that is written out, and that it can have."""
+    word = meaning_of(run, name)
+    if not word or not isinstance(value, Literal) or run.memory.stepping:
+        return value
+    known = word in run.words.state or not is_possible(run, word, value)
+    return Literal(value) if known else number("word", word)
+
+
 def _store(run: Run, target: Term, value: Any, env: dict[str, Any]) -> None:
     root, key = _path(run, target, env)
     if not key:
@@ -321,11 +330,7 @@ def _store(run: Run, target: Term, value: Any, env: dict[str, Any]) -> None:
             entries_of(run, value) if value.name and not value.entries else None
             value = Table("" if value.name != "parameters" else value.name,
                           dict(value.entries), value.size)  # fmt: skip
-        env[root] = value
-        word = meaning_of(run, root)
-        if word and isinstance(value, Literal) and not run.memory.stepping:
-            known = word in run.words.state or not is_possible(run, word, value)
-            env[root] = Literal(value) if known else number("word", word)
+        env[root] = _as_word(run, root, value)
         return
     table = env.get(root)
     if not isinstance(table, Table):
@@ -555,7 +560,7 @@ def _list(run: Run, term: Term, env: dict[str, Any]) -> Any:
         for part in term.parts:
             inner = part.parts[0] if part.kind == "set" else part
             value = value_of(run, part.parts[1] if part.kind == "set" else part, env)
-            record.entries[(inner.name,)] = value
+            record.entries[(inner.name,)] = _as_word(run, inner.name, value)
         return record
     values: list[Any] = []
     for part in term.parts:
@@ -599,14 +604,14 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
 
 def _spread(run: Run, term: Term, env: dict[str, Any]) -> Term:
     """A call with its arguments one by one: rate(t, y, *p)."""
-    if not any(part.kind == "star" for part in term.parts):
+    if not any(map(_is_spread, term.parts)):
         return term
     parts: list[Term] = []
     for part in term.parts:
-        if part.kind != "star":
+        if not _is_spread(part):
             parts.append(part)
             continue
-        (inner,) = part.parts
+        inner = part.parts[0] if part.kind == "star" else Term("name", part.name)
         value = value_of(run, inner, env)
         if inner.kind == "list":
             parts += inner.parts
@@ -627,6 +632,11 @@ def _whole_call(run: Run, term: Term) -> Term:
     while term.kind == "call" and term.name in keeps and len(term.parts) == 1:
         (term,) = term.parts
     return term
+
+
+def _is_spread(part: Term) -> bool:
+    """Whether it stands for several arguments: ``*p``, ``p{:}``."""
+    return part.kind == "star" or (part.kind == "call" and part.text == f"{part.name}{{:}}")
 
 
 def _append(run: Run, term: Term, env: dict[str, Any]) -> Any:

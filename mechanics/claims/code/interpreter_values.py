@@ -115,6 +115,8 @@ class JudgedFunction:
         Arguments that make no difference.
     time : str
         The argument that is the time, where that makes a difference.
+    places : frozenset of str
+        Arguments of which it takes entries by their places.
     """
 
     name: str
@@ -126,6 +128,7 @@ class JudgedFunction:
     defaults: Mapping[str, Fraction] = field(default_factory=dict)
     unused: frozenset[str] = frozenset()
     time: str = ""
+    places: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

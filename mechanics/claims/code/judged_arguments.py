@@ -86,7 +86,11 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
     if own != name and own in judged.takes and own:
         return False
     if isinstance(value, Table) and any(isinstance(k[0], str) for k in value.entries):
-        pairs = ((meaning_of(run, str(k[0])), v) for k, v in value.entries.items())
+        pairs = [(meaning_of(run, str(k[0])), v) for k, v in value.entries.items()]
+        if name in judged.places and any(
+            m and m != w for (m, _), w in zip(pairs, words, strict=False)
+        ):
+            return False
         return all(fits_word(run, m, v, m) for m, v in pairs if m and m not in run.words.state)
     if not words:
         meaning = meaning_of(run, own) if own else ""

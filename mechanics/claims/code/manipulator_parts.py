@@ -7,7 +7,7 @@ Where nothing but inputs drives a scene, M and C are all of it, and G is zero.
 
 import inspect
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from types import FunctionType
 from typing import Any
 
@@ -56,6 +56,21 @@ def together(functions: Sequence[Callable[..., Any]], origin: str, scene: Scene)
     page.lines.append(f"    return {joined(held)}")
     made = page.module(f"{title} of {origin}", {one.__name__: one for one in ordered})
     return (made[title],)
+
+
+def parts_of(title: str, names: Iterable[str]) -> tuple[str, ...]:
+    """Names of the functions that one of this name puts together; its own for any other.
+
+    Parameters
+    ----------
+    title : str
+    names : iterable of str
+        Of all functions of the page.
+    """
+    letters = {_part(name): name for name in names}
+    ordered = [letters[letter] for letter in "MCG" if letter in letters]
+    whole = (ordered, [name for name in ordered if _part(name) != "G"])
+    return next((tuple(some) for some in whole if "_".join(some) == title), (title,))
 
 
 def _part(title: str) -> str:

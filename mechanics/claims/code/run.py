@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from sympy import Expr, Symbol
@@ -18,6 +19,8 @@ from mechanics.claims.code.interpreter_values import (
     Table,
     number,
     rational,
+    root_of,
+    targets_of,
 )
 
 Place = tuple[str, tuple[Any, ...]]
@@ -105,6 +108,8 @@ class Run:
         Those that call it, or call what does.
     words : SceneNames
     language : Language
+    block : Term
+        All lines that are looked at together.
     memory : Memory
     """
 
@@ -113,7 +118,17 @@ class Run:
     users: Collection[str]
     words: SceneNames
     language: Language
+    block: Term = field(default_factory=lambda: Term("block"))
     memory: Memory = field(default_factory=Memory)
+
+    @cached_property
+    def definitions(self) -> dict[str, tuple[Term, ...]]:
+        """Assignments to a name, or to a part of it."""
+        found: dict[str, tuple[Term, ...]] = {}
+        for line in (t for t in self.block.all() if t.kind == "set"):
+            for root in map(root_of, targets_of(line.parts[0])):
+                found[root] = (*found.get(root, ()), line)
+        return found
 
 
 def begin(run: Run) -> None:

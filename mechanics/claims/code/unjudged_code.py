@@ -28,7 +28,9 @@ from mechanics.claims.code.interpreter_values import (
     JudgedFunction,
     Language,
     names_of,
+    root_of,
 )
+from mechanics.claims.code.manipulator_parts import parts_of
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
@@ -91,14 +93,15 @@ def unjudged_code(
     functions = dict(_functions(root, suffix))
     every = {**dict(_idle(root, suffix)), **functions}
     parts = {name: {*_names(node, title)} & every.keys() - {name} for name, node in every.items()}
-    own = reachable(judged, parts)
+    own = reachable({n for one in judged for n in parts_of(one, every)}, parts)
     users = {name for name in every if reachable({name}, parts) & {*judged}} - own
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
     seen = _seen(judged, found, others, lines, naming, title)
     names = names_of(naming)
     around = (others, users, names, ROWS.get(suffix, ROWS[".cpp"]))
-    uses = Run({seen.name: seen}, *around)
+    terms = [with_names(term(node), title) for node in lines]
+    uses = Run({seen.name: seen}, *around, Term("block", "", tuple(terms)))
     said: list[str] = []
     if suffix not in LANGUAGES:
         made = objects(root, seen, names.meaning)
@@ -106,8 +109,7 @@ def unjudged_code(
             call.text for kind, call in made if misuses(Run({kind.name: kind}, *around), call, {})
         )
     known: dict[str, Any] = {}
-    for node in lines:
-        line = with_names(term(node), title)
+    for node, line in zip(lines, terms, strict=True):
         concerned = suffix in LANGUAGES and concerns(uses, line, known)
         quoted = lines_of(uses, line, known)
         if suffix not in LANGUAGES:
@@ -120,7 +122,7 @@ def unjudged_code(
     for name in (n for n in every if n not in own):
         if suffix not in LANGUAGES:
             said += (f"{name}: {line}" for line in changed_numbers(uses, others[name], free))
-    for name in (n for n in every if n in users):
+    for name in (n for n in every if n in users | uses.memory.explained - own):
         said += (f"{name}: {line}" for line in function_lines(uses, others[name], known))
     for name, node in functions.items():
         apart = not (chosen or name in own | users | PROGRAM | uses.memory.explained)
@@ -232,7 +234,18 @@ def _seen(
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
     used = functions[name].body.names() if name in functions else ()
     time = "t" if "t" in takes and "t" in used else ""
-    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time)
+    places = _by_place(functions[name]) if name in functions else frozenset()
+    return JudgedFunction(name, takes, meanings, filled, gives, around, time=time, places=places)
+
+
+def _by_place(function: FileFunction) -> frozenset[str]:
+    """Arguments of which a function takes entries by their places: m, c = p; p[1]."""
+    lines = [*function.body.all()]
+    by_name = {one for t in lines if t.text.startswith("@unpack") for one in t.all()}
+    unpacked = {t.parts[1].name for t in lines if t.kind == "set" and t.parts[0].kind == "list"
+                and t not in by_name and not t.parts[0].text.startswith("(;")}  # fmt: skip
+    entries = {root_of(t) for t in lines if t.kind == "entry" and t.parts[1].kind == "number"}
+    return frozenset((unpacked | entries) & {*function.takes})
 
 
 def _is_set(function: FileFunction, name: str) -> bool:
