@@ -32,13 +32,12 @@ from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import Answer, judge_under, only_change
 from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
+from mechanics.judge.energy_letters import with_energy_letters
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.guesses import other_guesses
-from mechanics.judge.idle_values import idle_values
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
-from mechanics.judge.named_energies import with_named_energies
 from mechanics.judge.one_document import of_one_document
 from mechanics.judge.options import refuse_unused
 from mechanics.judge.other_conventions import helpful_changes
@@ -54,6 +53,7 @@ from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import Around, source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.suggested_choice import suggested
+from mechanics.judge.unused_values import unused_values
 from mechanics.judge.where import Where, judge_where, read_where, right_where
 from mechanics.kernel import Finding, Verdict
 from mechanics.report.answer.check import Check
@@ -164,7 +164,7 @@ def check(
         parts, [_read(truth, part, names, notation, about, function) for part in parts]
     )
     every = [s for reading in readings for s in reading.statements]
-    statements = with_named_energies(truth, of_one_dimension(truth, every))
+    statements = with_energy_letters(truth, of_one_dimension(truth, every))
     is_chosen = chosen(choice, statements)
     if sum(map(bool, (values, convention, where))) > 1:
         raise InputError(
@@ -405,7 +405,7 @@ def _judged(
         return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
     findings = [judge(truth, statement, values) for statement in statements]
     if values:
-        idle = idle_values(truth, statements, findings, values)
+        idle = unused_values(truth, statements, findings, values)
         statements, findings = small_angles_at(truth, statements, findings, values)
         told = (f"judged where {in_words(values)}", *idle)
         return tuple(map(Judged, statements, findings)), told

@@ -1,4 +1,4 @@
-"""Options of a check that are for another kind of thing than what is checked: they are refused.
+"""Refuse options that apply to none of the inputs of a check.
 
 --function rates with a.tex    ->    error: it names a function of code, and a.tex is a text
 """

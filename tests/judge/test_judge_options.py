@@ -28,7 +28,7 @@ def rate(theta: float, u: float, m: float, l: float, g: float) -> float:
         (TEXT, {"function": "acc"}, "--function (function=): it names a function of C"),
         (rate, {"function": "rate"}, "of Python: file.py:NAME"),
         (rate, {"notation": "latex"}, "--notation (notation=): it is for texts"),
-        (TEXT, {"convention": HARMLESS}, f"--convention '{HARMLESS}': it is for C and C++"),
+        (TEXT, {"convention": HARMLESS}, f"--convention '{HARMLESS}': it is for C, C++ and MATLAB"),
         (TEXT, {"convention": "single precision as exact"}, "it is for code that rounds"),
         (rate, {"convention": HARMLESS}, "there is only rate, a function of Python: leave it out"),
         (BlackBox(rate), {"about": "energy"}, "there is only a black box: leave it out"),

@@ -10,6 +10,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from mechanics.blame.result import Mistake
+from mechanics.blame.search.bracket_extent import other_extents
 from mechanics.blame.search.change import (
     HINT,
     RATIOS,
@@ -22,7 +23,6 @@ from mechanics.blame.search.change import (
 )
 from mechanics.blame.search.edits import Maker, worth
 from mechanics.blame.search.inverse_evaluation import integer_exponent, power, scaled
-from mechanics.blame.search.moved_brackets import moved
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -71,7 +71,7 @@ class Tokens:
             yield from self._powers(index, node, (2,))
         if isinstance(node, Sum | Product):
             yield from self._operators(index, node)
-            yield from moved(self.make, index, node)
+            yield from other_extents(self.make, index, node)
         if isinstance(node, Name | Call | Product):
             yield from self._turned_over(index, node)
 

@@ -12,7 +12,7 @@ from mechanics.judge.single import judge
 from mechanics.kernel import Finding, Verdict
 
 
-def idle_values(
+def unused_values(
     truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding], values: Values
 ) -> tuple[str, ...]:
     """A remark for each value without which all verdicts are the same, where nothing has its name.

@@ -21,7 +21,7 @@ from mechanics.scene.symbols import symbols_of
 UP_TO_A_CONSTANT = (Hamiltonian, Lagrangian, TotalEnergy)
 
 
-def with_named_energies(truth: Equations, statements: Sequence[Statement]) -> list[Statement]:
+def with_energy_letters(truth: Equations, statements: Sequence[Statement]) -> list[Statement]:
     """Statements of energies with the scene's own in place of letters that mean nothing else."""
     return [_with_energies(truth, statement) for statement in statements]
 

@@ -17,7 +17,7 @@ LONGEST = 12
 Values = tuple[int, ...]
 
 
-def moved(make: Maker, index: int, node: Sum | Product) -> Iterator[Change]:
+def other_extents(make: Maker, index: int, node: Sum | Product) -> Iterator[Change]:
     """A sum or product with one bracket that ends elsewhere."""
     kids = make.tree.kids[index]
     if len(kids) != len(parts(node)) or len(kids) > LONGEST:
