@@ -183,7 +183,7 @@ class _File:
             return (name, taken) in seen
         changes = any(
             isinstance(p, (*PARTS, ast.Name)) and not isinstance(p.ctx, ast.Load)
-            and _root(p) == taken for p in ast.walk(one)
+            and root_name(p) == taken for p in ast.walk(one)
         )  # fmt: skip
         inside = ast.Module(one.body, [])
         return not changes and self.escape(inside, taken, value, seen | {(name, taken)}) is None
@@ -241,7 +241,8 @@ def _own(node: ast.AST) -> set[str]:
     return taken | (stored - shared)
 
 
-def _root(target: ast.AST) -> str:
-    while isinstance(target, PARTS):
+def root_name(target: ast.AST) -> str:
+    """The name of which a place is a part: x of x[0].y; empty for what has none."""
+    while isinstance(target, (*PARTS, ast.Starred)):
         target = target.value
     return target.id if isinstance(target, ast.Name) else ""

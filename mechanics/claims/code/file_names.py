@@ -20,7 +20,7 @@ from typing import Any
 
 from mechanics.claims.code.changed_numbers import MAKES
 from mechanics.claims.code.closure_numbers import called_by, content, named, owner_of
-from mechanics.claims.code.escape_analysis import escape, same_objects
+from mechanics.claims.code.escape_analysis import escape, root_name, same_objects
 from mechanics.errors import InputError
 
 KNOWN = {
@@ -402,12 +402,12 @@ def _bindings(body: Sequence[ast.stmt], sure: bool) -> Iterator[tuple[str, _Boun
                 yield from _stored(target, value, sure, line)
             case ast.Delete(targets=targets):
                 for target in targets:
-                    yield _root(target), _Bound(None, sure, line)
+                    yield root_name(target), _Bound(None, sure, line)
             case ast.Expr(value=value):
                 yield from _stored(value, value, sure, line)
                 if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute):
                     arguments = ast.Tuple([*value.args, *(k.value for k in value.keywords)])
-                    yield _root(value.func), _Bound(arguments, sure, line)
+                    yield root_name(value.func), _Bound(arguments, sure, line)
 
 
 def _blocks(node: ast.AST) -> Iterator[list[ast.stmt]]:
@@ -422,7 +422,7 @@ def _stored(
 ) -> Iterator[tuple[str, _Bound]]:
     """Names that are given values in a part of a line."""
     for one in ast.walk(target):
-        if isinstance(getattr(one, "ctx", None), ast.Store) and (root := _root(one)):
+        if isinstance(getattr(one, "ctx", None), ast.Store) and (root := root_name(one)):
             yield root, _Bound(value, sure, line)
 
 
@@ -438,17 +438,10 @@ def _changed_by(node: ast.AST) -> Iterator[tuple[str, _Bound]]:
             for part in inside:
                 if not isinstance(getattr(part, "ctx", None), ast.Store):
                     continue
-                if _root(part) not in {"", getattr(node, "name", ""), *local}:
+                if root_name(part) not in {"", getattr(node, "name", ""), *local}:
                     yield (
-                        _root(part),
+                        root_name(part),
                         _Bound(
                             None, False, getattr(part, "lineno", 0), by=getattr(node, "name", "")
                         ),
                     )
-
-
-def _root(target: ast.AST) -> str:
-    """The name that is given a value, as a whole or in a part."""
-    while isinstance(target, ast.Attribute | ast.Subscript | ast.Starred):
-        target = target.value
-    return target.id if isinstance(target, ast.Name) else ""
