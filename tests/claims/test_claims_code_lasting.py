@@ -305,3 +305,28 @@ def test_an_import_inside_and_defaults_of_entries() -> None:
         return [y[1], 3 * p["g"] / (2 * l) * math.sin(y[0]) + 3 * u / (m * l**2)]
 
     assert check(SCENE, rates).verdict is Verdict.PROVED
+
+
+def test_a_change_in_place_by_a_parameter_is_a_change_of_the_argument() -> None:
+    """NumPy fills the array itself, whatever stands behind *=."""
+
+    def scaled(y, u, m, l, g):  # type: ignore[no-untyped-def]
+        found = law(y, u, m, l, g)
+        part = y[:1]
+        part *= m
+        return found
+
+    def counting(y, u, m, l, g, n=np.zeros(1)):  # type: ignore[no-untyped-def]
+        n += m
+        return law(y, u, m, l, g)
+
+    def own(y, u, m, l, g):  # type: ignore[no-untyped-def]
+        part = y.copy()
+        part *= m
+        return [y[1], 3 * g / (2 * l) * np.sin(part[0] / m) + 3 * u / (m * l**2)]
+
+    (first, *_) = check(SCENE, scaled, blame=False).judged
+    assert "a call changes its argument y" in first.finding.evidence
+    with pytest.raises(InputError, match="a traced number has no value"):
+        check(SCENE, counting, blame=False)
+    assert check(SCENE, own, blame=False).verdict is Verdict.PROVED

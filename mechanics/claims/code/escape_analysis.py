@@ -148,6 +148,8 @@ class _File:
                 call = self.parents.get(parent)
                 assert isinstance(call, ast.Call)  # keywords have no other place
                 return self._is_read_by(call, node, keyword, value, seen)
+            case ast.Tuple() | ast.List() if isinstance(self.parents.get(parent), ast.Compare):
+                return True
             case ast.For(iter=whole) | ast.comprehension(iter=whole) if whole is node:
                 return _is_flat(value)
             case ast.Assign(targets=[ast.Name()]):

@@ -74,6 +74,18 @@ class Traced:
         """
         return Traced(expr, self.explorer, formula, self.asked if asked_for is None else asked_for)
 
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        """What NumPy does with arrays and a number: ``y *= m`` changes y, ``y*m`` makes another."""
+        out = options.pop("out", None)
+        if out is None and method == "__call__" and ufunc in TURNED and inputs[1] is self:
+            return self._both(inputs[0], TURNED[ufunc], turned=True)
+        entries = [_alone(one) if isinstance(one, Traced) else one for one in inputs]
+        result = getattr(ufunc, method)(*entries, **options)
+        if out is None:
+            return result
+        out[0][...] = result
+        return out[0]
+
     def _both(self, other: Any, operation: Operation, turned: bool = False) -> Any:
         if isinstance(other, np.ndarray) and not turned:
             # NumPy goes through the entries and comes back here for each.
@@ -287,6 +299,18 @@ def _divided(_: Expr, b: Expr) -> Iterable[Demand]:
 
 MODULO: Operation = (modulo, lambda a, b: None, _divided)
 REMAINDER: Operation = (remainder, lambda a, b: None, _divided)
+TURNED = {
+    np.add: ADD, np.subtract: SUBTRACT, np.multiply: MULTIPLY, np.true_divide: DIVIDE,
+    np.power: POWER, np.remainder: MODULO,
+}  # fmt: skip
+"""What NumPy calls the operation of an array and a number behind it."""
+
+
+def _alone(number: Traced) -> Any:
+    """A number as an array without dimensions."""
+    array = np.empty((), dtype=object)
+    array[()] = number
+    return array
 
 
 def asked_of(value: Any) -> Asked:
