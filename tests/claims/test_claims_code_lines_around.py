@@ -467,3 +467,42 @@ def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, ch
         path.write_text(text % change)
         with pytest.raises(InputError):
             mechanics.check(rod_pendulum.scene(), path, blame=False, function=function)
+
+
+AFTER = "om += h*accel(th, om, 0, 1, 1, 9.81); th += h*om; "
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("(th > 1) && (om = -om);", True), ("th > 1 or (om = -om);", True),
+        ("int q; q = 1, om = -om;", True), ("double q = om = -om;", True),
+        ("double q = th > 1 ? (om = -om) : 0;", True), ("do { om = -om; } while (0);", True),
+        ("for (int q = 0; q < 1; q++, om = -om) {}", True), ("while (om = -om) {}", True),
+        ("for (auto *v : {&om}) *v = -*v;", True), ('printf("%g", om = -om);', True),
+        ('(th > 1) && printf("%g", th);', False), ("int q, z; q = 1, z = 2;", False),
+        ("double q, z; q = z = 1;", False),
+        ('if (th > 1 && om < 3) printf("%g", th);', False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_and_a_loop_of_c_set_is_seen(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    assert bool(beside(tmp_path, ".cpp", C + SMALL.format(ONE.format(AFTER + line)), "accel")
+                ) is quoted  # fmt: skip
+
+
+ADVANCED = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(
+    "rate!(du, y, p, 0.0)\n  y .+= dt .* du\n  {}"
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("y[1] > 1 && (y[2] = -y[2])", True), ("y[1] > 1 || (y .= -y)", True),
+        ("y[1] > 1 && println(y)", False), ("q = z = 3", False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_of_julia_sets_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
+    assert bool(beside(tmp_path, ".jl", JULIA + ADVANCED.format(line))) is quoted

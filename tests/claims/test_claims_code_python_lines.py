@@ -398,3 +398,18 @@ def test_columns_of_coordinates_and_speeds_are_followed(text: str, quoted: bool)
 )
 def test_what_is_not_followed_raises_nothing(text: str) -> None:
     assert {*_quoted(text)} <= {*text.splitlines()}
+
+
+ADVANCED = "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += w*dt\n    "
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("th > 1 and (w := -w)", True), ("th > 1 and (w := -w)\n    " * 2, True),
+        ("q = (w := -w) if th > 1 else 0", True), ("print(w := -w)", True),
+        ("n > 1 and print(w)", False), ("q = (z := w) if th > 1 else 0", False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_sets_is_seen(line: str, quoted: bool) -> None:
+    assert bool(_quoted(ADVANCED + line)) is quoted

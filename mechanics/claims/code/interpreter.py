@@ -10,6 +10,7 @@ takes at its place is a misuse.
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from mechanics.claims.code.integrators import NAMES as STEPS
@@ -386,6 +387,7 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
             forget(run, term, env, UNKNOWN)
             return None
         case "other":
+            forget(run, term, env, UNKNOWN)
             if term.names() and run.memory.stepping:
                 _poison(run, term, env)
             return None
@@ -519,6 +521,9 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case "choice":
             for part in term.parts:
                 value_of(run, part, env)
+            forget(run, term, env, UNKNOWN)
+        case "set" | "case" | "loop" | "other":
+            execute(run, term, env)
     return UNKNOWN
 
 
@@ -659,7 +664,7 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return UNKNOWN
     if term.name == "append" and len(term.parts) == 2 and not run.language.first:
         return _append(run, term, env)
-    values = [value_of(run, part, env) for part in term.parts]
+    values = [value_of(run, part, env) for part in map(partial(_given, run), term.parts)]
     if term.name == "len" and isinstance(values[0], Table):
         return Fraction(values[0].size or len(run.words.state))
     if run.language.pointers and term.name not in run.language.shows:
@@ -671,6 +676,11 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     if not values and run.memory.stepping:  # micros()
         return 2 + number(run.memory.count, term.name)
     return UNKNOWN
+
+
+def _given(run: Run, part: Term) -> Term:
+    """What a call is given: an argument by its name sets nothing, but for C, which has none."""
+    return part.parts[1] if part.kind == "set" and not run.language.pointers else part
 
 
 def _of_handle(run: Run, handle: Handle, term: Term, env: dict[str, Any]) -> Any:
