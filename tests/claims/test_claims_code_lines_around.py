@@ -506,3 +506,32 @@ ADVANCED = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(
 )  # fmt: skip
 def test_what_a_formula_of_julia_sets_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
     assert bool(beside(tmp_path, ".jl", JULIA + ADVANCED.format(line))) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("y[1] > 1 && continue", True), ("y[1] > 1 && break", False),
+        ("if y[1] > 1 break end", False), ("if y[1] > 1 continue end", True),
+    ],
+)  # fmt: skip
+def test_a_line_that_skips_a_part_of_a_step_is_seen(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    lines = f"{line}\n  rate!(du, y, p, 0.0)\n  y .+= dt .* du"
+    given = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n"
+    assert bool(beside(tmp_path, ".jl", JULIA + given + LOOP.format(lines))) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("if (th > 1) continue;", True), ("if (th > 1) goto end;", True),
+        ("if (th > 1) break;", False), ("if (th > 1) return 1;", False),
+        ('switch (i) { case 1: printf("%g", th); break; }', False),
+        ("switch (i) { case 1: om = -om; break; }", True),
+    ],
+)  # fmt: skip
+def test_a_jump_of_c_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
+    text = C + SMALL.format(ONE.format(f"{line} {AFTER}"))
+    assert bool(beside(tmp_path, ".cpp", text, "accel")) is quoted

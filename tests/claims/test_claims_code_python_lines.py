@@ -413,3 +413,51 @@ ADVANCED = "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += w*dt\n  
 )  # fmt: skip
 def test_what_a_formula_sets_is_seen(line: str, quoted: bool) -> None:
     assert bool(_quoted(ADVANCED + line)) is quoted
+
+
+EULER = "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n"
+SKIPPING = (
+    "match mode:\n    case 1: a = -accel(th, w, *p)",
+    ADVANCED + "match n:\n        case 1: w = -w",
+    ADVANCED + "match n:\n        case w: pass",
+    "for i in range(9):\n    pass\nelse:\n    a = -accel(th, w, *p)",
+    ADVANCED + "for j in range(0):\n        pass\n    else:\n        w = -w",
+    "async def f():\n    async with z:\n        a = -accel(th, w, *p)",
+    "try:\n    pass\nexcept* ValueError:\n    a = -accel(th, w, *p)",
+    "while (q := -accel(th, w, *p)) < 3:\n    pass",
+    "if (q := -accel(th, w, *p)) < 3:\n    pass",
+    "while (w := -w) < 3:\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    if th > 1: continue\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n    if th > 1: continue\n    th += w*dt",
+    "def step(y, h):\n    if y[0] > 3: return -y\n    return y + h*rate(0, y, *p)",
+    "for i in range(9):\n    k = rate(0, y, *p)\n    for j in range(2):\n"
+    "        y[j] += dt*k[j]; break",
+    "for i in range(9):\n    k = rate(0, y, *p)\n    for j in range(2):\n        y[j] += dt*k[j]\n"
+    "        if y[j] > 2: break",
+    "def run(y):\n    for i in range(9):\n        y = y + dt*rate(0, y, *p)\n"
+    "        if y[0] > 3: return -y",
+    "def f(y):\n    if y[0] > 1: return -y\n    return y\n" + EULER + "    y = f(y)",
+)
+LEAVING = (
+    EULER + "    if y[0] > 3: break",
+    "for i in range(9):\n    if t > 3:\n        break\n    y = y + dt*rate(t, y, *p)",
+    "def run(y):\n    for i in range(9):\n        Y[i+1] = Y[i] + dt*rate(0, Y[i], *p)\n"
+    "        if Y[i+1][0] > 3: return Y[:i+1]\n    return Y",
+    "while t < 9:\n    y = y + dt*rate(t, y, *p)\n    t += dt\nelse:\n    print(t)",
+    "match mode:\n    case 1: a = accel(th, w, *p)\n    case _: pass",
+    "while np.abs(accel(th, w, *p)) > 1e-3:\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "def main():\n    x: int\n    def f(t, y): return rate(t, y, *p)\n    solve_ivp(f, (0, 1), y)",
+    "try:\n    solve_ivp(rate, (0, 1), y, args=p)\nfinally:\n    print(2)",
+    "for i in range(9):\n    if not np.isfinite(y).all():\n        raise ValueError(y)\n"
+    "    y = y + dt*rate(t, y, *p)",
+)
+
+
+@pytest.mark.parametrize("text", SKIPPING)
+def test_a_line_that_may_not_be_run_is_seen(text: str) -> None:
+    assert _quoted(text)
+
+
+@pytest.mark.parametrize("text", LEAVING)
+def test_a_loop_may_be_left(text: str) -> None:
+    assert _quoted(text) == ()

@@ -119,7 +119,7 @@ def _is_advanced(
 ) -> bool:  # fmt: skip
     """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
     inside = _known_before(run, block, env, counter, function)
-    run.memory.stepping = True
+    run.memory.stepping, run.memory.depth = True, int(function is not None)
     try:
         for one in kept:
             execute(run, one, inside)
@@ -132,7 +132,7 @@ def _is_advanced(
     except (NotFollowedError, RecursionError, ZeroDivisionError):
         return False
     finally:
-        run.memory.stepping = False
+        run.memory.stepping, run.memory.depth = False, 0
     if run.memory.misused or not run.memory.called or _parameters_change(run, block, inside):
         return False
     sets = _sets(run, block)

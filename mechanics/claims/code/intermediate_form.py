@@ -41,8 +41,9 @@ class Term:
     ----------
     kind : str
         number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
-        loop, case, block, return, choice (one of its parts, or what is made of them). Of Python,
-        too: star and absent (arguments that are spread, and left out), item (of such).
+        loop, case, block, return, jump (break, continue, goto), choice (one of its parts, or what
+        is made of them). Of Python, too: star and absent (arguments that are spread, and left
+        out), item (of such).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term
@@ -162,6 +163,8 @@ def _term(node: Any, text: str) -> Term:
             return _loop(node, parts)
         case "if_statement" | "switch_statement" | "try_statement":
             return Term("case", "", _parts(parts))
+        case "break_statement" | "continue_statement" | "goto_statement":
+            return Term("jump", node.type.partition("_")[0])
         case "return_statement":
             return Term("return", "", _parts(parts))
         case "macrocall_expression" if words(parts[0]) in ("@test", "@assert"):

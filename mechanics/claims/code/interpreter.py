@@ -379,12 +379,14 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return None
         case "case":
             if run.memory.stepping and any(
-                (t.kind == "call" and t.name in functions_in(run, env))
-                or t.text.startswith("continue")
-                for t in term.all()
+                t.kind == "call" and t.name in functions_in(run, env) for t in term.all()
             ):
                 raise NotFollowedError
+            _stay(run, term)
             forget(run, term, env, UNKNOWN)
+            return None
+        case "jump":
+            _stay(run, term, always=True)
             return None
         case "other":
             forget(run, term, env, UNKNOWN)
@@ -394,6 +396,24 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case _:
             value_of(run, term, env)
             return None
+
+
+def _stay(run: Run, term: Term, *, always: bool = False) -> None:
+    """Follow no line behind which others may be left out, but for one that ends the whole loop."""
+    inside = run.memory.depth > 0
+    if not run.memory.stepping and not inside:
+        return
+    for one in term.all():
+        ends = one.name == "break" or (one.kind == "return" and all(map(_is_kept, one.parts)))
+        if one.kind in ("jump", "return") and (inside or always or not ends):
+            raise NotFollowedError
+
+
+def _is_kept(term: Term) -> bool:
+    """Whether something is a name, a part of one or some of these: y, no -y."""
+    if term.kind in ("entry", "field"):
+        return _is_kept(term.parts[0])
+    return term.kind in ("name", "list", "number") and all(map(_is_kept, term.parts))
 
 
 def _poison(run: Run, term: Term, env: dict[str, Any]) -> None:
@@ -455,9 +475,14 @@ def _turns(run: Run, term: Term, env: dict[str, Any]) -> None:
     first, last = (int(e) for e in ends)
     if last - first > TURNS:
         raise NotFollowedError
-    for turn in range(first, last + 1):
-        env[term.name] = Fraction(turn)
-        execute(run, body, env)
+    run.memory.depth += 1
+    try:
+        _stay(run, body)
+        for turn in range(first, last + 1):
+            env[term.name] = Fraction(turn)
+            execute(run, body, env)
+    finally:
+        run.memory.depth -= 1
 
 
 def value_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -519,10 +544,11 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case "call":
             return _call(run, term, env)
         case "choice":
-            for part in term.parts:
+            _stay(run, term)
+            for part in (one for one in term.parts if one.kind != "jump"):
                 value_of(run, part, env)
             forget(run, term, env, UNKNOWN)
-        case "set" | "case" | "loop" | "other":
+        case "set" | "case" | "loop" | "other" | "jump":
             execute(run, term, env)
     return UNKNOWN
 

@@ -49,7 +49,7 @@ class Memory:
     called_in : set of str
         Names in the block.
     depth : int
-        Of calls.
+        Of calls and inner loops around a line; a function has one at once, a loop has none.
     stepping : bool
         Whether a step is followed: the state then is any.
     count : int
