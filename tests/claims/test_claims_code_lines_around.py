@@ -535,3 +535,20 @@ def test_a_line_that_skips_a_part_of_a_step_is_seen(
 def test_a_jump_of_c_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
     text = C + SMALL.format(ONE.format(f"{line} {AFTER}"))
     assert bool(beside(tmp_path, ".cpp", text, "accel")) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("if theta > pi, theta = theta - 2*pi; end", False),
+        ("if w > pi, w = w - 2*pi; end", True),
+        ("if theta > pi, theta = theta - 1.0*pi; end", True),
+        ("if theta > pi, theta = theta - tau; end", True),
+        ("pi = 3; if theta > pi, theta = theta - 2*pi; end", True),
+    ],
+)  # fmt: skip
+def test_only_a_whole_turn_of_an_angle_says_nothing(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    lines = SCALARS.replace("end", f"  {line}\nend")
+    assert bool(beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)) is quoted

@@ -13,7 +13,7 @@ from mechanics.grading.grade import grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import double_pendulum, rod_pendulum
+from systems import cartpole, double_pendulum, rod_pendulum
 
 ROD = rod_pendulum.scene()
 NAMING = Naming(
@@ -461,3 +461,59 @@ def test_a_line_that_may_not_be_run_is_seen(text: str) -> None:
 @pytest.mark.parametrize("text", LEAVING)
 def test_a_loop_may_be_left(text: str) -> None:
     assert _quoted(text) == ()
+
+
+TURNED = (
+    "if th > 3: th -= 1.0*np.pi", "if w > 5: w -= 2*np.pi", "while w > 5: w -= 2*np.pi",
+    "tau = 0.3\n    if th > 1: th -= tau", "if th > 1: w -= tau", "w = w % (2*np.pi)",
+    "w = (w + np.pi) % (2*np.pi) - np.pi", "w = np.arctan2(np.sin(w), np.cos(w))",
+    "th = th % np.pi", "th = th % (1*np.pi)", "if th > 3: th -= 2*x",
+    "pi = 3\n    if th > 3: th -= 2*pi", "if th > 3: th -= 2*np.pi; w = -w",
+)  # fmt: skip
+SAME_ANGLE = (
+    "if th > 3: th -= 2.0*np.pi", "if th > 3: th = th - np.pi*2", "while th > 3: th -= 2*np.pi",
+    "th = th % (2*np.pi)", "th = (th + np.pi) % (2*np.pi) - np.pi", "th = th % tau",
+    "th = np.arctan2(np.sin(th), np.cos(th))", "if th > 3: th -= math.tau",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(ADVANCED + line for line in TURNED),
+        "for i in range(9):\n    w = (w + dt*accel(th, w, *p)) % (2*np.pi)\n    th += dt*w",
+        "for i in range(9):\n    y = (y + dt*rate(t, y, *p)) % (2*np.pi)",
+        "print(accel(th, w % (2*np.pi), m, l, g, u))", "a = accel(th, w, *p) % (2*np.pi)",
+        "def step(th, w, tau):\n    w = w + 0.1*accel(th, w, *p)\n    th = th + 0.1*w\n"
+        "    if th > 3: th -= tau\n    return th, w",
+    ],
+)  # fmt: skip
+def test_what_is_no_whole_turn_of_an_angle_is_quoted(text: str) -> None:
+    assert _quoted(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(ADVANCED + line for line in SAME_ANGLE),
+        "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n    y[0] = y[0] % (2*np.pi)",
+        "print(accel(th % (2*np.pi), w, m, l, g, u))",
+    ],
+)
+def test_a_whole_turn_of_an_angle_says_nothing(text: str) -> None:
+    assert _quoted(text) == ()
+
+
+CART = Naming(
+    Vocabulary(cartpole.scene()), {},
+    (Match("y", "x theta x_dot theta_dot", "the usual name of such a vector"),),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("entry", "quoted"), [(0, True), (1, False), (2, True), (3, True)])
+def test_a_length_has_no_turns(entry: int, quoted: bool) -> None:
+    code = (
+        "import numpy as np\ndef rate(t, y):\n    x, th, v, w = y\n    return [v, w, f(y), g(y)]\n"
+    )
+    step = f"{EULER.replace(', *p', '')}    if y[{entry}] > 3: y[{entry}] -= 2*np.pi\n"
+    assert bool(lines_around(f"{code}{step}", {"rate"}, CART)) is quoted

@@ -205,7 +205,8 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
 
 
 def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) -> bool:
-    if not all(isinstance(v, Fraction) for v in after.values()):
+    angles = {values[w] for values in (start, after) for w in run.words.angles}
+    if not all(isinstance(v, Fraction) for v in after.values()) or {*run.memory.turned} - angles:
         return False
     symbols = run.words.symbols
     rates = {symbols[w]: rate_of(run, w) for w in run.words.state}

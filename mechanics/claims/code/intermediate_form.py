@@ -43,7 +43,7 @@ class Term:
         number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
         loop, case, block, return, jump (break, continue, goto), choice (one of its parts, or what
         is made of them). Of Python, too: star and absent (arguments that are spread, and left
-        out), item (of such).
+        out), item (of such), turn (an angle brought back into one turn, and what that is).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term

@@ -52,6 +52,7 @@ IMPURE = frozenset(
      "choice", "input", "readline")
 )  # fmt: skip
 """Calls that give another value each time."""
+PI = Literal(355, 113)
 TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
@@ -62,23 +63,32 @@ MADE = frozenset(
 """Calls that make an array."""
 
 
-TURNED = frozenset(("pi", "M_PI", "π"))
-
-
-def _only_turns(term: Term) -> bool:
+def _only_turns(run: Run, term: Term, env: dict[str, Any]) -> bool:
     """Whether a block only brings an angle back into one turn: th -= 2*pi."""
     sets = [one for one in term.all() if one.kind == "set"]
-    return bool(sets) and all(map(_is_a_turn, sets))
+    stays = not any(one.kind in ("jump", "return") for one in term.all())
+    return stays and bool(sets) and all(_takes_a_turn(run, one, env) for one in sets)
 
 
-def _is_a_turn(line: Term) -> bool:
+def _takes_a_turn(run: Run, line: Term, env: dict[str, Any]) -> bool:
     target, value = line.parts
     if not line.name and value.kind == "binary" and value.parts[0].text == target.text:
         line, value = Term("set", value.name), value.parts[1]
-    factors = sorted(one.name.rpartition(".")[2] for one in value.parts)
-    whole = len(factors) == 2 and factors[0] in ("2", "0") and factors[1] in TURNED
-    tau = value.kind == "name" and value.name.rpartition(".")[2] == "tau"
-    return line.name in ("+", "-") and (tau or (whole and value.name == "*"))
+    return line.name in ("+", "-") and _is_turn(run, value, env)
+
+
+def _is_turn(run: Run, term: Term, env: dict[str, Any]) -> bool:
+    """Whether a formula is 2*pi, or Python's tau where that is nothing of the file or the scene."""
+    if term.kind == "name" and term.name in ("tau", "math.tau"):
+        taken = term.name in env or any(term.name in one.takes for one in run.own.values())
+        return run.language.name == "Python" and not taken and not meaning_of(run, term.name)
+    if term.kind != "binary" or term.name != "*":
+        return False
+    return {known_value(run, part, env) for part in term.parts} == {Literal(2), PI}
+
+
+def _keep_turned(run: Run, value: Any) -> None:
+    run.memory.turned += entries_of(run, value) or [UNKNOWN]
 
 
 def handle_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -237,7 +247,7 @@ def read_name(run: Run, root: str, key: tuple[Any, ...], env: dict[str, Any]) ->
         if key or root in run.memory.vectors:
             env[root] = Table(root, size=run.memory.sizes.get(root))
         elif root.rpartition(".")[2] in ("pi", "M_PI"):
-            env[root] = Literal(355, 113)
+            env[root] = PI
         elif word and word not in run.words.state:
             env[root] = number("word", word)
         else:
@@ -360,7 +370,9 @@ def attempt(run: Run, line: Term, env: dict[str, Any]) -> bool:
 
 def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
     """Run statements; what they return."""
-    if term.kind in ("loop", "case") and _only_turns(term):
+    if term.kind in ("loop", "case") and _only_turns(run, term, env):
+        for one in (one for one in term.all() if one.kind == "set"):
+            _keep_turned(run, value_of(run, one.parts[0], env))
         return None
     match term.kind:
         case "block":
@@ -543,6 +555,8 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _run_last(run, term, env)
         case "call":
             return _call(run, term, env)
+        case "turn":
+            return _turned(run, term, env)
         case "choice":
             _stay(run, term)
             for part in (one for one in term.parts if one.kind != "jump"):
@@ -551,6 +565,16 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case "set" | "case" | "loop" | "other" | "jump":
             execute(run, term, env)
     return UNKNOWN
+
+
+def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """An angle brought back into one turn is the angle itself."""
+    angle, *turns = term.parts
+    value = value_of(run, angle, env)
+    results = any(one.kind == "call" and one.name in run.judged for one in angle.all())
+    run.memory.misused |= results and not run.memory.stepping
+    _keep_turned(run, value)
+    return value if all(_is_turn(run, one, env) for one in turns) else UNKNOWN
 
 
 def _whole(run: Run, term: Term) -> bool:

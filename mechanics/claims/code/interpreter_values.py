@@ -10,6 +10,7 @@ from typing import Any
 from sympy import Expr, Rational
 
 from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.kinds import turning
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import DOTS
@@ -204,6 +205,12 @@ class SceneNames:
     def speeds(self) -> tuple[str, ...]:
         """Words of the speeds."""
         return tuple(map(str, self.u))
+
+    @cached_property
+    def angles(self) -> frozenset[str]:
+        """Words of coordinates that are the same a whole turn later."""
+        scene = self.naming.vocabulary.scene if self.naming is not None else None
+        return frozenset(map(str, turning(scene))) if scene is not None else frozenset()
 
     @property
     def state(self) -> tuple[str, ...]:

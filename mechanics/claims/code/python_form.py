@@ -206,7 +206,7 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
         case ast.UnaryOp(op=ast.UAdd(), operand=inner):
             return of(inner)
         case ast.BinOp() | ast.Call() if (angle := unwrapped_angle(node)) is not None:
-            return of(angle)
+            return Term("turn", "", tuple(map(of, angle)))
         case ast.BinOp(left=left, op=op, right=right):
             return Term("binary", SIGNS.get(type(op), "?"), (of(left), of(right)))
         case ast.List(elts=parts) | ast.Tuple(elts=parts):
@@ -375,20 +375,20 @@ def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Ter
     return Term("handle", "solver.t solver.y", (Term("call", handed, tuple(given)),))
 
 
-def unwrapped_angle(node: ast.expr) -> ast.expr | None:
-    """The angle of which another one is taken between bounds: (x + pi) % (2*pi) - pi."""
+def unwrapped_angle(node: ast.expr) -> tuple[ast.expr, ...] | None:
+    """The angle of which another one is taken, and the turn: (x + pi) % (2*pi) - pi."""
     match node:
         case ast.BinOp(left=ast.BinOp(left=ast.BinOp(left=inner, op=ast.Add(), right=half),
                                       op=ast.Mod(), right=turn),
                        op=ast.Sub(), right=again) if (
             _is_pi(half) and _is_pi(again) and _is_turn(turn)):  # fmt: skip
-            return inner
+            return inner, turn
         case ast.BinOp(left=inner, op=ast.Mod(), right=turn) if _is_turn(turn):
-            return inner
+            return inner, turn
         case ast.Call(args=[ast.Call(args=[inner]) as sine, ast.Call(args=[same]) as cosine]) if (
             [word(n) for n in (node.func, sine.func, cosine.func)] in ARCTANGENTS
             and ast.unparse(inner) == ast.unparse(same)):  # fmt: skip
-            return inner
+            return (inner,)
     return None
 
 
@@ -398,6 +398,6 @@ def _is_pi(node: ast.expr) -> bool:
 
 def _is_turn(node: ast.expr) -> bool:
     match node:
-        case ast.BinOp(left=ast.Constant(value=2 | 2.0), op=ast.Mult(), right=pi):
-            return _is_pi(pi)
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            return _is_pi(left) or _is_pi(right)
     return word(node) == "tau"
