@@ -517,3 +517,21 @@ def test_a_length_has_no_turns(entry: int, quoted: bool) -> None:
     )
     step = f"{EULER.replace(', *p', '')}    if y[{entry}] > 3: y[{entry}] -= 2*np.pi\n"
     assert bool(lines_around(f"{code}{step}", {"rate"}, CART)) is quoted
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["dt = -dt", "dt *= -1", "dt = dt - 1", "dt = -np.abs(dt)", "if th > 1: dt = -dt",
+     "h = -dt\n    dt = h"],
+)  # fmt: skip
+def test_a_step_of_time_that_goes_back_is_quoted(line: str) -> None:
+    assert _quoted(ADVANCED + line)
+
+
+@pytest.mark.parametrize("line", ["dt *= 1.1", "dt = dt/2", "dt = 0.02", "t += dt"])
+def test_a_step_of_time_may_be_another(line: str) -> None:
+    assert _quoted(ADVANCED + line) == ()
+
+
+def test_a_loop_in_a_loop_that_adds_rates_is_followed() -> None:
+    assert _quoted("for i in range(9):\n    for j in range(9):\n        y -= dt*rate(t, y, *p)")

@@ -197,16 +197,28 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
         after[word] = _now(run, _later(place), env)
     if not _time_passes(run, env):
         return False
+    lasting = [h for h in run.memory.scalars if _lasts(run, h, env)]
     choices = [after]
     returned = entries_of(run, result)
     if returned is not None and len(returned) == len(run.words.state):
         choices += [dict(zip(order, returned, strict=True)) for order in orders(run)]
-    return any(_is_step(run, start, one) for one in choices)
+    return any(_is_step(run, start, one, lasting) for one in choices)
 
 
-def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) -> bool:
-    angles = {values[w] for values in (start, after) for w in run.words.angles}
-    if not all(isinstance(v, Fraction) for v in after.values()) or {*run.memory.turned} - angles:
+def _lasts(run: Run, span: Fraction, env: Mapping[str, Any]) -> bool:
+    """Whether what is a step of time is one the next time: the same, or another above zero."""
+    place = run.memory.initial.get(span)
+    later = _now(run, place, env) if place is not None else span
+    return span > 0 and isinstance(later, Fraction) and later > 0
+
+
+def _is_step(
+    run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any], lasting: Sequence[Fraction]
+) -> bool:
+    angles = [values[w] for values in (start, after) for w in run.words.angles]
+    if not all(isinstance(v, Fraction) for v in after.values()):
+        return False
+    if not all(value in angles for value in run.memory.turned):
         return False
     symbols = run.words.symbols
     rates = {symbols[w]: rate_of(run, w) for w in run.words.state}
@@ -215,7 +227,7 @@ def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) 
     begun[TIME] = rational(run.memory.called[0].get(MOMENT, Fraction(0)))
     wanted = {symbols[w]: rational(after[w]) for w in run.words.state}
     times = {*start.values(), *(at[MOMENT] for at in run.memory.called if MOMENT in at)}
-    spans = [rational(h) for h in run.memory.scalars if h > 0 and h not in times]
+    spans = [rational(h) for h in lasting if h not in times]
     for advance in INTEGRATORS.values():
         made = advance(run.words, rates, begun)
         values = [(made[s].expand() if hasattr(made[s], "expand") else made[s], wanted[s])

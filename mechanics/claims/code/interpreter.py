@@ -82,9 +82,10 @@ def _is_turn(run: Run, term: Term, env: dict[str, Any]) -> bool:
     if term.kind == "name" and term.name in ("tau", "math.tau"):
         taken = term.name in env or any(term.name in one.takes for one in run.own.values())
         return run.language.name == "Python" and not taken and not meaning_of(run, term.name)
-    if term.kind != "binary" or term.name != "*":
+    parts = sorted(term.parts, key=lambda one: one.kind, reverse=True)
+    if (term.kind, term.name, [one.kind for one in parts]) != ("binary", "*", ["number", "name"]):
         return False
-    return {known_value(run, part, env) for part in term.parts} == {Literal(2), PI}
+    return [known_value(run, part, env) for part in parts] == [2, PI]
 
 
 def _keep_turned(run: Run, value: Any) -> None:
