@@ -552,3 +552,24 @@ def test_only_a_whole_turn_of_an_angle_says_nothing(
 ) -> None:
     lines = SCALARS.replace("end", f"  {line}\nend")
     assert bool(beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)) is quoted
+
+
+JULIA_HEUN = (
+    "y0 = {}\n  rate!(du, y, p, 0.0)\n  k = copy(du)\n  {}\n  rate!(du, y, p, 0.0)\n"
+    "  y = y0 .+ dt/2 .* (k .+ du)"
+)
+
+
+@pytest.mark.parametrize(
+    ("start", "line", "quoted"),
+    [
+        ("y", "y .+= dt .* k", True), ("y", "y .= y .+ dt .* k", True),
+        ("y", "y += dt .* k", False), ("copy(y)", "y .+= dt .* k", False),
+        ("copy(y)", "y .= y0 .+ dt .* k", False),
+    ],
+)  # fmt: skip
+def test_two_names_of_an_array_of_julia_are_one(
+    tmp_path: Path, start: str, line: str, quoted: bool
+) -> None:
+    text = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(JULIA_HEUN.format(start, line))
+    assert bool(beside(tmp_path, ".jl", JULIA + text)) is quoted

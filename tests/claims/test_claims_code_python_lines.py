@@ -535,3 +535,38 @@ def test_a_step_of_time_may_be_another(line: str) -> None:
 
 def test_a_loop_in_a_loop_that_adds_rates_is_followed() -> None:
     assert _quoted("for i in range(9):\n    for j in range(9):\n        y -= dt*rate(t, y, *p)")
+
+
+HEUN = "for i in range(9):\n    y0 = {}\n    k = rate(t, y, *p)\n    {}\n    y = y0 + dt/2*(k + {})"
+AGAIN = "rate(t + dt, y, *p)"
+
+
+@pytest.mark.parametrize(
+    ("start", "line", "quoted"),
+    [
+        ("y", "y += dt*k", True), ("y", "y[:] = y + dt*k", True),
+        ("y", "y[0] += dt*k[0]\n    y[1] += dt*k[1]", True), ("y", "y = y + dt*k", False),
+        ("y.copy()", "y += dt*k", False), ("np.array(y)", "y += dt*k", False),
+        ("1*y", "y += dt*k", False),
+    ],
+)  # fmt: skip
+def test_two_names_of_an_array_are_one(start: str, line: str, quoted: bool) -> None:
+    assert bool(_quoted(HEUN.format(start, line, AGAIN))) is quoted
+
+
+@pytest.mark.parametrize("line", ["z = y\n    z *= -1", "z, q = y, 1\n    z *= -1"])
+def test_what_changes_an_array_by_another_name_is_quoted(line: str) -> None:
+    assert EULER.splitlines()[1].strip() in _quoted(f"{EULER}    {line}")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "for i in range(9):\n    k = dt*rate(t, y, *p)\n    y += k\n    ys.append(y)",
+        "for i in range(9):\n    Y[i+1] = Y[i]\n    Y[i+1] += dt*rate(t, Y[i], *p)",
+        "def step(y, h):\n    y += h*rate(0, y, *p)\n    return y\n"
+        "for i in range(9):\n    y = step(y, dt)",
+    ],
+)  # fmt: skip
+def test_an_array_that_is_advanced_in_place_is_innocent(text: str) -> None:
+    assert _quoted(text) == ()

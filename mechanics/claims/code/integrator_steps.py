@@ -7,6 +7,7 @@ each integrator makes of it, for each number in the block that may be its step.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
 from typing import Any
@@ -91,7 +92,9 @@ def _known_before(
     """What is known before a block, without what it changes; the rest is random then."""
     begin(run)
     run.memory.count += 1
-    inside = {n: v for n, v in env.items() if not isinstance(v, Unknown)}
+    copied: dict[int, Any] = {}
+    inside = {n: copied.setdefault(id(v), _copied(v)) for n, v in env.items()
+              if not isinstance(v, Unknown)}  # fmt: skip
     forget(run, block, inside)
     for name in function.takes if function is not None else ():
         if not isinstance(inside.get(name), Handle):
@@ -111,6 +114,11 @@ def _known_before(
             for place in one.parts[1:] if one.kind == "entry" else one.parts:
                 run.memory.places |= {n.name for n in place.all() if n.kind == "name"}
     return inside
+
+
+def _copied(value: Any) -> Any:
+    """An array of its own, which a step may change."""
+    return replace(value, entries=dict(value.entries)) if isinstance(value, Table) else value
 
 
 def _is_advanced(

@@ -201,8 +201,10 @@ def _call(parts: list[Any]) -> Term:
 
 def _set(node: Any, parts: list[Any]) -> Term:
     sign = next((words(c) for c in node.children if words(c).endswith("=")), "=")
-    text = " ".join(words(node).split())
-    return _assignment(sign.strip(".").rstrip("="), term(parts[0]), term(parts[-1]), text)
+    text, target = " ".join(words(node).split()), term(parts[0])
+    if sign.startswith(".") and target.kind == "name":  # y .+= x
+        target = Term("entry", "", (target, Term("whole")), target.text)
+    return _assignment(sign.strip(".").rstrip("="), target, term(parts[-1]), text)
 
 
 def _assignment(sign: str, target: Term, value: Term, text: str) -> Term:

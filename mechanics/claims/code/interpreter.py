@@ -448,8 +448,27 @@ def _assign(run: Run, term: Term, env: dict[str, Any]) -> None:
         return
     made = value_of(run, value, env)
     if term.name:
-        made = _operation(run, term.name, value_of(run, target, env), made)
-    _store(run, target, _moving(run, value, made, env), env)
+        before = value_of(run, target, env)
+        made = _operation(run, term.name, before, made)
+        if isinstance(before, Table) and target.kind == "name" and run.language.fills:
+            _fill(run, before, made)
+            return
+    _give(run, target, value, made, env)
+
+
+def _give(run: Run, target: Term, part: Term, value: Any, env: dict[str, Any]) -> None:
+    """Give a target the value of a formula: z = y is the same array, z = y.copy() another."""
+    same = not run.language.copies and part.kind == "name" and part.text == part.name
+    if same and target.kind == "name" and isinstance(value, Table):
+        env[target.name] = value
+        return
+    _store(run, target, _moving(run, part, value, env), env)
+
+
+def _fill(run: Run, table: Table, value: Any) -> None:
+    """Give an array other entries, wherever it is seen: y += x."""
+    dense = entries_of(run, value) or [UNKNOWN] * (table.size or len(run.words.state))
+    table.entries |= {(k + run.language.first,): one for k, one in enumerate(dense)}
 
 
 def _moving(run: Run, term: Term, value: Any, env: Mapping[str, Any]) -> Any:
@@ -471,7 +490,7 @@ def _several(run: Run, targets: Sequence[Term], value: Term, env: dict[str, Any]
     if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
         each = [value_of(run, part, env) for part in value.parts]
         for one, part, other in zip(targets, value.parts, each, strict=True):
-            _store(run, one, _moving(run, part, other, env), env)
+            _give(run, one, part, other, env)
         return
     made = value_of(run, value, env)
     entries = entries_of(run, made) if isinstance(made, Table) else None

@@ -158,6 +158,16 @@ class Language:
     shows: frozenset[str] = frozenset()
     keeps: frozenset[str] | None = None
 
+    @property
+    def copies(self) -> bool:
+        """Whether z = y makes another array; else both are the same one."""
+        return self.name in ("MATLAB", "C")
+
+    @property
+    def fills(self) -> bool:
+        """Whether y += x gives the same array other entries."""
+        return self.name == "Python"
+
 
 @dataclass(frozen=True)
 class SceneNames:
