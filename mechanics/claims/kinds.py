@@ -5,9 +5,11 @@ theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v,
 
 import re
 
-from sympy import Expr, S, Symbol, cos, sin
+from sympy import Derivative, Expr, S, Symbol, cos, sin
+from sympy.core.function import AppliedUndef
 
 from mechanics.scene import Scene
+from mechanics.scene.loads import Force, Gravity, Torque
 from mechanics.scene.units import rolled
 
 ANGLES = frozenset(
@@ -56,6 +58,26 @@ def _is_ratio(rate: Expr) -> bool:
         unit = "" if base.is_number else getattr(base, "unit", "?")
         powers[unit] = powers.get(unit, S.Zero) + power
     return all(unit in ("", "1") or power == 0 for unit, power in powers.items())
+
+
+def turning(scene: Scene) -> set[Symbol]:
+    """Angles that are the same a whole turn later; none where a load counts turns: a spring."""
+    angles = angular(scene)
+    return angles if all(_is_plain(load, angles) for load in scene.loads) else set()
+
+
+def _is_plain(load: object, angles: set[Symbol]) -> bool:
+    """Whether a load depends on angles by their sines, cosines and rates alone."""
+    if isinstance(load, Gravity):
+        return True
+    if not isinstance(load, Force | Torque):
+        return False
+    names = {angle.name for angle in angles}
+    entries = [entry for column, _ in load.vector.args for entry in column]
+    reduced = [
+        e.replace(lambda x: isinstance(x, sin | cos | Derivative), lambda _: S.One) for e in entries
+    ]
+    return not any(f.func.__name__ in names for e in reduced for f in e.atoms(AppliedUndef))
 
 
 def quantity(scene: Scene, name: str) -> str:

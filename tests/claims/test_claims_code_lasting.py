@@ -316,7 +316,9 @@ def test_a_change_in_place_by_a_parameter_is_a_change_of_the_argument() -> None:
         part *= m
         return found
 
-    def counting(y, u, m, l, g, n=np.zeros(1)):  # type: ignore[no-untyped-def]
+    calls = np.zeros(1)
+
+    def counting(y, u, m, l, g, n=calls):  # type: ignore[no-untyped-def]
         n += m
         return law(y, u, m, l, g)
 

@@ -555,3 +555,109 @@ def test_options_that_another_function_makes(tmp_path: Path, made: str, quoted: 
     solve = f"function y = solved(f)\n{made}\n[t, y] = ode45(f, [0 1], [0.1; 0], o);\nend\n"
     script = GIVEN + "y = solved(@(t, y) rate(t, y, m, l, g, u));\n"
     assert bool(beside(tmp_path, ".m", script + MATLAB + solve, "rate")) == quoted
+
+
+AFTER = "om += h*accel(th, om, 0, 1, 1, 9.81); th += h*om; "
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("(th > 1) && (om = -om);", True), ("th > 1 or (om = -om);", True),
+        ("int q; q = 1, om = -om;", True), ("double q = om = -om;", True),
+        ("double q = th > 1 ? (om = -om) : 0;", True), ("do { om = -om; } while (0);", True),
+        ("for (int q = 0; q < 1; q++, om = -om) {}", True), ("while (om = -om) {}", True),
+        ("for (auto *v : {&om}) *v = -*v;", True), ('printf("%g", om = -om);', True),
+        ('(th > 1) && printf("%g", th);', False), ("int q, z; q = 1, z = 2;", False),
+        ("double q, z; q = z = 1;", False),
+        ('if (th > 1 && om < 3) printf("%g", th);', False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_and_a_loop_of_c_set_is_seen(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    assert bool(beside(tmp_path, ".cpp", C + SMALL.format(ONE.format(AFTER + line)), "accel")
+                ) is quoted  # fmt: skip
+
+
+ADVANCED = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(
+    "rate!(du, y, p, 0.0)\n  y .+= dt .* du\n  {}"
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("y[1] > 1 && (y[2] = -y[2])", True), ("y[1] > 1 || (y .= -y)", True),
+        ("y[1] > 1 && println(y)", False), ("q = z = 3", False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_of_julia_sets_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
+    assert bool(beside(tmp_path, ".jl", JULIA + ADVANCED.format(line))) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("y[1] > 1 && continue", True), ("y[1] > 1 && break", False),
+        ("if y[1] > 1 break end", False), ("if y[1] > 1 continue end", True),
+    ],
+)  # fmt: skip
+def test_a_line_that_skips_a_part_of_a_step_is_seen(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    lines = f"{line}\n  rate!(du, y, p, 0.0)\n  y .+= dt .* du"
+    given = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n"
+    assert bool(beside(tmp_path, ".jl", JULIA + given + LOOP.format(lines))) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("if (th > 1) continue;", True), ("if (th > 1) goto end;", True),
+        ("if (th > 1) break;", False), ("if (th > 1) return 1;", False),
+        ('switch (i) { case 1: printf("%g", th); break; }', False),
+        ("switch (i) { case 1: om = -om; break; }", True),
+    ],
+)  # fmt: skip
+def test_a_jump_of_c_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
+    text = C + SMALL.format(ONE.format(f"{line} {AFTER}"))
+    assert bool(beside(tmp_path, ".cpp", text, "accel")) is quoted
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("if theta > pi, theta = theta - 2*pi; end", False),
+        ("if w > pi, w = w - 2*pi; end", True),
+        ("if theta > pi, theta = theta - 1.0*pi; end", True),
+        ("if theta > pi, theta = theta - tau; end", True),
+        ("pi = 3; if theta > pi, theta = theta - 2*pi; end", True),
+    ],
+)  # fmt: skip
+def test_only_a_whole_turn_of_an_angle_says_nothing(
+    tmp_path: Path, line: str, quoted: bool
+) -> None:
+    lines = SCALARS.replace("end", f"  {line}\nend")
+    assert bool(beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)) is quoted
+
+
+JULIA_HEUN = (
+    "y0 = {}\n  rate!(du, y, p, 0.0)\n  k = copy(du)\n  {}\n  rate!(du, y, p, 0.0)\n"
+    "  y = y0 .+ dt/2 .* (k .+ du)"
+)
+
+
+@pytest.mark.parametrize(
+    ("start", "line", "quoted"),
+    [
+        ("y", "y .+= dt .* k", True), ("y", "y .= y .+ dt .* k", True),
+        ("y", "y += dt .* k", False), ("copy(y)", "y .+= dt .* k", False),
+        ("copy(y)", "y .= y0 .+ dt .* k", False),
+    ],
+)  # fmt: skip
+def test_two_names_of_an_array_of_julia_are_one(
+    tmp_path: Path, start: str, line: str, quoted: bool
+) -> None:
+    text = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(JULIA_HEUN.format(start, line))
+    assert bool(beside(tmp_path, ".jl", JULIA + text)) is quoted

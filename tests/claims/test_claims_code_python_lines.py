@@ -13,7 +13,7 @@ from mechanics.grading.grade import grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import double_pendulum, rod_pendulum
+from systems import cartpole, double_pendulum, rod_pendulum
 
 ROD = rod_pendulum.scene()
 NAMING = Naming(
@@ -398,3 +398,175 @@ def test_columns_of_coordinates_and_speeds_are_followed(text: str, quoted: bool)
 )
 def test_what_is_not_followed_raises_nothing(text: str) -> None:
     assert {*_quoted(text)} <= {*text.splitlines()}
+
+
+ADVANCED = "for i in range(9):\n    w += accel(th, w, *p)*dt\n    th += w*dt\n    "
+
+
+@pytest.mark.parametrize(
+    ("line", "quoted"),
+    [
+        ("th > 1 and (w := -w)", True), ("th > 1 and (w := -w)\n    " * 2, True),
+        ("q = (w := -w) if th > 1 else 0", True), ("print(w := -w)", True),
+        ("n > 1 and print(w)", False), ("q = (z := w) if th > 1 else 0", False),
+    ],
+)  # fmt: skip
+def test_what_a_formula_sets_is_seen(line: str, quoted: bool) -> None:
+    assert bool(_quoted(ADVANCED + line)) is quoted
+
+
+EULER = "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n"
+SKIPPING = (
+    "match mode:\n    case 1: a = -accel(th, w, *p)",
+    ADVANCED + "match n:\n        case 1: w = -w",
+    ADVANCED + "match n:\n        case w: pass",
+    "for i in range(9):\n    pass\nelse:\n    a = -accel(th, w, *p)",
+    ADVANCED + "for j in range(0):\n        pass\n    else:\n        w = -w",
+    "async def f():\n    async with z:\n        a = -accel(th, w, *p)",
+    "try:\n    pass\nexcept* ValueError:\n    a = -accel(th, w, *p)",
+    "while (q := -accel(th, w, *p)) < 3:\n    pass",
+    "if (q := -accel(th, w, *p)) < 3:\n    pass",
+    "while (w := -w) < 3:\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    if th > 1: continue\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "for i in range(9):\n    w += accel(th, w, *p)*dt\n    if th > 1: continue\n    th += w*dt",
+    "def step(y, h):\n    if y[0] > 3: return -y\n    return y + h*rate(0, y, *p)",
+    "for i in range(9):\n    k = rate(0, y, *p)\n    for j in range(2):\n"
+    "        y[j] += dt*k[j]; break",
+    "for i in range(9):\n    k = rate(0, y, *p)\n    for j in range(2):\n        y[j] += dt*k[j]\n"
+    "        if y[j] > 2: break",
+    "def run(y):\n    for i in range(9):\n        y = y + dt*rate(0, y, *p)\n"
+    "        if y[0] > 3: return -y",
+    "def f(y):\n    if y[0] > 1: return -y\n    return y\n" + EULER + "    y = f(y)",
+)
+LEAVING = (
+    EULER + "    if y[0] > 3: break",
+    "for i in range(9):\n    if t > 3:\n        break\n    y = y + dt*rate(t, y, *p)",
+    "def run(y):\n    for i in range(9):\n        Y[i+1] = Y[i] + dt*rate(0, Y[i], *p)\n"
+    "        if Y[i+1][0] > 3: return Y[:i+1]\n    return Y",
+    "while t < 9:\n    y = y + dt*rate(t, y, *p)\n    t += dt\nelse:\n    print(t)",
+    "match mode:\n    case 1: a = accel(th, w, *p)\n    case _: pass",
+    "while np.abs(accel(th, w, *p)) > 1e-3:\n    w += accel(th, w, *p)*dt\n    th += w*dt",
+    "def main():\n    x: int\n    def f(t, y): return rate(t, y, *p)\n    solve_ivp(f, (0, 1), y)",
+    "try:\n    solve_ivp(rate, (0, 1), y, args=p)\nfinally:\n    print(2)",
+    "for i in range(9):\n    if not np.isfinite(y).all():\n        raise ValueError(y)\n"
+    "    y = y + dt*rate(t, y, *p)",
+)
+
+
+@pytest.mark.parametrize("text", SKIPPING)
+def test_a_line_that_may_not_be_run_is_seen(text: str) -> None:
+    assert _quoted(text)
+
+
+@pytest.mark.parametrize("text", LEAVING)
+def test_a_loop_may_be_left(text: str) -> None:
+    assert _quoted(text) == ()
+
+
+TURNED = (
+    "if th > 3: th -= 1.0*np.pi", "if w > 5: w -= 2*np.pi", "while w > 5: w -= 2*np.pi",
+    "tau = 0.3\n    if th > 1: th -= tau", "if th > 1: w -= tau", "w = w % (2*np.pi)",
+    "w = (w + np.pi) % (2*np.pi) - np.pi", "w = np.arctan2(np.sin(w), np.cos(w))",
+    "th = th % np.pi", "th = th % (1*np.pi)", "if th > 3: th -= 2*x",
+    "pi = 3\n    if th > 3: th -= 2*pi", "if th > 3: th -= 2*np.pi; w = -w",
+)  # fmt: skip
+SAME_ANGLE = (
+    "if th > 3: th -= 2.0*np.pi", "if th > 3: th = th - np.pi*2", "while th > 3: th -= 2*np.pi",
+    "th = th % (2*np.pi)", "th = (th + np.pi) % (2*np.pi) - np.pi", "th = th % tau",
+    "th = np.arctan2(np.sin(th), np.cos(th))", "if th > 3: th -= math.tau",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(ADVANCED + line for line in TURNED),
+        "for i in range(9):\n    w = (w + dt*accel(th, w, *p)) % (2*np.pi)\n    th += dt*w",
+        "for i in range(9):\n    y = (y + dt*rate(t, y, *p)) % (2*np.pi)",
+        "print(accel(th, w % (2*np.pi), m, l, g, u))", "a = accel(th, w, *p) % (2*np.pi)",
+        "def step(th, w, tau):\n    w = w + 0.1*accel(th, w, *p)\n    th = th + 0.1*w\n"
+        "    if th > 3: th -= tau\n    return th, w",
+    ],
+)  # fmt: skip
+def test_what_is_no_whole_turn_of_an_angle_is_quoted(text: str) -> None:
+    assert _quoted(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(ADVANCED + line for line in SAME_ANGLE),
+        "for i in range(9):\n    y = y + dt*rate(t, y, *p)\n    y[0] = y[0] % (2*np.pi)",
+        "print(accel(th % (2*np.pi), w, m, l, g, u))",
+    ],
+)
+def test_a_whole_turn_of_an_angle_says_nothing(text: str) -> None:
+    assert _quoted(text) == ()
+
+
+CART = Naming(
+    Vocabulary(cartpole.scene()), {},
+    (Match("y", "x theta x_dot theta_dot", "the usual name of such a vector"),),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("entry", "quoted"), [(0, True), (1, False), (2, True), (3, True)])
+def test_a_length_has_no_turns(entry: int, quoted: bool) -> None:
+    code = (
+        "import numpy as np\ndef rate(t, y):\n    x, th, v, w = y\n    return [v, w, f(y), g(y)]\n"
+    )
+    step = f"{EULER.replace(', *p', '')}    if y[{entry}] > 3: y[{entry}] -= 2*np.pi\n"
+    assert bool(lines_around(f"{code}{step}", {"rate"}, CART)) is quoted
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["dt = -dt", "dt *= -1", "dt = dt - 1", "dt = -np.abs(dt)", "if th > 1: dt = -dt",
+     "h = -dt\n    dt = h"],
+)  # fmt: skip
+def test_a_step_of_time_that_goes_back_is_quoted(line: str) -> None:
+    assert _quoted(ADVANCED + line)
+
+
+@pytest.mark.parametrize("line", ["dt *= 1.1", "dt = dt/2", "dt = 0.02", "t += dt"])
+def test_a_step_of_time_may_be_another(line: str) -> None:
+    assert _quoted(ADVANCED + line) == ()
+
+
+def test_a_loop_in_a_loop_that_adds_rates_is_followed() -> None:
+    assert _quoted("for i in range(9):\n    for j in range(9):\n        y -= dt*rate(t, y, *p)")
+
+
+HEUN = "for i in range(9):\n    y0 = {}\n    k = rate(t, y, *p)\n    {}\n    y = y0 + dt/2*(k + {})"
+AGAIN = "rate(t + dt, y, *p)"
+
+
+@pytest.mark.parametrize(
+    ("start", "line", "quoted"),
+    [
+        ("y", "y += dt*k", True), ("y", "y[:] = y + dt*k", True),
+        ("y", "y[0] += dt*k[0]\n    y[1] += dt*k[1]", True), ("y", "y = y + dt*k", False),
+        ("y.copy()", "y += dt*k", False), ("np.array(y)", "y += dt*k", False),
+        ("1*y", "y += dt*k", False),
+    ],
+)  # fmt: skip
+def test_two_names_of_an_array_are_one(start: str, line: str, quoted: bool) -> None:
+    assert bool(_quoted(HEUN.format(start, line, AGAIN))) is quoted
+
+
+@pytest.mark.parametrize("line", ["z = y\n    z *= -1", "z, q = y, 1\n    z *= -1"])
+def test_what_changes_an_array_by_another_name_is_quoted(line: str) -> None:
+    assert EULER.splitlines()[1].strip() in _quoted(f"{EULER}    {line}")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "for i in range(9):\n    k = dt*rate(t, y, *p)\n    y += k\n    ys.append(y)",
+        "for i in range(9):\n    Y[i+1] = Y[i]\n    Y[i+1] += dt*rate(t, Y[i], *p)",
+        "def step(y, h):\n    y += h*rate(0, y, *p)\n    return y\n"
+        "for i in range(9):\n    y = step(y, dt)",
+    ],
+)  # fmt: skip
+def test_an_array_that_is_advanced_in_place_is_innocent(text: str) -> None:
+    assert _quoted(text) == ()

@@ -5,29 +5,23 @@ theta + dt*omega,  then  wrapToPi(theta)  or  (theta + pi) % (2*pi) - pi      th
 
 from dataclasses import replace
 
-from sympy import Add, Derivative, Expr, S, Symbol, cos, floor, pi, sin
-from sympy.core.function import AppliedUndef
+from sympy import Add, Expr, Symbol, floor, pi
 
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.tracing import Outputs
-from mechanics.claims.kinds import angular
+from mechanics.claims.kinds import turning
 from mechanics.scene import Scene
-from mechanics.scene.loads import Force, Gravity, Torque
 
 NOTE = "brought back into one turn: read as the same angle"
 
 
 def with_unwrapped_angles(scene: Scene, outputs: Outputs) -> Outputs:
-    """The outputs of a step, where an angle in one turn is the angle itself.
-
-    Only where nothing but the place of bodies depends on it: a torsion spring counts turns.
-    """
+    """The outputs of a step, where an angle in one turn is the angle itself."""
     entries = [entry for value in outputs.values for entry in value]
     if not any(entry.has(floor) for entry in entries):
         return outputs
-    angles = angular(scene)
-    whole_state = len(entries) == len(scene.q) + len(scene.u)
-    if not whole_state or not all(_is_plain(load, angles) for load in scene.loads):
+    angles = turning(scene)
+    if len(entries) != len(scene.q) + len(scene.u):
         return outputs
     unwrapped = {e: angle for e in entries if (angle := _unwrapped(e, angles)) is not None}
     if not unwrapped:
@@ -49,17 +43,3 @@ def _unwrapped(entry: Expr, angles: set[Symbol]) -> Expr | None:
 def _is_turns(part: Expr) -> bool:
     number, factors = part.as_independent(floor, as_Add=False)
     return isinstance(factors, floor) and bool((number / (2 * pi)).is_integer)
-
-
-def _is_plain(load: object, angles: set[Symbol]) -> bool:
-    """Whether a load depends on angles by their sines, cosines and rates alone."""
-    if isinstance(load, Gravity):
-        return True
-    if not isinstance(load, Force | Torque):
-        return False
-    names = {angle.name for angle in angles}
-    entries = [entry for column, _ in load.vector.args for entry in column]
-    reduced = [
-        e.replace(lambda x: isinstance(x, sin | cos | Derivative), lambda _: S.One) for e in entries
-    ]
-    return not any(f.func.__name__ in names for e in reduced for f in e.atoms(AppliedUndef))

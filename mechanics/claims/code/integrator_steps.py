@@ -7,6 +7,7 @@ each integrator makes of it, for each number in the block that may be its step.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
 from typing import Any
@@ -91,7 +92,9 @@ def _known_before(
     """What is known before a block, without what it changes; the rest is random then."""
     begin(run)
     run.memory.count += 1
-    inside = {n: v for n, v in env.items() if not isinstance(v, Unknown)}
+    copied: dict[int, Any] = {}
+    inside = {n: copied.setdefault(id(v), _copied(v)) for n, v in env.items()
+              if not isinstance(v, Unknown)}  # fmt: skip
     forget(run, block, inside)
     for name in function.takes if function is not None else ():
         if not isinstance(inside.get(name), Handle):
@@ -113,13 +116,18 @@ def _known_before(
     return inside
 
 
+def _copied(value: Any) -> Any:
+    """An array of its own, which a step may change."""
+    return replace(value, entries=dict(value.entries)) if isinstance(value, Table) else value
+
+
 def _is_advanced(
     run: Run, block: Term, env: dict[str, Any], counter: str, function: FileFunction | None,
     kept: Sequence[Term],
 ) -> bool:  # fmt: skip
     """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
     inside = _known_before(run, block, env, counter, function)
-    run.memory.stepping = True
+    run.memory.stepping, run.memory.depth = True, int(function is not None)
     try:
         for one in kept:
             execute(run, one, inside)
@@ -132,7 +140,7 @@ def _is_advanced(
     except (NotFollowedError, RecursionError, ZeroDivisionError):
         return False
     finally:
-        run.memory.stepping = False
+        run.memory.stepping, run.memory.depth = False, 0
     if run.memory.misused or not run.memory.called or _parameters_change(run, block, inside):
         return False
     sets = _sets(run, block)
@@ -209,15 +217,28 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
         after[word] = _now(run, _later(place), env)
     if not _time_passes(run, env):
         return False
+    lasting = [h for h in run.memory.scalars if _lasts(run, h, env)]
     choices = [after]
     returned = entries_of(run, result)
     if returned is not None and len(returned) == len(run.words.state):
         choices += [dict(zip(order, returned, strict=True)) for order in orders(run)]
-    return any(_is_step(run, start, one) for one in choices)
+    return any(_is_step(run, start, one, lasting) for one in choices)
 
 
-def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) -> bool:
+def _lasts(run: Run, span: Fraction, env: Mapping[str, Any]) -> bool:
+    """Whether what is a step of time is one the next time: the same, or another above zero."""
+    place = run.memory.initial.get(span)
+    later = _now(run, place, env) if place is not None else span
+    return span > 0 and isinstance(later, Fraction) and later > 0
+
+
+def _is_step(
+    run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any], lasting: Sequence[Fraction]
+) -> bool:
+    angles = [values[w] for values in (start, after) for w in run.words.angles]
     if not all(isinstance(v, Fraction) for v in after.values()):
+        return False
+    if not all(value in angles for value in run.memory.turned):
         return False
     symbols = run.words.symbols
     rates = {symbols[w]: rate_of(run, w) for w in run.words.state}
@@ -226,7 +247,7 @@ def _is_step(run: Run, start: Mapping[str, Fraction], after: Mapping[str, Any]) 
     begun[TIME] = rational(run.memory.called[0].get(MOMENT, Fraction(0)))
     wanted = {symbols[w]: rational(after[w]) for w in run.words.state}
     times = {*start.values(), *(at[MOMENT] for at in run.memory.called if MOMENT in at)}
-    spans = [rational(h) for h in run.memory.scalars if h > 0 and h not in times]
+    spans = [rational(h) for h in lasting if h not in times]
     for advance in INTEGRATORS.values():
         made = advance(run.words, rates, begun)
         values = [(made[s].expand() if hasattr(made[s], "expand") else made[s], wanted[s])

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from mechanics.claims.code import matlab
-from mechanics.claims.code.python_page import named, tree, words
+from mechanics.claims.code.python_page import named, tree, within, words
 
 BLOCKS = ("block", "compound_statement", "expression_statement", "source_file", "else_clause",
           "elseif_clause", "macro_argument_list", "let_statement", "argument",
-          "translation_unit")  # fmt: skip
+          "translation_unit", "comma_expression")  # fmt: skip
 LISTS = ("matrix", "row", "vector_expression", "matrix_expression", "matrix_row",
          "initializer_list", "tuple_expression", "open_tuple", "cell",
          "multioutput_variable")  # fmt: skip
@@ -26,6 +26,11 @@ COMMAND = re.compile(r"([^\W\d]\w*)\s*([-+*/])=\s*(.+)", re.DOTALL)
 """``x += 2``, which the grammar of MATLAB takes for a command."""
 KEY = re.compile(r"(?::(?=\w)|\")([^\W\d]\w*)\"?")
 """``:m`` and ``"m"``, keys of a record of Julia."""
+SHORT = ("&&", "||", "and", "or")
+"""Whose right side may not be run."""
+CHANGED = ("assignment_expression", "compound_assignment_expression", "update_expression",
+           "assignment", "call_expression")  # fmt: skip
+LOOPS = ("for_statement", "while_statement", "do_statement", "for_range_loop")
 CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
 
@@ -38,8 +43,9 @@ class Term:
     ----------
     kind : str
         number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
-        loop, case, block, return. Of Python, too: choice (one of its parts, or what is made of
-        them), star and absent (arguments that are spread, and left out), item (of such).
+        loop, case, block, return, jump (break, continue, goto), choice (one of its parts, or what
+        is made of them). Of Python, too: star and absent (arguments that are spread, and left
+        out), item (of such), turn (an angle brought back into one turn, and what that is).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term
@@ -113,6 +119,8 @@ def _term(node: Any, text: str) -> Term:
         case "binary_operator" | "binary_expression" if len(parts) == 2:
             sign = next((words(c) for c in node.children if not c.is_named), "")
             sign = next((words(c) for c in named(node) if c.type == "operator"), sign)
+            if sign in SHORT:
+                return Term("choice", "", _parts(parts))
             return Term("binary", sign.strip("."), _parts(parts))
         case "juxtaposition_expression" if len(parts) == 2:
             return Term("binary", "*", _parts(parts))
@@ -155,10 +163,12 @@ def _term(node: Any, text: str) -> Term:
             return Term("set", "", _parts(parts))
         case "named_field" | "initializer_pair" | "named_argument" if len(parts) == 2:
             return Term("set", "", (Term("name", words(parts[0]).strip(".")), term(parts[1])))
-        case "for_statement" | "while_statement":
+        case kind if kind in LOOPS:
             return _loop(node, parts)
         case "if_statement" | "switch_statement" | "try_statement":
             return Term("case", "", _parts(parts))
+        case "break_statement" | "continue_statement" | "goto_statement":
+            return Term("jump", node.type.partition("_")[0])
         case "return_statement":
             return Term("return", "", _parts(parts))
         case "macrocall_expression" if words(parts[0]) in ("@test", "@assert"):
@@ -204,10 +214,17 @@ def _call(parts: list[Any]) -> Term:
 
 def _set(node: Any, parts: list[Any]) -> Term:
     sign = next((words(c) for c in node.children if words(c).endswith("=")), "=")
-    right = term(parts[-1])
-    if right.kind == "set":  # a = b = c
-        return Term("other", "", (term(parts[0]), right))
-    return Term("set", sign.strip(".").rstrip("="), (term(parts[0]), right))
+    text, target = " ".join(words(node).split()), term(parts[0])
+    if sign.startswith(".") and target.kind == "name":  # y .+= x
+        target = Term("entry", "", (target, Term("whole")), target.text)
+    return _assignment(sign.strip(".").rstrip("="), target, term(parts[-1]), text)
+
+
+def _assignment(sign: str, target: Term, value: Term, text: str) -> Term:
+    inner = value.parts if value.kind == "block" else (value,)
+    if inner and inner[-1].kind == "set":  # a = b = c
+        return Term("block", "", (*inner, Term("set", sign, (target, inner[-1].parts[0]), text)))
+    return Term("set", sign, (target, value), text)
 
 
 def _declared(node: Any) -> Iterator[Term]:
@@ -217,7 +234,7 @@ def _declared(node: Any) -> Iterator[Term]:
         target, value = (one.child_by_field_name(f) for f in ("declarator", "value"))
         while target.type != "identifier" and named(target):
             target = named(target)[0]
-        yield Term("set", "", (term(target), term(value)), " ".join(words(node).split()))
+        yield _assignment("", term(target), term(value), " ".join(words(node).split()))
 
 
 def _loop(node: Any, parts: list[Any]) -> Term:
@@ -236,10 +253,14 @@ def _loop(node: Any, parts: list[Any]) -> Term:
         sets = [one for one in term(start).all() if one.kind == "set"] if start else []
         ends = named(stop) if stop is not None and stop.type == "binary_expression" else []
         counter = sets[0].parts[0].name if sets else ""
-        if sets and len(ends) == 2 and step is not None and "++" in words(step):
+        counts = step is not None and step.type == "update_expression" and "++" in words(step)
+        if sets and len(ends) == 2 and counts:
             last = Term("binary", "-", (term(ends[1]), Term("number", "1")))
             last = {"<": last, "<=": term(ends[1])}.get(words(stop.children[1]), Term("other"))
             limits = (sets[0].parts[1], last)
     elif not blocks:
         blocks = parts[1:]
-    return Term("loop", counter, (Term("list", "", limits), Term("block", "", _parts(blocks))))
+    tests = [node.child_by_field_name("condition"), node.child_by_field_name("update")]
+    tests = [one for one in tests if one is not None and within(one, *CHANGED)]
+    lines = _parts([*blocks, *tests] if not limits else blocks)
+    return Term("loop", counter, (Term("list", "", limits), Term("block", "", lines)))

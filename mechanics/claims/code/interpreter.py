@@ -10,6 +10,7 @@ takes at its place is a misuse.
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from mechanics.claims.code.integrators import NAMES as STEPS
@@ -51,6 +52,7 @@ IMPURE = frozenset(
      "choice", "input", "readline")
 )  # fmt: skip
 """Calls that give another value each time."""
+PI = Literal(355, 113)
 TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
@@ -61,23 +63,33 @@ MADE = frozenset(
 """Calls that make an array."""
 
 
-TURNED = frozenset(("pi", "M_PI", "π"))
-
-
-def _only_turns(term: Term) -> bool:
+def _only_turns(run: Run, term: Term, env: dict[str, Any]) -> bool:
     """Whether a block only brings an angle back into one turn: th -= 2*pi."""
     sets = [one for one in term.all() if one.kind == "set"]
-    return bool(sets) and all(map(_is_a_turn, sets))
+    stays = not any(one.kind in ("jump", "return") for one in term.all())
+    return stays and bool(sets) and all(_takes_a_turn(run, one, env) for one in sets)
 
 
-def _is_a_turn(line: Term) -> bool:
+def _takes_a_turn(run: Run, line: Term, env: dict[str, Any]) -> bool:
     target, value = line.parts
     if not line.name and value.kind == "binary" and value.parts[0].text == target.text:
         line, value = Term("set", value.name), value.parts[1]
-    factors = sorted(one.name.rpartition(".")[2] for one in value.parts)
-    whole = len(factors) == 2 and factors[0] in ("2", "0") and factors[1] in TURNED
-    tau = value.kind == "name" and value.name.rpartition(".")[2] == "tau"
-    return line.name in ("+", "-") and (tau or (whole and value.name == "*"))
+    return line.name in ("+", "-") and _is_turn(run, value, env)
+
+
+def _is_turn(run: Run, term: Term, env: dict[str, Any]) -> bool:
+    """Whether a formula is 2*pi, or Python's tau where that is nothing of the file or the scene."""
+    if term.kind == "name" and term.name in ("tau", "math.tau"):
+        taken = term.name in env or any(term.name in one.takes for one in run.own.values())
+        return run.language.name == "Python" and not taken and not meaning_of(run, term.name)
+    parts = sorted(term.parts, key=lambda one: one.kind, reverse=True)
+    if (term.kind, term.name, [one.kind for one in parts]) != ("binary", "*", ["number", "name"]):
+        return False
+    return [known_value(run, part, env) for part in parts] == [2, PI]
+
+
+def _keep_turned(run: Run, value: Any) -> None:
+    run.memory.turned += entries_of(run, value) or [UNKNOWN]
 
 
 def handle_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -236,7 +248,7 @@ def read_name(run: Run, root: str, key: tuple[Any, ...], env: dict[str, Any]) ->
         if key or root in run.memory.vectors:
             env[root] = Table(root, size=run.memory.sizes.get(root))
         elif root.rpartition(".")[2] in ("pi", "M_PI"):
-            env[root] = Literal(355, 113)
+            env[root] = PI
         elif word and word not in run.words.state:
             env[root] = number("word", word)
         else:
@@ -364,7 +376,9 @@ def attempt(run: Run, line: Term, env: dict[str, Any]) -> bool:
 
 def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
     """Run statements; what they return."""
-    if term.kind in ("loop", "case") and _only_turns(term):
+    if term.kind in ("loop", "case") and _only_turns(run, term, env):
+        for one in (one for one in term.all() if one.kind == "set"):
+            _keep_turned(run, value_of(run, one.parts[0], env))
         return None
     match term.kind:
         case "block":
@@ -383,20 +397,41 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return None
         case "case":
             if run.memory.stepping and any(
-                (t.kind == "call" and t.name in functions_in(run, env))
-                or t.text.startswith("continue")
-                for t in term.all()
+                t.kind == "call" and t.name in functions_in(run, env) for t in term.all()
             ):
                 raise NotFollowedError
+            _stay(run, term)
             forget(run, term, env, UNKNOWN)
             return None
+        case "jump":
+            _stay(run, term, always=True)
+            return None
         case "other":
+            forget(run, term, env, UNKNOWN)
             if term.names() and run.memory.stepping:
                 _poison(run, term, env)
             return None
         case _:
             value_of(run, term, env)
             return None
+
+
+def _stay(run: Run, term: Term, *, always: bool = False) -> None:
+    """Follow no line behind which others may be left out, but for one that ends the whole loop."""
+    inside = run.memory.depth > 0
+    if not run.memory.stepping and not inside:
+        return
+    for one in term.all():
+        ends = one.name == "break" or (one.kind == "return" and all(map(_is_kept, one.parts)))
+        if one.kind in ("jump", "return") and (inside or always or not ends):
+            raise NotFollowedError
+
+
+def _is_kept(term: Term) -> bool:
+    """Whether something is a name, a part of one or some of these: y, no -y."""
+    if term.kind in ("entry", "field"):
+        return _is_kept(term.parts[0])
+    return term.kind in ("name", "list", "number") and all(map(_is_kept, term.parts))
 
 
 def _poison(run: Run, term: Term, env: dict[str, Any]) -> None:
@@ -418,8 +453,27 @@ def _assign(run: Run, term: Term, env: dict[str, Any]) -> None:
         return
     made = value_of(run, value, env)
     if term.name:
-        made = _operation(run, term.name, value_of(run, target, env), made)
-    _store(run, target, _moving(run, value, made, env), env)
+        before = value_of(run, target, env)
+        made = _operation(run, term.name, before, made)
+        if isinstance(before, Table) and target.kind == "name" and run.language.fills:
+            _fill(run, before, made)
+            return
+    _give(run, target, value, made, env)
+
+
+def _give(run: Run, target: Term, part: Term, value: Any, env: dict[str, Any]) -> None:
+    """Give a target the value of a formula: z = y is the same array, z = y.copy() another."""
+    same = not run.language.copies and part.kind == "name" and part.text == part.name
+    if same and target.kind == "name" and isinstance(value, Table):
+        env[target.name] = value
+        return
+    _store(run, target, _moving(run, part, value, env), env)
+
+
+def _fill(run: Run, table: Table, value: Any) -> None:
+    """Give an array other entries, wherever it is seen: y += x."""
+    dense = entries_of(run, value) or [UNKNOWN] * (table.size or len(run.words.state))
+    table.entries |= {(k + run.language.first,): one for k, one in enumerate(dense)}
 
 
 def _moving(run: Run, term: Term, value: Any, env: Mapping[str, Any]) -> Any:
@@ -441,7 +495,7 @@ def _several(run: Run, targets: Sequence[Term], value: Term, env: dict[str, Any]
     if value.kind == "list" and len(value.parts) == len(targets):  # a, b = b, a
         each = [value_of(run, part, env) for part in value.parts]
         for one, part, other in zip(targets, value.parts, each, strict=True):
-            _store(run, one, _moving(run, part, other, env), env)
+            _give(run, one, part, other, env)
         return
     made = value_of(run, value, env)
     entries = entries_of(run, made) if isinstance(made, Table) else None
@@ -458,9 +512,14 @@ def _turns(run: Run, term: Term, env: dict[str, Any]) -> None:
     first, last = (int(e) for e in ends)
     if last - first > TURNS:
         raise NotFollowedError
-    for turn in range(first, last + 1):
-        env[term.name] = Fraction(turn)
-        execute(run, body, env)
+    run.memory.depth += 1
+    try:
+        _stay(run, body)
+        for turn in range(first, last + 1):
+            env[term.name] = Fraction(turn)
+            execute(run, body, env)
+    finally:
+        run.memory.depth -= 1
 
 
 def value_of(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -521,10 +580,26 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _run_last(run, term, env)
         case "call":
             return _call(run, term, env)
+        case "turn":
+            return _turned(run, term, env)
         case "choice":
-            for part in term.parts:
+            _stay(run, term)
+            for part in (one for one in term.parts if one.kind != "jump"):
                 value_of(run, part, env)
+            forget(run, term, env, UNKNOWN)
+        case "set" | "case" | "loop" | "other" | "jump":
+            execute(run, term, env)
     return UNKNOWN
+
+
+def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
+    """An angle brought back into one turn is the angle itself."""
+    angle, *turns = term.parts
+    value = value_of(run, angle, env)
+    results = any(one.kind == "call" and one.name in run.judged for one in angle.all())
+    run.memory.misused |= results and not run.memory.stepping
+    _keep_turned(run, value)
+    return value if all(_is_turn(run, one, env) for one in turns) else UNKNOWN
 
 
 def _whole(run: Run, term: Term) -> bool:
@@ -669,7 +744,7 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return UNKNOWN
     if term.name == "append" and len(term.parts) == 2 and not run.language.first:
         return _append(run, term, env)
-    values = [value_of(run, part, env) for part in term.parts]
+    values = [value_of(run, part, env) for part in map(partial(_given, run), term.parts)]
     if term.name == "len" and isinstance(values[0], Table):
         return Fraction(values[0].size or len(run.words.state))
     if run.language.pointers and term.name not in run.language.shows:
@@ -681,6 +756,11 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     if not values and run.memory.stepping:  # micros()
         return 2 + number(run.memory.count, term.name)
     return UNKNOWN
+
+
+def _given(run: Run, part: Term) -> Term:
+    """What a call is given: an argument by its name sets nothing, but for C, which has none."""
+    return part.parts[1] if part.kind == "set" and not run.language.pointers else part
 
 
 def _of_handle(run: Run, handle: Handle, term: Term, env: dict[str, Any]) -> Any:

@@ -10,6 +10,7 @@ from typing import Any
 from sympy import Expr, Rational
 
 from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.kinds import turning
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import DOTS
@@ -160,6 +161,16 @@ class Language:
     shows: frozenset[str] = frozenset()
     keeps: frozenset[str] | None = None
 
+    @property
+    def copies(self) -> bool:
+        """Whether z = y makes another array; else both are the same one."""
+        return self.name in ("MATLAB", "C")
+
+    @property
+    def fills(self) -> bool:
+        """Whether y += x gives the same array other entries."""
+        return self.name == "Python"
+
 
 @dataclass(frozen=True)
 class SceneNames:
@@ -207,6 +218,12 @@ class SceneNames:
     def speeds(self) -> tuple[str, ...]:
         """Words of the speeds."""
         return tuple(map(str, self.u))
+
+    @cached_property
+    def angles(self) -> frozenset[str]:
+        """Words of coordinates that are the same a whole turn later."""
+        scene = self.naming.vocabulary.scene if self.naming is not None else None
+        return frozenset(map(str, turning(scene))) if scene is not None else frozenset()
 
     @property
     def state(self) -> tuple[str, ...]:

@@ -80,6 +80,9 @@ def in_usual_order(run: Run, entries: Sequence[tuple[int, tuple[str, list[Any]]]
 def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any) -> bool:
     """Whether an argument is what the function takes at its place."""
     words = judged.meanings.get(name, ())
+    if part.kind == "turn":  # accel(th % (2*pi), w)
+        angle = len(words) == 1 and words[0] in run.words.angles
+        return angle and accepted(run, judged, name, part.parts[0], value)
     if not words and name in judged.defaults:
         return bool(value == judged.defaults[name])
     own = part.name.rpartition(".")[2] if part.kind in ("name", "field") else ""

@@ -25,6 +25,9 @@ TIME_FIRST = ("solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA", "o
 STATE_FIRST = ("odeint",)
 ARCTANGENTS = (["arctan2", "sin", "cos"], ["atan2", "sin", "cos"])
 DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
+SILENT = (*DEFINED, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Pass, ast.Global, ast.Nonlocal,
+          ast.Raise)  # fmt: skip
+"""Statements that compute nothing where they stand."""
 NOW, NEXT = Term("number", "1007"), Term("number", "1008")
 """Two times, one after the other."""
 SOLVED = (Term("name", "solver.t", (), "solver.t"), Term("name", "solver.y", (), "solver.y"))
@@ -67,9 +70,12 @@ def block(body: Sequence[ast.stmt], file: PythonFile) -> Term:
 
 def statement(node: ast.stmt, file: PythonFile) -> Term:
     """A statement, with the line in which it begins."""
+    return _with_text(_statement(node, file), _first_line(node, file))
+
+
+def _first_line(node: ast.stmt, file: PythonFile) -> str:
     first = file.lines[node.lineno - 1] if 0 < node.lineno <= len(file.lines) else ""
-    text = " ".join(first.split()) or ast.unparse(node).partition("\n")[0]
-    return _with_text(_statement(node, file), text)
+    return " ".join(first.split()) or ast.unparse(node).partition("\n")[0]
 
 
 def _with_text(term: Term, text: str) -> Term:
@@ -82,6 +88,9 @@ def _with_text(term: Term, text: str) -> Term:
 def _statement(node: ast.stmt, file: PythonFile) -> Term:
     def of(part: ast.expr) -> Term:
         return expression(part, file)
+
+    def head(part: ast.expr) -> Term:
+        return replace(of(part), text=_first_line(node, file))
 
     match node:
         case ast.Assign(targets=[target], value=value):
@@ -98,27 +107,46 @@ def _statement(node: ast.stmt, file: PythonFile) -> Term:
             return of(value)
         case ast.Return(value=value):
             return Term("return", "", (of(value),) if value is not None else ())
-        case ast.For(target=target, iter=over, body=body):
-            return _loop(target, over, block(body, file), file)
-        case ast.While(test=test, body=body):
-            return Term("loop", "", (Term("list"), block(body, file)))
+        case ast.For() | ast.AsyncFor() | ast.While():
+            loop = replace(_loop(node, file), text=_first_line(node, file))
+            return Term("block", "", (loop, block(node.orelse, file))) if node.orelse else loop
         case ast.If(test=test, body=body, orelse=other):
-            return Term("case", "", (of(test), block(body, file), block(other, file)))
-        case ast.With(items=items, body=body):
-            return Term("block", "", (*(of(i.context_expr) for i in items), block(body, file)))
-        case ast.Try(body=body, handlers=handlers, orelse=other, finalbody=last):
-            others = [block(handler.body, file) for handler in handlers]
-            whole = Term("block", "", (block(body, file), block(other, file), block(last, file)))
-            return Term("block", "", (whole, Term("case", "", tuple(others))))
+            return Term("case", "", (head(test), block(body, file), block(other, file)))
+        case ast.Match(subject=subject, cases=cases):
+            heads = [head(subject), *(head(c.guard) for c in cases if c.guard is not None)]
+            names = [Term("set", "", (Term("name", n), Term("other"))) for n in _captured(cases)]
+            return Term("case", "", (*heads, *names, *(block(c.body, file) for c in cases)))
+        case ast.With(items=items, body=body) | ast.AsyncWith(items=items, body=body):
+            return Term("block", "", (*(head(i.context_expr) for i in items), block(body, file)))
+        case ast.Try() | ast.TryStar():
+            others = [block(handler.body, file) for handler in node.handlers]
+            parts = (block(lines, file) for lines in (node.body, node.orelse, node.finalbody))
+            return Term("block", "", (*parts, Term("case", "", tuple(others))))
         case ast.Assert(test=test):
             return Term("call", "assert", (of(test),))
-        case ast.Break() | ast.Continue() | ast.Raise():
-            return Term("other")
-        case _:
+        case ast.Break() | ast.Continue():
+            return Term("jump", type(node).__name__.lower())
+        case _ if isinstance(node, (*SILENT, ast.AnnAssign)):
             return Term("block")
+        case _:
+            inside = [n for n in ast.iter_child_nodes(node) if isinstance(n, ast.expr)]
+            return Term("other", "", tuple(map(of, inside)))
 
 
-def _loop(target: ast.expr, over: ast.expr, body: Term, file: PythonFile) -> Term:
+def _captured(cases: Sequence[ast.match_case]) -> list[str]:
+    """Names that patterns give a value."""
+    inside = [n for one in cases for n in ast.walk(one.pattern)]
+    names = [getattr(n, "rest" if isinstance(n, ast.MatchMapping) else "name", None)
+             for n in inside if isinstance(n, ast.pattern)]  # fmt: skip
+    return [name for name in names if name]
+
+
+def _loop(node: ast.For | ast.AsyncFor | ast.While, file: PythonFile) -> Term:
+    body = block(node.body, file)
+    if isinstance(node, ast.While):
+        test = replace(expression(node.test, file), text=_first_line(node, file))
+        return Term("loop", "", (Term("list"), Term("block", "", (test, *body.parts))))
+    target, over = node.target, node.iter
     if (pair := _neighbours(target, over)) is not None:
         grid = expression(pair[2], file)
         sets = (
@@ -185,7 +213,7 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
         case ast.UnaryOp(op=ast.UAdd(), operand=inner):
             return of(inner)
         case ast.BinOp() | ast.Call() if (angle := unwrapped_angle(node)) is not None:
-            return of(angle)
+            return Term("turn", "", tuple(map(of, angle)))
         case ast.BinOp(left=left, op=op, right=right):
             return Term("binary", SIGNS.get(type(op), "?"), (of(left), of(right)))
         case ast.List(elts=parts) | ast.Tuple(elts=parts):
@@ -354,20 +382,20 @@ def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Ter
     return Term("handle", "solver.t solver.y", (Term("call", handed, tuple(given)),))
 
 
-def unwrapped_angle(node: ast.expr) -> ast.expr | None:
-    """The angle of which another one is taken between bounds: (x + pi) % (2*pi) - pi."""
+def unwrapped_angle(node: ast.expr) -> tuple[ast.expr, ...] | None:
+    """The angle of which another one is taken, and the turn: (x + pi) % (2*pi) - pi."""
     match node:
         case ast.BinOp(left=ast.BinOp(left=ast.BinOp(left=inner, op=ast.Add(), right=half),
                                       op=ast.Mod(), right=turn),
                        op=ast.Sub(), right=again) if (
             _is_pi(half) and _is_pi(again) and _is_turn(turn)):  # fmt: skip
-            return inner
+            return inner, turn
         case ast.BinOp(left=inner, op=ast.Mod(), right=turn) if _is_turn(turn):
-            return inner
+            return inner, turn
         case ast.Call(args=[ast.Call(args=[inner]) as sine, ast.Call(args=[same]) as cosine]) if (
             [word(n) for n in (node.func, sine.func, cosine.func)] in ARCTANGENTS
             and ast.unparse(inner) == ast.unparse(same)):  # fmt: skip
-            return inner
+            return (inner,)
     return None
 
 
@@ -377,6 +405,6 @@ def _is_pi(node: ast.expr) -> bool:
 
 def _is_turn(node: ast.expr) -> bool:
     match node:
-        case ast.BinOp(left=ast.Constant(value=2 | 2.0), op=ast.Mult(), right=pi):
-            return _is_pi(pi)
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            return _is_pi(left) or _is_pi(right)
     return word(node) == "tau"

@@ -49,10 +49,12 @@ class Memory:
         Names of arrays, of arrays of such, and of what counts entries.
     sizes : dict of str to int
         Of arrays that are no whole state.
+    turned : list of value
+        What whole turns are taken from.
     called_in : set of str
         Names in the block.
     depth : int
-        Of calls.
+        Of calls and inner loops around a line; a function has one at once, a loop has none.
     stepping : bool
         Whether a step is followed: the state then is any.
     count : int
@@ -81,6 +83,7 @@ class Memory:
     sizes: dict[str, int] = field(default_factory=dict)
     rows: set[str] = field(default_factory=set)
     places: set[str] = field(default_factory=set)
+    turned: list[Any] = field(default_factory=list)
     called_in: set[str] = field(default_factory=set)
     depth: int = 0
     stepping: bool = False
@@ -136,7 +139,7 @@ def begin(run: Run) -> None:
     memory = run.memory
     memory.initial, memory.called, memory.misused = {}, [], False
     memory.scalars, memory.vectors, memory.rows, memory.places = set(), set(), set(), set()
-    memory.called_in, memory.sizes, memory.depth = set(), {}, 0
+    memory.called_in, memory.sizes, memory.depth, memory.turned = set(), {}, 0, []
 
 
 def functions_in(run: Run, env: Mapping[str, Any]) -> set[str]:
