@@ -82,6 +82,7 @@ def test_a_method_is_called_with_the_members_that_it_reads() -> None:
         "double g(double m) { return k*m; }\ndouble f(double k) { return g(k); }",
         "double h(double x) { double c = 1; return c*x; }\n"
         "double f(double x) { double c = 2; return c*h(x); }",
+        "struct G { double& x; ~G() { x = -x; } };\ndouble f(double x) { { G g{x}; } return x; }",
         "double half(int n) { return n*0.5; }\ndouble f(double x) { return half(2.9)*x; }",
         "#ifdef FAST\n#define K 2\n#else\n#define K 3\n#endif\ndouble f(double x) { return K*x; }",
     ],

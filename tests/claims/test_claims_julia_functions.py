@@ -101,6 +101,8 @@ def test_arrays_records_and_broadcasting() -> None:
         "a = [x * 2 (x)]\na[1]",  # two columns in Julia
         "a = [x -1.5, 2.0]\na[1]",
         "g(y)\nx",
+        "inv.([x 1.0; 0.0 2.0])[1]",  # of each entry
+        "sum.([x, 1.0])[1]",
     ],
 )
 def test_what_may_mean_something_else_is_not_read(body: str) -> None:

@@ -54,10 +54,12 @@ def _side(
     claim: Claim, problem: Problem, found: tuple[Group, ...], others: Sequence[int]
 ) -> list[tuple[Change, ...]]:
     """One term in place of one: of x'' = a, where c x'' = a is right, it is a/c."""
+    if len(others) != 1:
+        return []
     tree, index, group = problem.tree, others[-1], found[0]
     while isinstance(tree.nodes[index], Name) and tree.kids[index]:  # what a definition says
         (index,) = tree.kids[index]
-    one = len(found) == len(others) == 1 and tree.single(index) and tree.written(index)
+    one = len(found) == 1 and tree.single(index) and tree.written(index)
     if not one or isinstance(tree.nodes[index], Sum) or len(tree.nodes) > LARGEST:
         return []
     factor = written(group.written) / written(group.right)

@@ -14,6 +14,7 @@ from mechanics.blame.search.factors import Series
 from mechanics.blame.search.homogeneity_test import Homogeneity
 from mechanics.blame.search.probabilistic_check import Problem
 from mechanics.blame.search.products import Products
+from mechanics.claims.from_sympy import Untreeable
 from mechanics.claims.tree import (
     Call,
     Name,
@@ -147,7 +148,10 @@ class Missing:
         if node is None or any(name.name in own for name in names(node)):
             return change
         whole = self.problem.sheets[0].builder(node).expand()
-        other = self.homogeneity.claim.written.tree(whole)
+        try:
+            other = self.homogeneity.claim.written.tree(whole)
+        except Untreeable:  # a maximum, which nobody wrote expanded
+            return change
         if len(names(other)) < len(names(node)):
             return replace(change, node=other, wrap=None)
         return change

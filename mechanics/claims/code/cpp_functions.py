@@ -220,6 +220,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
     _refuse_constructors(root, used)
+    _refuse_destructors(root)
     rounded = _single(root, used)
     bits = 16 if origin.endswith(SMALL) else 32
     constants, kinds = _numbers(root, used, bits)
@@ -367,6 +368,15 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
             plain = not within(last, "binary_expression", "unary_expression", "call_expression")
             if member in used and values and not (same and plain):
                 raise refuse(one, f"{member} of an object is not what is passed by that name")
+
+
+def _refuse_destructors(root: Any) -> None:
+    """Refuse what runs where an object ends, which no line says."""
+    for node in within(root, "function_definition"):
+        declarator, body = (node.child_by_field_name(n) for n in ("declarator", "body"))
+        lines = [one for one in named(body) if "comment" not in one.type] if body else []
+        if lines and declarator is not None and within(declarator, "destructor_name"):
+            raise refuse(node, "a destructor runs where an object ends: it is not read")
 
 
 def _refuse_outside(root: Any) -> None:

@@ -41,6 +41,8 @@ from mechanics.claims.text.letters import plain
 FUNCTIONS = {**ELEMENTWISE, "rad2deg": "rad2deg", "deg2rad": "deg2rad"}
 """Functions of numbers and what NumPy calls them."""
 OF_TWO = ("hypot", "max", "min", "mod", "atan")
+OF_NUMBERS = frozenset((*FUNCTIONS, *RECIPROCAL, *OF_TWO, "abs2", "Float64", "float")) - {"det"}
+"""Functions that a dot may stand behind."""
 NEW = ("vector_expression", "matrix_expression", "binary_expression", "unary_expression",
        "juxtaposition_expression", "broadcast_call_expression", "integer_literal",
        "float_literal")  # fmt: skip
@@ -1149,6 +1151,8 @@ def _call(node: Any, one: Function) -> str:
     if any(part.type in ("named_argument", "splat_expression") for part in parts):
         raise refuse(node)
     name = name_of(head)
+    if node.type == "broadcast_call_expression" and (name in one.others or name not in OF_NUMBERS):
+        raise refuse(node, f"{name}. of each entry is not read: write it out")
     literal = words(parts[0]) if parts and parts[0].type == "float_literal" else "0"
     if name == "Float32" and not _is_single(literal):
         raise refuse(node, f"{words(node)} is rounded to single precision: write a double")
