@@ -449,3 +449,14 @@ def test_names_that_may_be_two_and_aliases_of_another_unit_show_nothing(
 ) -> None:
     answer = check(truths["rod_pendulum"], written % EQUATIONS["rod_pendulum"], blame=False)
     assert answer.verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("said", [r"where $l$ is $2m$", "the rest is theta'' = 0", "and $b > 1$"])
+def test_a_sentence_with_a_formula_is_quoted_among_many(
+    truths: dict[str, Equations], said: str
+) -> None:
+    many = " ".join(
+        f"Chapter {word} tells of history." for word in ["one", "two", "three", "four"] * 4
+    )
+    text = f"{many}\n\n${EQUATIONS['rod_pendulum']}$. Beside that {said}."
+    assert said.replace("$", "") in " ".join(str(check(truths["rod_pendulum"], text)).split())

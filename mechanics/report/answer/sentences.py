@@ -110,6 +110,8 @@ def sides(statement: Statement) -> tuple[str, str]:
     return "written", "derived"
 
 
+FORMULA = re.compile(r"[=<>^_\u2248\u221d\u2190-\u2194\u225c$\\]|\d\s?[A-Za-z]\b|\b[b-zB-HJ-Z]\b")
+"""In a sentence that holds one, or a letter that stands for something."""
 MOST_QUOTED = 8
 """Sentences of a person in one line."""
 LONGEST = 120
@@ -164,7 +166,8 @@ def quoted(
 ) -> tuple[str, ...]:
     """Sentences that were not judged, and how many there are beside, as one line.
 
-    Where they are more than `MOST_QUOTED`, those with quantities or names come first.
+    All that hold a formula or a name, and of the others those with quantities first, up to
+    `MOST_QUOTED`: what may say something else than the formulas is never left out.
 
     Parameters
     ----------
@@ -175,13 +178,17 @@ def quoted(
     """
     if not sentences:
         return ()
-    shown = list(sentences)
-    if len(shown) > MOST_QUOTED:
-        told = (*scene.q, *scene.input_symbols, *scene.parameters) if scene is not None else ()
-        names = {symbol.name for symbol in told}
-        shown.sort(key=lambda words: not (QUANTITY.search(words) or _words(words) & names))
-    first = ", ".join(f"'{shortened(words)}'" for words in shown[:MOST_QUOTED])
-    more = len(sentences) - MOST_QUOTED
+    told = (*scene.q, *scene.input_symbols, *scene.parameters) if scene is not None else ()
+    names = {symbol.name for symbol in told}
+    formulas = [w for w in sentences if FORMULA.search(w) or _words(w) & names]
+    others = [words for words in sentences if words not in formulas]
+    if len(sentences) > MOST_QUOTED:
+        others.sort(key=lambda words: not QUANTITY.search(words))
+        others = others[: max(0, MOST_QUOTED - len(formulas))]
+    few = len(sentences) <= MOST_QUOTED
+    shown = list(sentences) if few else [*formulas, *others]
+    first = ", ".join(f"'{shortened(words)}'" for words in shown)
+    more = len(sentences) - len(shown)
     return (f"{why}: {first}{f' and {more} more' if more > 0 else ''}",)
 
 
