@@ -15,6 +15,7 @@ from sympy import Expr, Symbol, degree, expand, factor, factor_list, numer, sqrt
 
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Statement
+from mechanics.claims.tree import names
 from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.letters import meanings_of
@@ -64,6 +65,9 @@ def one_root_each(
         if entry.finding.shown and entry.statement.derived
         and SQUARES.keys() & {*meanings_of(statement)}
     ]  # fmt: skip
+    for k in roots:
+        if words := _is_rate(truth, statements[k]):
+            found[k] = replace(found[k], finding=undecided(found[k].finding.subject, words))
     for k in roots if len(truth.scene.q) == 1 else ():
         if words := _other_kind(truth, statements[k]):
             found[k] = replace(found[k], finding=undecided(found[k].finding.subject, words))
@@ -99,6 +103,19 @@ def solved(truth: Equations, statement: Statement) -> list[Statement]:
                 rows = [replace(row, sides=(*squares, factor(root))) for root in roots]
                 return [replace(statement, row=each) for each in rows]
     return [statement]
+
+
+def _is_rate(truth: Equations, statement: Statement) -> str:
+    """What is to be said of a name that its text defines as something that moves, too."""
+    written, name = statement.written, _name(statement)
+    value = dict(written.definitions).get(name) if written is not None else None
+    if written is None or value is None:
+        return ""
+    moving = {q.name for q in truth.scene.q}
+    meanings = ((one, written.naming.lookup(one.name)) for one in names(value))
+    if not any(one.order or (own is not None and own[0] in moving) for one, own in meanings):
+        return ""
+    return f"the text defines {name} as something that moves, too: give one of them another name"
 
 
 def _other_kind(truth: Equations, statement: Statement) -> str:

@@ -223,3 +223,11 @@ def test_an_edit_is_searched_for_each_root() -> None:
     (entry,) = mechanics.check(scene, r"\[ \omega_2 = \sqrt{\frac{g}{l - \frac{m g}{k}}} \]").judged
     assert entry.blame is not None
     assert [(e.written, e.right) for e in entry.blame.repairs[0].edits] == [("-", "+")]
+
+
+@pytest.mark.parametrize("other", [r"$\omega := \dot\theta$", r"$\omega = \dot\theta$ is its rate"])
+def test_a_name_of_a_rate_is_no_frequency(other: str) -> None:
+    text = other + r", $\dot\omega = -\frac gl\sin\theta$, $\omega = \sqrt{g/l}$"
+    assert verdicts("pendulum", text) == ["PROVED", "UNDECIDED"]
+    apart = text.replace(r"$\omega = \sqrt", r"$\omega_0 = \sqrt")
+    assert verdicts("pendulum", apart) == ["PROVED", "PROVED"]
