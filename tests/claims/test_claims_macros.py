@@ -3,6 +3,7 @@
 import pytest
 
 import mechanics
+from mechanics.claims.latex.macros import expanded
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from systems import cartpole
@@ -51,6 +52,12 @@ def test_harmless_commands_are_put_in(definition: str, old: str, new: str) -> No
 )
 def test_what_is_given_another_meaning_has_it(definition: str) -> None:
     assert verdicts(f"{definition} $${POLE}$$") == ["REFUTED"]
+
+
+def test_the_blank_behind_a_command_stays_beside_macros() -> None:
+    text = r"\newcommand{\acc}{\ddot\theta} \acc = -\frac gL + \frac{g}{L} + \sqrt 2"
+    right = r"\ddot\theta = -\frac gL + \frac{g}{L} + \sqrt 2"
+    assert " ".join(expanded(text, "a text").split()) == right
 
 
 def test_a_saved_command_keeps_its_meaning() -> None:

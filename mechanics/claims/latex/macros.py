@@ -149,6 +149,7 @@ class _Expansion:
             return token + power_of(self.input)
         if name in TAKES:
             self._in_braces(TAKES[name])
+            return token + " " * self.input.peek().isalnum()  # the blank of \\frac gL is read
         return token
 
     def _environment(self, token: str, at: int) -> str:
