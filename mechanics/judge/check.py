@@ -32,6 +32,7 @@ from mechanics.judge.converted_rows import moves_more
 from mechanics.judge.declared_convention import Answer, judge_under, only_change
 from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.definedness import at_the_bound
+from mechanics.judge.described_guesses import described_guesses
 from mechanics.judge.energy_letters import with_energy_letters
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
@@ -50,7 +51,7 @@ from mechanics.judge.rounded_code import NOTES, as_rounded, code_conventions
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
-from mechanics.judge.sources import Around, source_of
+from mechanics.judge.sources import Around, Source, source_of
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.unused_values import unused_values
@@ -173,7 +174,8 @@ def check(
         )
     known = [match for reading in readings for match in reading.names]
     declared = read_declared(convention, known)
-    prose = prose_of(truth.scene, statements, known, [t for part in parts for t in source_of(part)])
+    sources = [source for part in parts for source in source_of(part)]
+    prose = prose_of(truth.scene, statements, known, sources)
     explicit = declared or values or where or not written_out
     in_prose = () if explicit else prose.conventions
     counted = (*declared, *in_prose)
@@ -188,6 +190,9 @@ def check(
     judged = complete_residuals(truth, one_root_each(truth, judged, statements))
     limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
     against = () if convention else _against(prose, written_out)
+    files = [part for part in parts if isinstance(part, Around)]
+    whole = [*sources, *(Source(one.code, ".py") for one in files)]
+    against += tuple(dict.fromkeys(described_guesses(known, whole)))
     without_limits = tuple(of_a_part(truth.scene, as_told(entry, against)) for entry in judged)
     judged = tuple(
         of_a_part(truth.scene, as_told(entry, (*against, *some)))
@@ -221,7 +226,6 @@ def check(
         *_remarks_on_motion(truth, judged),
         *untried,
     )
-    files = [part for part in parts if isinstance(part, Around)]
     around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
     unjudged = (*prose.unjudged, *_definitions(readings), *beside)
