@@ -119,10 +119,11 @@ def test_slashes_of_both_kinds_in_one_line() -> None:
 
 def test_a_term_in_a_bracket_that_begins_with_a_plus_is_no_factor() -> None:
     with pytest.raises(InputError, match="may be left out"):
-        check(ROD, r"\ddot\theta = -\frac{3g}{2l}\sin(\theta)[+\frac{3M}{m l^2}]")
-    assert verdicts(ROD, r"\ddot\theta = -\frac{3g}{2l}\sin(\theta) + [+\frac{3M}{m l^2}]") == [
-        "PROVED"
-    ]
+        check(ROD, r"\ddot\theta = -\frac{3g}{2l}\sin(\theta)[+\frac{3M}{m l^2}]\cos\theta")
+    for sign in ("", " + "):
+        text = rf"\ddot\theta = -\frac{{3g}}{{2l}}\sin(\theta){sign}[+\frac{{3M}}{{m l^2}}]"
+        assert verdicts(ROD, text) == ["PROVED"]
+        assert verdicts(ROD, text.replace("3M", "2M")) == ["REFUTED"]
 
 
 def test_a_vector_in_an_order_that_nobody_said_is_tried_in_all_orders() -> None:

@@ -27,7 +27,7 @@ def test_a_condition_stands_beside_code_whose_argument_is_a_vector() -> None:
 
 
 def test_a_condition_on_a_vector_names_it() -> None:
-    with pytest.raises(InputError, match=r"where 'sin\(x\) > 0': x: the scene has no such name"):
+    with pytest.raises(InputError, match=r"\(where=\) 'sin\(x\) > 0': x: the scene has no"):
         mechanics.check(ROD, code, where="sin(x) > 0")
 
 
