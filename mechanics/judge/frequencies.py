@@ -109,7 +109,7 @@ def _is_rate(truth: Equations, statement: Statement) -> str:
     """What is to be said of a name that its text defines as something that moves, too."""
     written, name = statement.written, _name(statement)
     value = dict(written.definitions).get(name) if written is not None else None
-    if written is None or value is None:
+    if written is None or value is None or value in written.sides:  # defined by itself only
         return ""
     moving = {q.name for q in truth.scene.q}
     meanings = ((one, written.naming.lookup(one.name)) for one in names(value))
