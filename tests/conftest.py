@@ -11,14 +11,18 @@ import os
 import shutil
 import sys
 from collections import defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from hashlib import sha256
+from importlib import import_module
+from typing import Any
 
 import pytest
 from hypothesis import settings
 
 from mechanics.cli.app import COLLECTED
 from mechanics.compiled.machine.native import find_compiler
+from mechanics.scene import Scene
 from systems import SEED
 
 # What is drawn is the same in every run, and a busy machine fails nothing.
@@ -74,6 +78,21 @@ def is_of_the_seed(case: pytest.Item) -> bool:
     """Whether a case is about a system of the seed, given by its name or as it is."""
     values = [getattr(value, "name", value) for value in case.callspec.params.values()]
     return any(isinstance(value, str) and value in OF_THE_SEED for value in values)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def derived_once() -> Iterator[None]:
+    """Nobody changes a scene of a test: `check` derives it, and tries it as declared, once."""
+    module = import_module("mechanics.judge.check")
+    reference = module._reference
+    once = lru_cache(maxsize=64)(reference)
+
+    def remembered(scene: Any) -> Any:
+        return once(scene) if isinstance(scene, Scene) else reference(scene)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "_reference", remembered)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """Functions of MATLAB as code: structs, matrices, conditions, functions that are solved."""
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -213,6 +214,7 @@ def test_what_else_drives_leaves_open_how_they_are_put_together(of: str, tmp_pat
     assert "otherwise than M" in str([e.right_if for e in found.judged])
 
 
+@cache
 def arm(of: str = "") -> mechanics.Scene:
     """Two links in gravity, with torques."""
     q1, q2, t1, t2 = dynamicsymbols("q1 q2 t1 t2")
@@ -333,6 +335,7 @@ dx(3) = (x(4) - x(5))*x(1)*x(2)/x(6) + L(3)/x(6);
 %s
 end
 """
+SATELLITE = satellite_torque()
 MEANT = {"x": "w1 w2 w3 I1 I2 I3", "L": "M1 M2 M3"}
 
 
@@ -351,7 +354,7 @@ def test_speeds_and_what_is_held_are_a_state(
     ):  # fmt: skip
         path.write_text(told)
         try:
-            found = mechanics.check(satellite_torque(), path, names=MEANT, blame=False).verdict.name
+            found = mechanics.check(SATELLITE, path, names=MEANT, blame=False).verdict.name
         except InputError:
             found = ""
         assert found == expected

@@ -355,6 +355,13 @@ def test_what_is_neither_compared_nor_denies_is_quoted(
     assert first == "The formulas are PROVED. 1 sentence around them was not judged."
     assert f"not judged: '{words[:20]}" in " ".join(str(answer).split())
     assert check_json(answer)["unjudged"] == [words]
+
+
+@pytest.mark.parametrize(("system", "said"), dict(QUOTED).items())
+def test_what_is_quoted_is_counted_on_the_page(
+    truths: dict[str, Equations], system: str, said: str
+) -> None:
+    answer = check(truths[system], f"{said} $${EQUATIONS[system]}$$", blame=False)
     assert "Not judged beside the statements: 1" in check_html(answer)
 
 

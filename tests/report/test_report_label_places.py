@@ -43,6 +43,7 @@ def names_can_be_read(svg: str) -> bool:
     return bool(apart and beside and inside and (boxes[:, :2] >= -1).all())
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_names_in_a_drawing_can_be_read(name: str) -> None:
     scene = scene_of(name)

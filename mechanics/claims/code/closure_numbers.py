@@ -12,7 +12,6 @@ what is judged then are its formulas, for all values. The person's function is n
 import types
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from dis import get_instructions
 from functools import partial
 from typing import Any
 
@@ -21,11 +20,17 @@ from mechanics.claims.code.containers import (
     Learn,
     Put,
     is_number,
-    of_classes,
     with_numbers,
     words_in,
 )
-from mechanics.claims.code.objects import attributes, methods_used, setter, with_methods
+from mechanics.claims.code.instructions import instructions
+from mechanics.claims.code.objects import (
+    attributes,
+    methods_used,
+    of_classes,
+    setter,
+    with_methods,
+)
 from mechanics.errors import InputError
 
 OF_MODULES = ("LOAD_GLOBAL", "LOAD_NAME")
@@ -206,7 +211,7 @@ def _object(
 
 def named(code: types.CodeType) -> Iterator[str]:
     """Names of the file that code reads, functions inside it included."""
-    for instruction in get_instructions(code):
+    for instruction in instructions(code):
         if instruction.opname in OF_MODULES:
             yield str(instruction.argval)
     for inner in code.co_consts:

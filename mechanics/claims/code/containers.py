@@ -8,13 +8,13 @@ Another of the same kind stands in for each; the person's own is not changed.
 import sys
 import types
 from collections.abc import Callable, Iterator
-from dis import get_instructions
 from functools import cached_property, partial
 from typing import Any
 
 from sympy.core.function import UndefinedFunction
 
-from mechanics.claims.code.objects import attributes, setter, with_methods
+from mechanics.claims.code.instructions import instructions
+from mechanics.claims.code.objects import attributes, of_classes, setter, with_methods
 
 Put = Callable[[Any], None]
 Learn = Callable[[str, float, Put], None]
@@ -81,16 +81,11 @@ def _another(value: Any) -> Any:
         return value  # a class that nothing is derived from, or only in its own way
 
 
-def of_classes(kind: type) -> dict[str, Any]:
-    """Attributes of a class and of those it is derived from."""
-    return {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
-
-
 def words_in(code: types.CodeType) -> Iterator[str]:
     """Names and strings that code uses, functions inside it included; ``m, l = P`` uses m and l."""
     yield from code.co_names
     left = 0
-    for instruction in get_instructions(code):
+    for instruction in instructions(code):
         left = int(instruction.argval) if instruction.opname == "UNPACK_SEQUENCE" else left
         if left and instruction.opname.startswith("STORE_"):
             stored = instruction.argval

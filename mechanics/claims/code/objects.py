@@ -36,9 +36,13 @@ def methods_used(bound: Any, functions: Iterable[Function]) -> dict[str, Functio
 
 def methods_of(kind: type) -> dict[str, Function]:
     """All methods of a class and of those that it is derived from, getters of properties too."""
-    names = [name for base in reversed(kind.__mro__) for name in vars(base)]
-    found = {name: _inner(inspect.getattr_static(kind, name)) for name in dict.fromkeys(names)}
+    found = {name: _inner(value) for name, value in of_classes(kind).items()}
     return {name: function for name, function in found.items() if function is not None}
+
+
+def of_classes(kind: type) -> dict[str, Any]:
+    """Attributes of a class and of those it is derived from."""
+    return {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
 
 
 def class_with_methods(kind: type, copies: Mapping[str, Callable[..., Any]]) -> type:

@@ -35,7 +35,7 @@ def seen(function: Callable[..., Any], arguments: Mapping[str, Any]) -> Seen:
     for name, value in _reached(function, set()):
         found.setdefault(name, ())
         found[name] += (_still(value, left, 0),)
-    found["random numbers"] = hash(random.getstate()), repr(np.random.get_state())
+    found["random numbers"] = hash(random.getstate()), _still(np.random.get_state(), count(), 0)
     return found
 
 

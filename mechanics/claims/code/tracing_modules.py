@@ -14,7 +14,6 @@ import sys
 import types
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dis import get_instructions
 from itertools import zip_longest
 from operator import methodcaller
 from typing import Any, cast
@@ -28,6 +27,7 @@ from mechanics.claims.code.closure_numbers import content, foreign, named
 from mechanics.claims.code.constants import exact_in_single
 from mechanics.claims.code.containers import library, of_library
 from mechanics.claims.code.exact import ELEMENTARY, PI, TAU, E, Exact, exact, is_plain
+from mechanics.claims.code.instructions import instructions
 from mechanics.claims.code.objects import class_with_methods, methods_of, with_methods
 from mechanics.claims.code.tracer import Traced
 from mechanics.claims.code.wrappers import unwrapped
@@ -543,7 +543,7 @@ BUILTINS: dict[str, Any] = {
 def _telling(code: types.CodeType, table: Mapping[str, Any]) -> set[str]:
     """Attributes and cases by class that may tell who calls; `table` has the names of the file."""
     found, before, kind = set(), "", ""
-    every = list(get_instructions(code))
+    every = instructions(code)
     for one, after in zip_longest(every, every[1:]):
         name = str(one.argval)
         if one.opname == "MATCH_CLASS":
@@ -568,7 +568,7 @@ def _telling(code: types.CodeType, table: Mapping[str, Any]) -> set[str]:
 
 def _catching(code: types.CodeType) -> str:
     """What code catches that numbers may raise: a traced division raises nothing."""
-    every = list(get_instructions(code))
+    every = instructions(code)
     for place, start in enumerate(every):
         if start.opname != "PUSH_EXC_INFO":
             continue

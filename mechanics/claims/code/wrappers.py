@@ -22,9 +22,9 @@ def unwrapped(value: Any) -> Any:
             value = _filled(value)
         elif isinstance(value, functools._lru_cache_wrapper):  # what lru_cache makes
             value = value.__wrapped__
-        elif isinstance(
+        elif str(type(value).__module__).startswith("numba.") and isinstance(
             inner := inspect.getattr_static(value, "py_func", None), types.FunctionType
-        ) and type(value).__module__.startswith("numba."):
+        ):
             value = inner  # it is compiled
         else:
             return value
