@@ -54,6 +54,7 @@ from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.sources import Around, file_of, source_of
 from mechanics.judge.special_case import in_special_case
+from mechanics.judge.standard_names import with_standard_names
 from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.unused_values import unused_values
 from mechanics.judge.where import Where, judge_where, read_where, right_where
@@ -206,6 +207,7 @@ def check(
     )
     judged = left_open(judged, readings_beside, lambda some: verdicts(some, helps=False)[0])
     judged = as_meant(as_rounded(judged, of_code))
+    judged = with_standard_names(truth, judged, numbers) if tries else judged
     if tries and not numbers:
         judged = in_special_case(truth, judged)
     hints = () if choice else suggested(prose, without_limits, judged)

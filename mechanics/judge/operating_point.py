@@ -56,6 +56,16 @@ PLACE = re.compile(
     re.IGNORECASE,
 )
 AT = re.compile(r"\b(?:at|where|for)\s+(?P<place>(?:[^.;:]|\.(?=\d))+)", re.IGNORECASE)
+VERTICAL = re.compile(
+    r"\b(?:upper|upright|upwards?|top|highest|inverted|lower|lowest|downwards?|bottom|hanging)\s+"
+    r"(?:(?:un)?stable\s+|vertical\s+)?"
+    r"(?:equilibri\w*|positions?|point|vertical|state|configuration|pendulum|one)\b"
+    r"|\b(?:about|around|near|at)\s+(?:the\s+|its\s+)?"
+    r"(?:upper|upright|upward|top|highest|inverted|lower|lowest|downward|bottom|hanging)\b"
+    r"(?!\s+(?:mass|rod|bob|link|end|spring|dis[ck]|body|arm)\b)",
+    re.IGNORECASE,
+)
+"""One of two vertical places; the lower mass is none."""
 UNSTABLE = re.compile(r"\bunstable (?:equilibri|position|point|vertical)\w*", re.IGNORECASE)
 """About which nothing oscillates."""
 UP = re.compile(r"\b(?:up(?:per|right|wards?)|inverted|top|highest|unstable vertical)\b", re.I)
@@ -129,7 +139,9 @@ def place_said(
         symbol = Symbol(name[0], real=True) if name is not None and not name[1] else None
         if equal and symbol in zero and (value := _value(equal["value"])) is not None:
             return equal[0].strip(" $"), {symbol: value}
-    up, down, never = UP.search(plain), DOWN.search(plain), UNSTABLE.search(plain)
+    never = UNSTABLE.search(plain)
+    places = " ".join(found[0] for found in VERTICAL.finditer(plain))
+    up, down = UP.search(places), DOWN.search(places)
     if never is not None:
         return never[0], None
     if (up is None) is (down is None) or not zero:

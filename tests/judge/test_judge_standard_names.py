@@ -1,0 +1,31 @@
+"""A definition that gives a standard name a multiple of what it means makes nothing right."""
+
+import pytest
+
+from tests.notation_scenes import verdicts
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        (
+            r"With $I = m l^2/2$, $$T = I\dot\theta^2$$",
+            r"With $I = m l^2$, $$T = \frac12 I\dot\theta^2$$",
+        ),
+        (
+            r"where $\omega = \dot\theta/2$: $$T = 2 m l^2\omega^2$$",
+            r"where $\omega = \dot\theta$: $$T = \frac12 m l^2\omega^2$$",
+        ),
+        (
+            r"With $v = l\dot\theta/2$, $$T = 2 m v^2$$",
+            r"With $v = l\dot\theta$, $$T = \frac12 m v^2$$",
+        ),
+        (
+            r"With $I = 2 m l^2$, $$I\ddot\theta = -2 m g l\sin\theta$$",
+            r"With $\alpha = g/(2 l)$: $$\ddot\theta = -2\alpha\sin\theta$$",
+        ),
+    ],
+)
+def test_a_multiple_of_what_a_name_means(wrong: str, right: str) -> None:
+    assert verdicts("pendulum", wrong) == ["UNDECIDED"]
+    assert verdicts("pendulum", right) == ["PROVED"]
