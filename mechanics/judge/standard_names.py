@@ -3,10 +3,10 @@
 With I = m l^2/2: T = I theta'^2        right as defined, but the bob has I = m l^2: UNDECIDED
 
     omega    the rate of an angle        v    the speed of a particle
-    I, J     an inertia of a body, or that of the motion
+    I, J     the inertia of a particle about its pivot, or of all of them
 
 A multiple by a number only is a mistake that another one makes good; any other definition is a
-person's own. Heights and speeds of bodies that are no particles may be those of any point.
+person's own. Speeds and inertias of bodies that are no particles may be those of any point.
 """
 
 import re
@@ -95,15 +95,13 @@ def _speeds(truth: Equations) -> Meanings:
 
 def _inertias(truth: Equations) -> Meanings:
     scene = truth.scene
-    for body in scene.bodies:
-        own = inertia_entries(body) if isinstance(body, RigidBody) else []
-        yield from ((scene.plain(one), 1, f"an inertia of {body.name}") for one in own)
     for q in scene.q if _of_particles(truth) else ():
         if q in angular(scene):
             arms = [Matrix(scene.position(body.centre)).diff(q) for body in scene.bodies]
             masses = [scene.plain(body.mass) for body in scene.bodies]
-            whole = Add(*(m * arm.dot(arm) for m, arm in zip(masses, arms, strict=True)))
-            yield trigsimp(whole), 1, f"the inertia of the motion along {q.name}"
+            each = [m * arm.dot(arm) for m, arm in zip(masses, arms, strict=True)]
+            for one in (*each, Add(*each)):
+                yield trigsimp(one), 1, f"the inertia of the motion along {q.name}"
 
 
 def _of_particles(truth: Equations) -> bool:

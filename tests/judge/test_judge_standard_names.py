@@ -2,6 +2,8 @@
 
 import pytest
 
+from mechanics import check
+from systems import rod_pendulum
 from tests.notation_scenes import verdicts
 
 
@@ -29,3 +31,11 @@ from tests.notation_scenes import verdicts
 def test_a_multiple_of_what_a_name_means(wrong: str, right: str) -> None:
     assert verdicts("pendulum", wrong) == ["UNDECIDED"]
     assert verdicts("pendulum", right) == ["PROVED"]
+
+
+@pytest.mark.parametrize("inertia", [r"I_O = \frac13 m l^2", r"I_C = \frac1{12} m l^2"])
+def test_a_body_has_an_inertia_about_any_of_its_points(inertia: str) -> None:
+    times = "" if "O" in inertia else "4"
+    text = rf"With ${inertia}$, $$T = \frac12 {times} {inertia[:3]} \dot\theta^2$$"
+    (entry,) = check(rod_pendulum.scene(), text, blame=False).judged
+    assert entry.verdict.name == "PROVED"
