@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from sympy import Add, Expr, Matrix, Rational, cancel, trigsimp
+from sympy import Add, Expr, Integer, Matrix, Rational, S, pi, prime
 
 from mechanics.claims.assemble import used_names
 from mechanics.claims.kinds import angular
@@ -23,6 +23,7 @@ from mechanics.judge.at_values import Values
 from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.bodies import RigidBody, inertia_entries
+from mechanics.symbolic import is_zero
 
 ANGULAR = re.compile(r"omega|w")
 SPEED = re.compile(r"v")
@@ -66,13 +67,26 @@ def _multiple(truth: Equations, name: str, value: Expr) -> str:
     """Which multiple of what a name means its value is, in words; empty for none, and for once."""
     meanings = next(find for row, find in ROWS.items() if row.fullmatch(name))
     some = [(one, n, words) for one, n, words in meanings(truth) if one != 0]
-    ratios = [(cancel(trigsimp(value**n / one)), n, words) for one, n, words in some]
+    ratios = [(_ratio(truth, value**n, one), n, words) for one, n, words in some]
     if any(ratio == 1 for ratio, _, _ in ratios):
         return ""
     for ratio, n, words in ratios:
-        if ratio.is_number and ratio != 0:
+        if ratio is not None:
             return f"{ratio ** Rational(1, n)} times {words}"
     return ""
+
+
+def _ratio(truth: Equations, value: Expr, one: Expr) -> Expr | None:
+    """The number that one expression is times another; None where there is none."""
+    symbols = sorted(value.free_symbols | one.free_symbols, key=str)
+    for angle in (S.Zero, pi / 2):
+        point = {
+            s: angle if s in truth.scene.q else Integer(prime(k + 1)) for k, s in enumerate(symbols)
+        }
+        above, below = value.xreplace(point), one.xreplace(point)
+        if below.is_zero is False and (ratio := above / below).is_Rational and ratio:
+            return ratio if is_zero(value - ratio * one) else None
+    return None
 
 
 Meanings = Iterator[tuple[Expr, int, str]]
@@ -90,7 +104,7 @@ def _speeds(truth: Equations) -> Meanings:
     scene = truth.scene
     for body in scene.bodies if _of_particles(truth) else ():
         velocity = Matrix(scene.position(body.centre)).jacobian(scene.q) * Matrix(scene.qd)
-        yield trigsimp(velocity.dot(velocity)), 2, f"the speed of {body.name}"
+        yield velocity.dot(velocity), 2, f"the speed of {body.name}"
 
 
 def _inertias(truth: Equations) -> Meanings:
@@ -101,7 +115,7 @@ def _inertias(truth: Equations) -> Meanings:
             masses = [scene.plain(body.mass) for body in scene.bodies]
             each = [m * arm.dot(arm) for m, arm in zip(masses, arms, strict=True)]
             for one in (*each, Add(*each)):
-                yield trigsimp(one), 1, f"the inertia of the motion along {q.name}"
+                yield one, 1, f"the inertia of the motion along {q.name}"
 
 
 def _of_particles(truth: Equations) -> bool:
