@@ -33,11 +33,14 @@ class Cell:
     text : str
     name : str
         What messages call it.
+    shown : tuple of str
+        What it shows, where it is code of a notebook that was run.
     """
 
     kind: str
     text: str
     name: str
+    shown: tuple[str, ...] = ()
 
 
 def runnable(text: str) -> str:

@@ -29,6 +29,7 @@ from mechanics.claims.code.python_lines import integrators, reached
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in
+from mechanics.grading.asides import asides_of, outputs_of
 from mechanics.grading.casadi_values import names_of_results
 from mechanics.grading.cells import Cell, is_inert, runnable
 from mechanics.grading.file_level import libraries_unchanged, used_by
@@ -37,7 +38,15 @@ from mechanics.grading.other_functions import passing, unjudged_functions
 from mechanics.grading.other_values import SHOW, WHY, Showing, equations_in, unread_values
 from mechanics.grading.script_formulas import claims_of, is_name
 from mechanics.grading.unset_attributes import with_unset
-from mechanics.judge.sources import Another, Around, Beside, NotRead, Numbers, on_the_file
+from mechanics.judge.sources import (
+    Another,
+    Around,
+    Beside,
+    NotRead,
+    Numbers,
+    WholeFile,
+    on_the_file,
+)
 
 GONE = re.compile(
     r"<!--.*?(?:-->|\Z)|~~.*?~~|^\[//\]: #[^\n]*"
@@ -91,7 +100,12 @@ def _cells(path: Path, function: str | None, run_python: bool) -> list[Any]:
     try:
         cells = json.loads(file_text(path))["cells"]
         own = [
-            Cell(cell["cell_type"], "".join(cell["source"]), f"{cell['cell_type']} cell {k}")
+            Cell(
+                cell["cell_type"],
+                "".join(cell["source"]),
+                f"{cell['cell_type']} cell {k}",
+                outputs_of(cell),
+            )
             for k, cell in enumerate(cells, start=1)
         ]
     except (ValueError, KeyError, TypeError) as error:
@@ -127,7 +141,7 @@ def _parts(path: Path, cells: list[Cell], function: str | None, run_python: bool
     if not found:
         raise InputError(f"file {path}: no cell has an equation or a function")
     found += [NotRead(cell.name, NO_CLAIM) for cell in cells if _is_unread(cell)]
-    return found
+    return [*found, *asides_of(code)]
 
 
 NOT_JUDGED = "it is neither judged nor called by what is judged: leave it out, or hand it in"
@@ -186,7 +200,8 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
         claims += [one for one in equations_in(shown_things) if one not in claims]
         if claims:
             left = [NotRead(name, WHY) for name in unread_values(_own(whole), set())]
-            return [*claims, *left, *gone, Beside("\n".join(comments(code, ".py")))]
+            words = Beside("\n".join(comments(code, ".py")))
+            return [*claims, *left, *gone, words, WholeFile(code)]
     if chosen not in own:
         told = f"it has {', '.join(own)}" if own else "it has none"
         raise NothingError(path, f"there is no function {chosen or 'to check'}: {told}")
@@ -212,7 +227,9 @@ def _functions(path: Path, code: str, function: str | None, run_python: bool) ->
     formulas += equations_in(shown_things)
     numbers = tuple(numbers_of_formulas(code, whole, used))
     formulas += [Numbers(numbers)] if numbers else []
-    around = [] if _is_alone(code, judged) else [Around(code, judged)]
+    around: list[Any] = [] if _is_alone(code, judged) else [Around(code, judged)]
+    if not around and any(map(_gives, ast.parse(code).body)):
+        around = [WholeFile(code)]
     return [names[chosen], *on_the_file(code), *others, *formulas, *loose, *gone, *around]
 
 
@@ -222,6 +239,11 @@ def _is_alone(code: str, judged: Collection[str]) -> bool:
     own = reached(tree, judged)
     rest = (n for n in tree.body if not (isinstance(n, ast.FunctionDef) and n.name in own))
     return all(is_inert(ast.unparse(line)) for line in rest)
+
+
+def _gives(line: ast.stmt) -> bool:
+    """Whether a line of a file may give a name a value."""
+    return not isinstance(line, ast.FunctionDef | ast.Import | ast.ImportFrom | ast.Expr)
 
 
 def _others(

@@ -37,6 +37,7 @@ from mechanics.judge.energy_letters import with_energy_letters
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
 from mechanics.judge.guesses import other_guesses
+from mechanics.judge.left_potentials import left_potentials
 from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
 from mechanics.judge.one_document import of_one_document
@@ -51,8 +52,9 @@ from mechanics.judge.rounded_code import NOTES, as_rounded, code_conventions
 from mechanics.judge.scene_laws import verify
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
-from mechanics.judge.sources import Around, Source, source_of
+from mechanics.judge.sources import Around, file_of, source_of
 from mechanics.judge.special_case import in_special_case
+from mechanics.judge.standard_names import with_standard_names
 from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.unused_values import unused_values
 from mechanics.judge.where import Where, judge_where, read_where, right_where
@@ -191,8 +193,8 @@ def check(
     limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
     against = () if convention else _against(prose, written_out)
     files = [part for part in parts if isinstance(part, Around)]
-    whole = [*sources, *(Source(one.code, ".py") for one in files)]
-    against += tuple(dict.fromkeys(described_guesses(known, whole)))
+    whole = [*sources, *(one for part in parts for one in file_of(part))]
+    against += tuple(dict.fromkeys(described_guesses(truth.scene, known, whole)))
     without_limits = tuple(of_a_part(truth.scene, as_told(entry, against)) for entry in judged)
     judged = tuple(
         of_a_part(truth.scene, as_told(entry, (*against, *some)))
@@ -205,6 +207,7 @@ def check(
     )
     judged = left_open(judged, readings_beside, lambda some: verdicts(some, helps=False)[0])
     judged = as_meant(as_rounded(judged, of_code))
+    judged = with_standard_names(truth, judged, numbers) if tries else judged
     if tries and not numbers:
         judged = in_special_case(truth, judged)
     hints = () if choice else suggested(prose, without_limits, judged)
@@ -223,6 +226,7 @@ def check(
         *_remarks_on_refuted(readings, judged, searched),
         *(NOTES[name] for name in of_code),
         *remarks_of_verdicts,
+        *dict.fromkeys(left_potentials(truth.scene, judged)),
         *_remarks_on_motion(truth, judged),
         *untried,
     )

@@ -20,6 +20,7 @@ from mechanics.equations import Equations
 from mechanics.errors import ExpressionError
 from mechanics.judge.letters import meanings_of
 from mechanics.judge.meanings import ROOT, SQUARES, candidates
+from mechanics.judge.operating_point import place_said
 from mechanics.kernel import undecided
 from mechanics.linear.small_oscillations import SQUARE, oscillations
 from mechanics.report.answer.judged import Judged
@@ -39,13 +40,23 @@ WITHOUT = (
     r"\s+(?:the\s+|any\s+)?(?:damp|friction|drag)\w*"
 )
 KINDS = {
-    "natural": (rf"\b(?:natural|undamped|eigen\w*)\b|\b{WITHOUT}", r"\w*?_?(?:n|0|nat)"),
-    "damped": (r"\bdamped\b", r"\w+?_?d"),
+    "natural": (
+        rf"(?<!\bdamped )\b(?:natural|undamped|eigen\w*)\b|\b{WITHOUT}",
+        r"\w*?_?(?:n|0|nat)",
+    ),
+    "damped": (r"\bdamped(?:\s+natural)?\b", r"\w+?_?d"),
     "resonant": (r"\bresonan\w*|\bpeak\b", r"\w+?_?(?:r|res)"),
 }
 """Frequencies of one freedom with a damper: what says in a text which one is meant, and what in its
 name.
 """
+AMPLITUDE = re.compile(
+    r"(?<!small )(?<!infinitesimal )(?<!vanishing )(?<!independent of )(?<!independent of the )"
+    r"(?<!depend on )(?<!depend on the )(?<!any )(?<!small-)\bamplitudes?\b"
+    r"|\b(?:large|finite|big|wide)\s+(?:oscillation|vibration|swing|motion|angle|displacement)s?\b",
+    re.IGNORECASE,
+)
+"""What speaks of a motion that is not small."""
 OF_FREQUENCY = r"\W+(?:angular\W+|circular\W+)?(?:\w*frequenc\w*|period\w*)"
 
 
@@ -67,6 +78,9 @@ def one_root_each(
     ]  # fmt: skip
     for k in roots:
         if words := _is_rate(truth, statements[k]):
+            found[k] = replace(found[k], finding=undecided(found[k].finding.subject, words))
+    for k in roots:
+        if words := _said_elsewhere(truth, statements[k]) or _said_wide(truth, statements[k]):
             found[k] = replace(found[k], finding=undecided(found[k].finding.subject, words))
     for k in roots if len(truth.scene.q) == 1 else ():
         if words := _other_kind(truth, statements[k]):
@@ -116,6 +130,46 @@ def _is_rate(truth: Equations, statement: Statement) -> str:
     if not any(one.order or (own is not None and own[0] in moving) for one, own in meanings):
         return ""
     return f"the text defines {name} as something that moves, too: give one of them another name"
+
+
+def _said_elsewhere(truth: Equations, statement: Statement) -> str:
+    """What is to be said where its sentence gives the frequency of another equilibrium."""
+    written = statement.written
+    if written is None or written.notation not in ("latex", "text"):
+        return ""
+    sentence = WHICH.sub(" ", sentence_around(written.text, written.start))
+    words, place = place_said(truth.scene, written, sentence)
+    if not words:
+        return ""
+    square = truth.scene.plain(_square(statement))
+    found = [
+        one.place for one in oscillations(truth)
+        if any(is_zero(zero.xreplace({SQUARE: square}))
+               for zero in (one.natural, one.damped, one.resonant) if zero is not None)
+    ]  # fmt: skip
+    named = [dict(pair.split(" = ") for pair in each.split(", ")) for each in found]
+    if not found or (place is not None and any(
+        all(each.get(q.name) == str(value) for q, value in place.items()) for each in named
+    )):  # fmt: skip
+        return ""
+    return f"it is the frequency about {' or '.join(found)}, and the text says {words!r}"
+
+
+def _said_wide(truth: Equations, statement: Statement) -> str:
+    """What is to be said where its sentence speaks of a motion that is not small."""
+    written = statement.written
+    sentence = sentence_around(written.text, written.start) if written is not None else ""
+    wide = AMPLITUDE.search(" ".join(sentence.split()))
+    if wide is None or _is_linear(truth):
+        return ""
+    return f"it is the frequency of small oscillations, and the text says {wide[0]!r}"
+
+
+def _is_linear(truth: Equations) -> bool:
+    """Whether its equations of motion are linear in all that moves."""
+    moving = [*truth.scene.q, *truth.scene.qd, *truth.scene.u, *truth.scene.ud]
+    slopes = [row.diff(symbol) for row in truth.residual for symbol in moving]
+    return all(is_zero(slope.diff(symbol)) for slope in slopes for symbol in moving)
 
 
 def _other_kind(truth: Equations, statement: Statement) -> str:

@@ -20,13 +20,26 @@ ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
 SAID = re.compile(
     rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
     rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
-    r"|lineari[sz]|to first order|linear (?:model|equation|approximation)"
+    r"|(?<!non)(?<!non[- ])(?:lineari[sz]|linear (?:model|equation|approximation))|to first order"
     r"|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",
     re.IGNORECASE,
 )
 """What says that equations are meant to first order."""
 DENIED = re.compile(r"\b(?:not?|nor|never|without|before|cannot)\b|n't\b", re.IGNORECASE)
 """What says that they are not, in the same sentence."""
+FULL = re.compile(
+    r"\b(?:non-?\s?linear|full|exact|complete|original|unapproximated)\s+"
+    r"(?:(?!lineari)\w+\s+){0,3}?(?:equations?|models?|systems?|dynamics|motion|form)\b",
+    re.IGNORECASE,
+)
+"""What says that an equation is meant as it stands."""
+CALLED = re.compile(
+    r"(?<!non)(?<!non[- ])\blinear(?:i[sz]ed)?\s+(?:(?!equation|model)\w+\s+){0,2}?"
+    r"(?:equations?|models?|systems?|dynamics|form|approximation)(?:\s+of\s+(?:the\s+)?\w+)?\s*"
+    r"(?:is|are|reads?|becomes?|follows?|here)?\s*:?[\s$\\(\[]*\Z",
+    re.IGNORECASE,
+)
+"""What the formula behind it is called."""
 HEDGED = re.compile(
     r"\b(?:unlike|contrast|contrary|fail\w*|beyond|exact\w*|exclud\w+|useless|invalid|large"
     r"|special case|nowhere|instead|rather|arbitrary|generally|in general|whereas"
@@ -42,6 +55,19 @@ PLACE = re.compile(
     r"(?P<place>(?:[^.;:]|\.(?=\d))+)",
     re.IGNORECASE,
 )
+AT = re.compile(r"\b(?:at|where|for)\s+(?P<place>(?:[^.;:]|\.(?=\d))+)", re.IGNORECASE)
+VERTICAL = re.compile(
+    r"\b(?:upper|upright|upwards?|top|highest|inverted|lower|lowest|downwards?|bottom|hanging)\s+"
+    r"(?:(?:un)?stable\s+|vertical\s+)?"
+    r"(?:equilibri\w*|positions?|point|vertical|state|configuration|pendulum|one)\b"
+    r"|\b(?:about|around|near|at)\s+(?:the\s+|its\s+)?"
+    r"(?:upper|upright|upward|top|highest|inverted|lower|lowest|downward|bottom|hanging)\b"
+    r"(?!\s+(?:mass|rod|bob|link|end|spring|dis[ck]|body|arm)\b)",
+    re.IGNORECASE,
+)
+"""One of two vertical places; the lower mass is none."""
+UNSTABLE = re.compile(r"\bunstable (?:equilibri|position|point|vertical)\w*", re.IGNORECASE)
+"""About which nothing oscillates."""
 UP = re.compile(r"\b(?:up(?:per|right|wards?)|inverted|top|highest|unstable vertical)\b", re.I)
 DOWN = re.compile(r"\b(?:low(?:er|est)|hanging|down(?:wards?)?|bottom|pendent)\b", re.I)
 OTHER = re.compile(
@@ -79,11 +105,59 @@ class OperatingPoint:
 def operating_point(scene: Scene, written: Written) -> OperatingPoint | None:
     """What the last sentence up to a statement says that speaks of it; None where none does."""
     for sentence in reversed(_sentences(written)):
+        if _is_full(written, sentence):
+            return None
         if SAID.search(sentence) and not DENIED.search(sentence):
             hedge = HEDGED.search(sentence)
             place, words = _place(scene, written, sentence)
             return OperatingPoint(words, place, hedge[0] if hedge else "")
     return None
+
+
+def called_linear(written: Written) -> str:
+    """How the words before a formula call it a linear one; empty where they do not."""
+    before = " ".join(written.text[max(0, written.start - 120) : written.start].split())
+    found = CALLED.search(ENDS.split(f"{before} ")[-1])
+    return found[0].strip(" $\\([:") if found and not DENIED.search(found[0]) else ""
+
+
+def place_said(
+    scene: Scene, written: Written, sentence: str
+) -> tuple[str, dict[Symbol, Expr] | None]:
+    """Which vertical a sentence gives a frequency about, in words, and its angles if it is known.
+
+    Parameters
+    ----------
+    sentence : str
+        Of the formula.
+    """
+    zero: dict[Symbol, Expr] = {q: S.Zero for q in scene.q if q in angular(scene)}
+    plain = " ".join(sentence.split())
+    for found in (*PLACE.finditer(plain), *AT.finditer(plain)):
+        equal = EQUALS.match(found["place"].lstrip("$ ("))
+        name = written.naming.lookup(equal["name"]) if equal else None
+        symbol = Symbol(name[0], real=True) if name is not None and not name[1] else None
+        if equal and symbol in zero and (value := _value(equal["value"])) is not None:
+            return equal[0].strip(" $"), {symbol: value}
+    never = UNSTABLE.search(plain)
+    places = " ".join(found[0] for found in VERTICAL.finditer(plain))
+    up, down = UP.search(places), DOWN.search(places)
+    if never is not None:
+        return never[0], None
+    if (up is None) is (down is None) or not zero:
+        return "", None
+    way, quarter = (up, 1) if up is not None else (down, 3)
+    place = _vertical(scene, zero, quarter)
+    return (way[0], place) if way is not None and place is not None else ("", None)
+
+
+def _is_full(written: Written, sentence: str) -> bool:
+    """Whether the last that a sentence says before a formula is that it is meant as it stands."""
+    at = written.text.rfind(sentence, 0, written.start + 1)
+    before = sentence[: written.start - at] if at + len(sentence) > written.start else sentence
+    full = max((m.start() for m in FULL.finditer(before)), default=-1)
+    said = max((m.start() for m in SAID.finditer(before)), default=-1)
+    return full > said and not HEDGED.search(FULL.sub(" ", before))
 
 
 def _sentences(written: Written) -> list[str]:

@@ -16,9 +16,9 @@ from mechanics.claims.code.sympy_objects import is_sympy
 from mechanics.claims.declared_conventions import EXACT, HARMLESS
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
-from mechanics.judge.sources import Another, Around, Beside, NotRead, Numbers
+from mechanics.judge.sources import Another, Around, Beside, NotRead, Numbers, WholeFile
 
-BESIDE = (Around, Beside, NotRead, Numbers)
+BESIDE = (Around, Beside, NotRead, Numbers, WholeFile)
 """What is no statement."""
 C = "C or C++"
 FILES = (C, "C as a text", "MATLAB", "Julia")

@@ -193,6 +193,12 @@ ABSENT = re.compile(
     r"|frictionless|undamped|gravity-free|-free\b",
     re.IGNORECASE,
 )
+OF_FREQUENCY = re.compile(
+    r"\bundamped(?=\s+(?:(?:natural|angular|circular)\s+)*(?:\w*frequenc|period))"
+    r"|(?<=frequency of the )undamped(?=\s+(?:system|oscillat|motion))",
+    re.IGNORECASE,
+)
+"""What says of a frequency which one it is, and nothing of the scene."""
 PARTS = re.compile(r", |\b(?:but|so that|while|and)\b")
 """What sets parts of a sentence apart that say something each."""
 DENIED = re.compile(r"\b(?:not|no|never|unlike|rather|instead|than|contrast)\b", re.IGNORECASE)

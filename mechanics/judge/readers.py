@@ -30,7 +30,17 @@ from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError, WrongKindError
-from mechanics.judge.sources import COMPUTED, Another, Around, Beside, NotRead, Numbers, values_of
+from mechanics.judge.sources import (
+    COMPUTED,
+    Another,
+    Around,
+    Aside,
+    Beside,
+    NotRead,
+    Numbers,
+    WholeFile,
+    values_of,
+)
 from mechanics.judge.special_case import values_in
 from mechanics.scene import Scene
 
@@ -101,13 +111,15 @@ def read(
     WrongKindError
         For another kind of thing.
     """
-    if isinstance(thing, Beside | Around):
+    if isinstance(thing, Beside | Around | WholeFile):
         return Reading((), (), ())
     if isinstance(thing, Numbers):
         told = (f"{name}: {COMPUTED}" for name in thing.names)
         return Reading((), (), (), tuple(told))
     if isinstance(thing, NotRead):
         return _not_read(thing)
+    if isinstance(thing, Aside):
+        return _aside(scene, thing, names)
     if isinstance(thing, Another):
         return _another(scene, thing, names)
     if isinstance(thing, Path):
@@ -215,6 +227,17 @@ def _words(scene: Scene, names: Mapping[str, str] | None) -> set[str]:
 def _not_read(thing: NotRead) -> Reading:
     words = f"{thing.part} is not read: {thing.why}"
     return Reading((Statement(None, thing.part, thing.part, doubt=words),), (), ())
+
+
+def _aside(scene: Scene, thing: Aside, names: Mapping[str, str] | None) -> Reading:
+    """A formula beside others, which may be an attempt that was given up: it is never REFUTED."""
+    title = f"{thing.where}, {' '.join(thing.text.split())[:60]!r}"
+    try:
+        found = read_source(scene, thing.text, names=names)
+    except InputError as error:
+        return _not_read(NotRead(title, str(error)))
+    unsure = (f"{title} is about something else",)
+    return replace(found, statements=tuple(replace(s, unsure=unsure) for s in found.statements))
 
 
 def _another(scene: Scene, thing: Another, names: Mapping[str, str] | None) -> Reading:

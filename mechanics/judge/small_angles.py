@@ -22,7 +22,7 @@ from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.judge.converted_rows import slopes_of
 from mechanics.judge.meanings import NO_TABLE
-from mechanics.judge.operating_point import OperatingPoint, operating_point
+from mechanics.judge.operating_point import OperatingPoint, called_linear, operating_point
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
@@ -69,11 +69,25 @@ def as_said(
     """
     judged, shown = list(statements), list(findings)
     for k, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
+        if finding.shown and (words := _called_linear(truth.scene, statement)):
+            shown[k] = undecided(finding.subject, words)
         if finding.verdict is Verdict.REFUTED and statement.written is not None:
             meant = operating_point(truth.scene, statement.written)
             if meant is not None:
                 judged[k], shown[k] = _about(truth, statement, finding, meant, table)
     return judged, shown
+
+
+def _called_linear(scene: Scene, statement: Statement) -> str:
+    """What is to be said of an equation that its text calls linear, and that is not."""
+    written = statement.written
+    words = called_linear(written) if written is not None else ""
+    if not words or (residual := _residual(scene, statement)) is None:
+        return ""
+    angles = {plain_symbol(q) for q in _angles(scene)}
+    if not any(f.free_symbols & angles for f in residual.atoms(TrigonometricFunction)):
+        return ""
+    return f"it is right as it stands, but the text says {words!r}, and it is not linear"
 
 
 def _about(

@@ -47,6 +47,20 @@ class Numbers:
 
 
 @dataclass(frozen=True)
+class Aside:
+    """A formula beside what is handed in, as in a comment: right, it is a statement.
+
+    Attributes
+    ----------
+    text : str
+    where : str
+    """
+
+    text: str
+    where: str
+
+
+@dataclass(frozen=True)
 class NotRead:
     """A part of what is handed in that is not read: it may say anything, so nothing is shown of it.
 
@@ -96,6 +110,18 @@ class Around:
 
 
 @dataclass(frozen=True)
+class WholeFile:
+    """A file of Python in which nothing is left to be judged, but that may say what names are.
+
+    Attributes
+    ----------
+    code : str
+    """
+
+    code: str
+
+
+@dataclass(frozen=True)
 class Source:
     """Code, or the words beside it.
 
@@ -124,9 +150,20 @@ def source_of(thing: Any) -> tuple[Source, ...]:
         return () if thing.suffix in PAGES else (Source(file_text(thing), thing.suffix),)
     if isinstance(thing, Beside):
         return (Source(thing.words, ""),)
-    if isinstance(thing, NotRead | Another | Numbers | Around):
+    if isinstance(thing, NotRead | Aside | Another | Numbers | Around | WholeFile):
         return ()
     return tuple(dict.fromkeys(map(_source, _functions(unwrapped(thing)))))
+
+
+def file_of(thing: Any) -> tuple[Source, ...]:
+    """The whole file around what is judged, whose words are read with its formulas or elsewhere."""
+    if isinstance(thing, Around | WholeFile):
+        return (Source(thing.code, ".py"),)
+    return (Source(file_text(thing), ".mo"),) if _is_model(thing) else ()
+
+
+def _is_model(thing: Any) -> bool:
+    return isinstance(thing, Path) and thing.suffix == ".mo"
 
 
 def values_of(thing: Any, names: Iterable[str]) -> str:

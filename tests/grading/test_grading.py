@@ -16,7 +16,7 @@ from mechanics.grading.group import Group, grade_files
 from mechanics.grading.page import group_csv, group_html
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
-from mechanics.judge.sources import Beside
+from mechanics.judge.sources import Aside, Beside
 from mechanics.worker import Limits
 from systems import elastic_pendulum
 
@@ -181,7 +181,7 @@ def test_the_function_is_the_last_one_that_is_no_part_of_another(tmp_path: Path)
     assert function(3) == 7
 
 
-def test_commented_code_is_no_equation_of_a_notebook_and_other_comments_are_its_prose(
+def test_commented_code_is_an_aside_of_a_notebook_and_other_comments_are_its_prose(
     tmp_path: Path,
 ) -> None:
     cells = [
@@ -190,7 +190,9 @@ def test_commented_code_is_no_equation_of_a_notebook_and_other_comments_are_its_
     ]
     path = tmp_path / "commented.ipynb"
     path.write_text(json.dumps({"cells": cells}))
-    assert things_in(path) == ["x'' = -x\n\nthe equation above is wrong"]
+    prose, aside = things_in(path)
+    assert prose == "x'' = -x\n\nthe equation above is wrong"
+    assert aside == Aside("x'' = x", "a comment of code cell 2")
 
 
 @pytest.mark.parametrize("kind", ["markdown", "raw"])

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -11,6 +12,17 @@ from mechanics.grading.grade import Grade, grade
 from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from systems import rod_pendulum
+
+
+def stream(text: str) -> dict[str, Any]:
+    """What a cell prints."""
+    return {"output_type": "stream", "name": "stdout", "text": [text]}
+
+
+def displayed(kind: str, text: str) -> dict[str, Any]:
+    """What a cell displays."""
+    return {"output_type": "display_data", "data": {kind: [text]}}
+
 
 KEY = Reference(derived(rod_pendulum.scene()))
 TRUE = r"$$\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3u}{m l^2}$$"
@@ -53,7 +65,7 @@ OTHERS = {
 INERT = [
     "import numpy as np\nm, l = 1.0, 2/3",
     "%matplotlib inline\nx0 = [0.1, 0]\nprint('x0 is', x0)",
-    "# theta'' = -g/l*theta",
+    "# theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l**2)\n# l = 2/3\n# theta = y[0]",
     "",
 ]
 
@@ -101,3 +113,43 @@ def test_an_equation_that_is_shown_and_not_assigned_is_not_read(tmp_path: Path) 
     assert graded(tmp_path, ("markdown", TRUE), shown).verdict == "in doubt"
     with pytest.raises(InputError, match="SyntaxError"):
         graded(tmp_path, ("markdown", TRUE), ("code", "%%latex\n$x = 1$"))
+
+
+RIGHT, WRONG = "3*g/(2*l)*sin(theta) + 3*u/(m*l**2)", "g/l*sin(theta)"
+SHOWN = r"\frac{d^{2}}{d t^{2}} \theta{\left(t \right)} = "
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        (stream(f"theta_ddot = {WRONG}\n"), stream(f"theta_ddot = {RIGHT}\n")),
+        (stream("theta_ddot = 2*x*l\n"), stream("theta_ddot = 1.5 rad/s^2\nx = [0.1, 0]\n")),
+        (
+            displayed("text/latex", rf"$\displaystyle {SHOWN}\frac{{g \sin\theta}}{{l}}$"),
+            displayed("text/latex", rf"$\displaystyle {SHOWN}\frac{{3g \sin\theta}}{{2l}}"
+                      r"+ \frac{3 u{\left(t \right)}}{l^{2} m}$"),
+        ),
+        (
+            displayed("text/html", f"<b>theta'' = {WRONG}</b>"),
+            displayed("text/plain", "<Figure size 640x480 with 1 Axes>"),
+        ),
+    ],
+)  # fmt: skip
+def test_what_a_cell_shows_is_judged(
+    wrong: dict[str, Any], right: dict[str, Any], tmp_path: Path
+) -> None:
+    for output, marks in ((wrong, False), (right, True)):
+        cell = {"cell_type": "code", "source": FUNCTION, "outputs": [output]}
+        path = tmp_path / "a.ipynb"
+        path.write_text(json.dumps({"cells": [cell]}))
+        found = grade(KEY, "a", things_in(path, run_python=True), require="right")
+        assert (found.score == 1, found.verdict == "right") == (marks, marks)
+
+
+@pytest.mark.parametrize(("law", "marks"), [(WRONG, False), (RIGHT, True)])
+def test_formulas_in_comments_of_a_cell_are_judged(law: str, marks: bool, tmp_path: Path) -> None:
+    cell = {"cell_type": "code", "source": f"{FUNCTION}\n# theta_ddot = {law}"}
+    path = tmp_path / "a.ipynb"
+    path.write_text(json.dumps({"cells": [cell]}))
+    found = grade(KEY, "a", things_in(path, run_python=True), require="right")
+    assert (found.score == 1, found.verdict == "right") == (marks, marks)

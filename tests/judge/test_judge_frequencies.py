@@ -231,3 +231,41 @@ def test_a_name_of_a_rate_is_no_frequency(other: str) -> None:
     assert verdicts("pendulum", text) == ["PROVED", "UNDECIDED"]
     apart = text.replace(r"$\omega = \sqrt", r"$\omega_0 = \sqrt")
     assert verdicts("pendulum", apart) == ["PROVED", "PROVED"]
+
+
+LENGTH = r"$\omega = \sqrt{g/l}$"
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        ("At the lower equilibrium the frequency of small oscillations is {}.", "PROVED"),
+        ("At the upper equilibrium the frequency of small oscillations is {}.", "UNDECIDED"),
+        (r"The frequency of small oscillations about $\theta = 0$ is {}.", "PROVED"),
+        (r"The frequency of small oscillations about $\theta = \pi$ is {}.", "UNDECIDED"),
+        ("The frequency about the unstable equilibrium is {}.", "UNDECIDED"),
+        ("The upper equilibrium is unstable. Near the lower one the frequency is {}.", "PROVED"),
+        ("For an amplitude of a quarter turn the frequency is {}.", "UNDECIDED"),
+        ("For large oscillations the frequency is {}.", "UNDECIDED"),
+        ("For small amplitudes the frequency is {}.", "PROVED"),
+        ("The frequency of small oscillations is {}, independent of the amplitude.", "PROVED"),
+    ],
+)
+def test_what_the_sentence_says_of_the_place_and_of_the_size(words: str, verdict: str) -> None:
+    assert verdicts("pendulum", words.format(LENGTH)) == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        ("The undamped natural frequency is {}.", "PROVED"),
+        ("The undamped frequency is {}.", "PROVED"),
+        ("The natural frequency of the undamped system is {}.", "PROVED"),
+        ("The damped natural frequency is {}.", "UNDECIDED"),
+        ("The system is undamped. The natural frequency is {}.", "UNDECIDED"),
+    ],
+)
+def test_undamped_is_said_of_a_frequency_or_of_the_scene(words: str, verdict: str) -> None:
+    scene = scene_of(HERE / "scenes" / "oscillators.py", "linear")
+    found = mechanics.check(scene, words.format(r"$\omega_n = \sqrt{k/m}$"), blame=False)
+    assert [entry.verdict.name for entry in found.judged] == [verdict]

@@ -74,3 +74,21 @@ def test_a_decimal_is_a_place() -> None:
 def test_a_sentence_behind_the_equation_is_about_another() -> None:
     assert verdict(f"{BOTTOM} for small angles.") == "CERTIFIED"
     assert verdict(f"The exact equation: {BOTTOM} It was linearized nowhere.") == "REFUTED"
+
+
+LINEAR = r"$$\ddot\theta = (\omega^2 - g/R)\theta$$"
+FULL = r"$$\ddot\theta = (\omega^2\cos\theta - g/R)\sin\theta$$"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdicts"),
+    [
+        (f"The linearized equation is {LINEAR}", {"CERTIFIED", "PROVED"}),
+        (f"The nonlinear equation is {LINEAR}", {"REFUTED"}),
+        (f"It can be linearized. The full nonlinear equation of motion is {LINEAR}", {"REFUTED"}),
+        (f"The linearized equation is {FULL}", {"UNDECIDED"}),
+        (f"The nonlinear equation is {FULL}", {"CERTIFIED", "PROVED"}),
+    ],
+)
+def test_what_an_equation_is_called(text: str, verdicts: set[str]) -> None:
+    assert verdict(text) in verdicts

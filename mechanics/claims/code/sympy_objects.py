@@ -4,7 +4,8 @@ x(t), Derivative(x(t), t), x_dot        are matched by name with the scene's x, 
 KanesMethod: M u' = f, with u solved for q'       LagrangesMethod: its equations, one a row
 """
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -14,6 +15,7 @@ from sympy import (
     Derivative,
     Eq,
     Expr,
+    Float,
     Function,
     Matrix,
     MatrixSymbol,
@@ -28,6 +30,7 @@ from sympy.physics.mechanics import KanesMethod
 from sympy.physics.vector import dynamicsymbols
 
 from mechanics.claims.about import WORDS, as_asked, named_quantity
+from mechanics.claims.code.constants import constant_of
 from mechanics.claims.demands import Demand, Demands, within
 from mechanics.claims.guess import guess
 from mechanics.claims.kind import kind_of
@@ -46,6 +49,10 @@ from mechanics.symbolic import is_zero
 
 Sides = tuple[Any, ...]
 KINDS = (Expr, MatrixBase, Eq, *MODELS)
+DOUBLE = 53
+"""Binary digits of a double."""
+FORMULA = re.compile(r"[-+*/^<>=&|]|\*\*|^\d|\d\s+[^\W\d]|[^\W\d]\s+[^\W\d]")
+"""What no name holds."""
 
 
 def read_sympy(
@@ -66,7 +73,7 @@ def read_sympy(
     used = [name for sides in rows for side in sides for name in _names(side)]
     given = {n: m for n, m in (names or {}).items() if m not in WORDS}
     naming = Naming(Vocabulary(scene), given)
-    named = [name for name in used if "(" not in name.name]
+    named = [name for name in used if "(" not in name.name and not FORMULA.search(name.name)]
     naming = replace(naming, guessed=guess(naming, named, ()))
     statements = [
         _statement(scene, naming, sides, str(i), about) for i, sides in enumerate(rows, 1)
@@ -180,7 +187,8 @@ def _plain(naming: Naming, side: Any, unknown: list[str], told: list[str] | None
     told = [] if told is None else told
     if isinstance(side, MatrixBase):
         return Matrix(side).applyfunc(lambda entry: _plain(naming, entry, unknown, told))
-    side = decimals(sympify(side, strict=True).doit())
+    side = sympify(side, strict=True).doit()
+    side = decimals(side.xreplace({number: value for number, value, _ in _doubles(side)}))
     table: dict[Any, Any] = {}
     atoms = (side.atoms(Derivative), side.atoms(AppliedUndef), side.free_symbols)
     for atom in (atom for kind in atoms for atom in sorted(kind, key=str)):
@@ -193,6 +201,13 @@ def _plain(naming: Naming, side: Any, unknown: list[str], told: list[str] | None
         table[atom] = _symbol(naming, name, order, unknown)
         told += filter(None, [_assumed(atom, table[atom])])
     return side.xreplace(table)
+
+
+def _doubles(side: Any) -> Iterator[tuple[Float, Expr, str]]:
+    """Doubles with what each stands for, as in code, and a sentence where it prints another."""
+    for number in sorted(side.atoms(Float), key=float) if isinstance(side, Basic) else ():
+        if number._prec == DOUBLE and number.is_finite:
+            yield number, *constant_of(float(number))
 
 
 def _other_time(naming: Naming, sides: Sides) -> str:
@@ -223,6 +238,13 @@ def _two_of_a_name(sides: Sides) -> str:
         if not isinstance(function, AppliedUndef) and own.split(".")[0] != "sympy":
             return f"{type(function).__name__} is a function of {own or 'nobody'}, not SymPy's"
     return ""
+
+
+def _formula_as_name(naming: Naming, sides: Sides) -> str:
+    """A symbol whose name is a formula: nobody computes with it."""
+    names = dict.fromkeys(n.name for side in sides for n in _names(side) if "(" not in n.name)
+    found = (n for n in names if FORMULA.search(n) and n not in naming.given)
+    return next((f"{n!r} is the name of one symbol: write it as a formula" for n in found), "")
 
 
 def _done(side: Any) -> Any:
@@ -256,15 +278,19 @@ def _statement(
         quantity, note = MassMatrix(), "a square matrix alone is read as the mass matrix"
     else:
         quantity, plain, note = kind_of(scene, plain)
-    doubt = _other_time(naming, sides) or _two_of_a_name(sides)
+    doubt = _other_time(naming, sides) or _two_of_a_name(sides) or _formula_as_name(naming, sides)
     doubt = doubt or (unexplained(scene, unknown) if unknown else "")
     doubt = doubt or (f"{told[0]}, the scene's is not" if told else "")
     if not doubt and isinstance(quantity, Identity) and len(plain) == 1:
         doubt = "an expression without an equals sign: say what it is about"
     row = published(tag, quantity, *plain, label=source)
+    read = (
+        words for side in sides for entry in entries(_done(side)) for *_, words in _doubles(entry)
+    )
+    notes = tuple(dict.fromkeys(filter(None, (note, *read))))
     asked = dict.fromkeys(d for side in sides for entry in entries(side) for d in within(entry))
     demands = Demands(tuple(_in_plain(naming, demand) for demand in asked))
-    return Statement(row, source, tag, notes=(note,) if note else (), doubt=doubt, demands=demands)
+    return Statement(row, source, tag, notes=notes, doubt=doubt, demands=demands)
 
 
 def _in_plain(naming: Naming, demand: Demand) -> Demand:

@@ -42,6 +42,8 @@ BOLD = re.compile(r"(?<=\{)\s*\\(?:bf|it|boldmath)(?![A-Za-z])")
 """A font from here on: {\\bf q}."""
 NEW_LINE = re.compile(r"\\newline(?![A-Za-z])")
 """Between rows, as some Markdown needs it."""
+OF_TIME = re.compile(r"(?<=[\w}])\{\s*\\left\s*\(\s*t\s*\\right\s*\)\s*\}")
+"""How SymPy prints a function of time: \\theta{\\left(t \\right)} is no product."""
 LABEL = re.compile(r"\s*[_^]\s*\{")
 CONDITION = re.compile(
     r"\\(?:text(?:rm|it|normal|sf|bf|up)?|[mh]box)\s*\{(?P<words>[^{}]*\b(?:for|at|when|if|whenever|near)"
@@ -74,6 +76,7 @@ def prepared(text: str) -> str:
         text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))
     text = DECIMAL.sub(lambda m: m[0].replace("{,}", ".").ljust(len(m[0])), text)
+    text = OF_TIME.sub(lambda m: "(t)".ljust(len(m[0])), text)
     text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
     text = CONDITION.sub(lambda m: " " * len(m[0]), text)
