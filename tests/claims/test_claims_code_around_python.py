@@ -1,9 +1,13 @@
 """What stands around a judged function of a Python file is quoted unless it leaves the motion."""
 
+from pathlib import Path
+
 import pytest
+from typer.testing import CliRunner
 
 from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
+from mechanics.cli.app import app
 from systems import rod_pendulum
 
 NAMING = Naming(
@@ -466,3 +470,35 @@ def test_what_may_be_another_motion_is_quoted(text: str) -> None:
 )
 def test_what_leaves_the_motion_is_silent(text: str) -> None:
     assert _quoted(text) == ()
+
+
+KINDS = """import math
+import numpy as np
+def rate(t, y, m, l, g, u):
+    {}
+    return [y[1], 3*g/(2*l)*math.sin(y[0]) + 3*u/(m*l**2)]
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "right"),
+    [
+        ("if isinstance(y, list): return [y[1], 0.0]", False),
+        ("if type(y) is tuple: return [y[1], 0.0]", False),
+        ("if not hasattr(y, 'shape'): return [y[1], 0.0]", False),
+        ("if isinstance(y, list): y = np.array(y)", True),
+        ("if not isinstance(y, np.ndarray): raise TypeError", True),
+    ],
+)
+def test_what_a_list_makes_otherwise_than_an_array_is_never_proved(
+    tmp_path: Path, line: str, right: bool
+) -> None:
+    path = tmp_path / "a.py"
+    path.write_text(KINDS.format(line))
+    shown = CliRunner().invoke(app, ["check", "rod_pendulum", f"{path}:rate"])
+    assert ("2 PROVED" in shown.output) is right
+
+
+def test_an_import_that_a_judged_function_tries_is_quoted() -> None:
+    tried = "def rate(t, y, l, g):\n    try:\n        import sympy\n    except ImportError:\n"
+    assert _quoted(f"{tried}        return 0\n    return [y[1], g/l*np.sin(y[0])]\n")

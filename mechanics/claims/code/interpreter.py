@@ -693,8 +693,8 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
             case "/" if right:
                 return kind(Fraction(left) / Fraction(right))
             case "^" if literal:
-                made = computed("pow", [left, right])
-                return UNKNOWN if made is None else kind(made)
+                raised = computed("pow", [left, right])
+                return UNKNOWN if raised is None else kind(raised)
             case "%" if literal and right:
                 return kind(Fraction(left) % Fraction(right))
             case "^" if right in (1, 2, 3):

@@ -23,7 +23,8 @@ EXACT: dict[str, Callable[..., Fraction]] = {
     "float32": lambda a: a, "float16": lambda a: a, "longdouble": lambda a: a,
 }  # fmt: skip
 OF_LISTS: dict[str, Callable[[Sequence[Fraction]], Fraction]] = {
-    "sum": lambda a: sum(a, Fraction(0)), "fsum": lambda a: sum(a, Fraction(0)), "prod": math.prod,
+    "sum": lambda a: sum(a, Fraction(0)), "fsum": lambda a: sum(a, Fraction(0)),
+    "prod": lambda a: math.prod(a, start=Fraction(1)),
     "max": lambda a: max(a), "min": lambda a: min(a),
     "mean": lambda a: sum(a, Fraction(0)) / len(a),
 }  # fmt: skip

@@ -343,6 +343,9 @@ class _File:
         """What says something."""
         yield from (n for n in self.tree.body if isinstance(n, DEFINED) and n.name in self.own
                     and all(n is not one for one in self.nodes.values()))  # fmt: skip
+        for judged in self.nodes.values():
+            for tried in (n for n in ast.walk(judged) if isinstance(n, ast.Try)):
+                yield from (n for n in tried.body if isinstance(n, ast.Import | ast.ImportFrom))
         yield from told_more(self.tree)
         yield from taken_otherwise(self.tree, self.names.meaning)
         handed = {name for one in self.outer for name in self.passed(one)}
