@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.cli.app import app
-from systems import rod_pendulum
+from systems import cartpole, rod_pendulum
 
 NAMING = Naming(
     Vocabulary(rod_pendulum.scene()),
@@ -435,6 +435,75 @@ RIGHT_OTHERS = (
     f"{Y}best = y\n{EUL}    if y[0] > best[0]:\n        best = y\n",
 )
 
+WRONG_ATTACKS = (
+    "y0 = [0.1, 0]\nsol = solve_ivp(rate, (0, 1), y0, args=p)\nsol.y[1] *= -1\n"
+    "sol2 = solve_ivp(rate, (1, 2), sol.y[:, -1], args=p)\n",
+    "res = [solve_ivp(rate, (0, 1), [0.1, 0], args=p)]\n"
+    "res.append(solve_ivp(rate, (1, 2), res[-1].y[:, -1] + [0, 0.5], args=p))\n",
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\n"
+    "start = np.array([sol.y[0][-1], -sol.y[1][-1]])\n"
+    "solve_ivp(rate, (1, 2), start, args=p)\n",
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\nstart = dict(a=sol.y[:, -1])\n"
+    "solve_ivp(rate, (1, 2), -start['a'], args=p)\n",
+    "def next_start(y): return [y[0], -y[1]]\n"
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\n"
+    "solve_ivp(rate, (1, 2), next_start(sol.y[:, -1]), args=p)\n",
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\nthe = sol.y[0, -1]\n"
+    "we = -sol.y[1, -1]\nsolve_ivp(rate, (1, 2), [the, we], args=p)\n",
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\nthe = sol.y[0, -1]\n"
+    "we = sol.y[1, -1]\nsolve_ivp(rate, (1, 2), (we, the), args=p)\n",
+    "y = np.array(1*[1, 0])\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "y = np.array([int(1), 0])\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "a = 1\ny = np.array([a, 0])\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "y = np.fromstring('1 0', dtype=int, sep=' ')\nfor i in range(9):\n"
+    "    y += dt*rate(t, y, *p)\n",
+    "y = np.array(range(2))\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "y = np.array([True, False])\nfor i in range(9):\n    y[:] = y + dt*rate(t, y, *p)\n",
+    "y = np.array([1, 0]).reshape(2)\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "y = np.r_[1, 0]\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "ty = int\ny = np.zeros(2, ty)\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "y = np.random.randint(0, 2, 2)\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "import array\ny = array.array('i', [1, 0])\nfor i in range(9):\n"
+    "    d = rate(t, y, *p)\n    y[0] += int(dt*d[0])\n    y[1] += int(dt*d[1])\n",
+    "l = float('-' + '0.5')\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = float(str(-0.5))\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "class C:\n    l = float('-0.5')\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, C.l, g, u))\n",
+    "cfg = json.loads('{\"l\": -0.5}')\n"
+    "solve_ivp(rate, (0, 1), [0.1, 0], args=(m, cfg['l'], g, u))\n",
+    "m, l = map(float, ('1', '-0.5'))\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "m, l, g, u = np.array([1, -0.5, 9.81, 0])\n"
+    "solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = np.random.uniform(-1, -0.5)\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "for l in np.linspace(-1, 1, 5):\n    solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "for k in range(3):\n    l = -1 + k\n"
+    "    solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "solve_ivp(rate, (0, 1), [0.1, 0], args=[*p][::-1])\n",
+    "solve_ivp(rate, (0, 1), [0.1, 0], args=(*p[:1], g, l, u))\n",
+    "def f(t, y, *a): return rate(t, y, *a[::-1])\nsolve_ivp(f, (0, 1), [0.1, 0], args=p)\n",
+    "y = np.array([0.1, 0.0])\nv = y[1:2]\nfor i in range(9):\n    v[0] = 0\n"
+    "    y += dt*rate(t, y, *p)\n",
+)
+RIGHT_ATTACKS = (
+    "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\nthe = sol.y[0, -1]\n"
+    "we = sol.y[1, -1]\nsolve_ivp(rate, (1, 2), (the, we), args=p)\n",
+    "for l in np.linspace(0.5, 1, 5):\n    solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = 2**0.5\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = 1e-3*500\nm = 4/3*np.pi*0.1**3\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "g = scipy.constants.g\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "ap = argparse.ArgumentParser()\nap.add_argument('--l', type=float, default=0.5)\n"
+    "a = ap.parse_args()\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, a.l, g, u))\n",
+    "l = float(os.environ.get('L', '1.0'))\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = np.float32(0.5)\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "m, l, g, u = map(float, ('1', '0.5', '9.81', '0'))\n"
+    "solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "l = sympy.Rational(1, 2)\nprint(accel(th, w, m, float(l), g, u))\n",
+    "l = Fraction(1, 2)\nprint(accel(th, w, m, l, g, u))\n",
+    "l = st.slider('l', 0.1, 2.0, 1.0)\nsolve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",
+    "y0 = np.array([1, 0])\ny = y0.astype(float)\nfor i in range(9):\n    y += dt*rate(t, y, *p)\n",
+    "l = jnp.array(0.5)\nprint(accel(th, w, m, l, g, u))\n",
+    "l = torch.tensor(0.5)\nprint(accel(th, w, m, l, g, u))\n",
+)
+
 
 def _quoted(text: str) -> tuple[str, ...]:
     return lines_around(HEAD + text, {"rate"}, NAMING)
@@ -450,6 +519,7 @@ def _quoted(text: str) -> tuple[str, ...]:
         *WRONG_TOLD,
         *WRONG_RECORDS,
         *WRONG_OTHERS,
+        *WRONG_ATTACKS,
     ],
 )
 def test_what_may_be_another_motion_is_quoted(text: str) -> None:
@@ -466,6 +536,7 @@ def test_what_may_be_another_motion_is_quoted(text: str) -> None:
         *RIGHT_TOLD,
         *RIGHT_USES,
         *RIGHT_OTHERS,
+        *RIGHT_ATTACKS,
     ],
 )
 def test_what_leaves_the_motion_is_silent(text: str) -> None:
@@ -502,3 +573,28 @@ def test_what_a_list_makes_otherwise_than_an_array_is_never_proved(
 def test_an_import_that_a_judged_function_tries_is_quoted() -> None:
     tried = "def rate(t, y, l, g):\n    try:\n        import sympy\n    except ImportError:\n"
     assert _quoted(f"{tried}        return 0\n    return [y[1], g/l*np.sin(y[0])]\n")
+
+
+CART = """import numpy as np
+def rate(t, y):
+    x, th, v, w = y
+    return np.array([v, w, 1.0, 2.0])
+y = np.array([0.1, 0.0, 0.0, 0.0])
+def f(t, y):
+    return rate(t, {})
+solve_ivp(f, (0, 1), y)
+"""
+
+
+@pytest.mark.parametrize(
+    ("state", "quoted"),
+    [
+        ("[y[0], y[1] % (2*np.pi), y[2], y[3]]", False),
+        ("[y[0] % (2*np.pi), y[1], y[2], y[3]]", True),
+        ("[y[0], y[1], y[2] % (2*np.pi), y[3]]", True),
+    ],
+)
+def test_only_an_angle_is_the_same_a_turn_later(state: str, quoted: bool) -> None:
+    match = Match("y", "x theta x_dot theta_dot", "the usual name of such a vector")
+    naming = Naming(Vocabulary(cartpole.scene()), {}, (match,))
+    assert bool(lines_around(CART.format(state), {"rate"}, naming)) is quoted

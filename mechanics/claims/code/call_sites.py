@@ -7,6 +7,7 @@
 All else is quoted.
 """
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -250,11 +251,8 @@ def _resets(run: Run, line: Term, env: dict[str, Any]) -> bool:
     )
 
 
-SOURCES = frozenset(
-    ("input", "uniform", "normal", "random", "rand", "randn", "choice", "load", "loads", "open",
-     "get", "getenv", "default_rng", "RandomState", "read", "parse_args", "safe_load", "rng")
-)  # fmt: skip
-"""Calls whose numbers come from outside of the file."""
+SOURCES = re.compile(r"read|load|input|open|get|rand|rng|uniform|normal|choice|parse|slider")
+"""In names of calls whose numbers come from outside of the file."""
 
 
 def _is_unread_number(run: Run, line: Term, env: dict[str, Any]) -> bool:
@@ -264,7 +262,9 @@ def _is_unread_number(run: Run, line: Term, env: dict[str, Any]) -> bool:
         return False
     names = {one.name for one in value.all() if one.kind in ("name", "field")}
     calls = {one.name for one in value.all() if one.kind == "call"}
-    if {name.rpartition(".")[2] for name in names} - {"inf", "nan", "NINF"} or calls & SOURCES:
+    if {name.rpartition(".")[2] for name in names} - {"inf", "nan", "NINF"}:
+        return False
+    if any(map(SOURCES.search, calls)):
         return False
     made = known_value(run, value, env)
     return bool(names) or isinstance(made, Unknown) or not calls <= KNOWN | run.own.keys()

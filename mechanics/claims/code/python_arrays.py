@@ -9,7 +9,7 @@ A new array, y = y + dt*rate(t, y), has doubles.
 import ast
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 from mechanics.claims.code.python_form import DEFINED, arguments_of, word
 from mechanics.claims.code.python_laws import root_in, roots_in
@@ -20,7 +20,10 @@ MADE_OF = frozenset(("array", "asarray", "full_like", "zeros_like", "ones_like",
 COUNTING = frozenset(("arange",))
 DOUBLES = frozenset(("float", "float64", "double", "longdouble", "complex", "complex128", "f8", "d",
                      "float_", "np.float64", "object", "None"))  # fmt: skip
-ROUNDED = frozenset(("int64", "int32", "int16", "int8", "intp", "float16", "half", "single"))
+SAME = frozenset(("reshape", "copy", "ravel", "flatten", "squeeze", "transpose", "view"))
+ROUNDED = frozenset(
+    ("randint", "integers", "int64", "int32", "int16", "int8", "intp", "float16", "half", "single")
+)
 TYPED = {"zeros": 1, "ones": 1, "empty": 1, "array": 1, "asarray": 1, "full": 2, "zeros_like": 1,
          "ones_like": 1, "empty_like": 1, "full_like": 2, "astype": 0, "arange": 3}  # fmt: skip
 """Where the type of the entries stands among arguments, by makers of arrays."""
@@ -126,11 +129,14 @@ class _Arrays:
     def _rounds(self, node: ast.expr) -> bool:
         """Whether it makes an array of other numbers than doubles."""
         if isinstance(node, ast.Subscript):
-            return self._rounds(node.value)
+            stacked = word(node.value) in ("r_", "c_") and self._is_whole(node.slice)
+            return stacked or self._rounds(node.value)
         if not isinstance(node, ast.Call):
             return False
         name = word(node.func)
         if name in ROUNDED:
+            return True
+        if name in SAME and isinstance(node.func, ast.Attribute) and self._rounds(node.func.value):
             return True
         kind = next((k.value for k in node.keywords if k.arg == "dtype"), None)
         place = TYPED.get(name)
@@ -139,13 +145,33 @@ class _Arrays:
         if kind is not None:
             return _kind(kind) not in DOUBLES
         if name == "full":
-            return len(node.args) > 1 and _is_whole(node.args[1])
+            return len(node.args) > 1 and self._is_whole(node.args[1])
         if name in COUNTING:
-            return all(map(_is_whole, node.args))
+            return all(map(self._is_whole, node.args))
         if name == "astype" or not node.args:
             return False
         inner = node.args[0]
-        return name in MADE_OF and (_is_whole(inner) or self._rounds(inner))
+        return name in MADE_OF and (self._is_whole(inner) or self._rounds(inner))
+
+    def _is_whole(self, node: ast.expr, seen: frozenset[str] = frozenset()) -> bool:
+        """Whether it is made of integers only, as they are written."""
+        whole = partial(self._is_whole, seen=seen)
+        match node:
+            case ast.Constant(value=value):
+                return type(value) in (int, bool)
+            case ast.UnaryOp(operand=inner):
+                return whole(inner)
+            case ast.BinOp(left=left, right=right, op=op):
+                return not isinstance(op, ast.Div) and whole(left) and whole(right)
+            case ast.List(elts=parts) | ast.Tuple(elts=parts):
+                return bool(parts) and all(map(whole, parts))
+            case ast.Call(func=ast.Name(id="int" | "len" | "range")):
+                return True
+            case ast.Name(id=name) if name not in seen:
+                given = [v for _, target, v in self.assigned if word(target) == name]
+                inner = partial(self._is_whole, seen=seen | {name})
+                return bool(given) and all(map(inner, given))
+        return False
 
 
 def _roots(target: ast.expr) -> Iterator[str]:
@@ -164,17 +190,3 @@ def _kind(node: ast.expr) -> str:
     if isinstance(node, ast.Constant):
         return str(node.value)
     return word(node) or ast.unparse(node)
-
-
-def _is_whole(node: ast.expr) -> bool:
-    """Whether it is made of integers only, as they are written."""
-    match node:
-        case ast.Constant(value=value):
-            return type(value) in (int, bool)
-        case ast.UnaryOp(operand=inner):
-            return _is_whole(inner)
-        case ast.BinOp(left=left, right=right, op=op):
-            return not isinstance(op, ast.Div) and _is_whole(left) and _is_whole(right)
-        case ast.List(elts=parts) | ast.Tuple(elts=parts):
-            return bool(parts) and all(map(_is_whole, parts))
-    return False

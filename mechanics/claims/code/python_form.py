@@ -166,8 +166,10 @@ def _loop(node: ast.For | ast.AsyncFor | ast.While, file: PythonFile) -> Term:
         return Term("loop", "", (Term("list"), Term("block", "", (*sets, body))))
     counter = target.id if isinstance(target, ast.Name) else ""
     limits: tuple[Term, ...] = (expression(over, file),)
-    if isinstance(over, ast.List | ast.Tuple) and isinstance(target, ast.Name):
-        entry = Term("choice", EITHER, tuple(expression(part, file) for part in over.elts))
+    ends = over.args[:2] if isinstance(over, ast.Call) and word(over.func) == "linspace" else ()
+    values = over.elts if isinstance(over, ast.List | ast.Tuple) else ends
+    if values and isinstance(target, ast.Name):
+        entry = Term("choice", EITHER, tuple(expression(part, file) for part in values))
         first = Term("set", "", (expression(target, file), entry))
         return Term("loop", "", (Term("list"), Term("block", "", (first, *body.parts))))
     match target, over:
@@ -346,7 +348,11 @@ def _call(node: ast.Call, file: PythonFile) -> Term:
     name, owner = word(node.func), _owner(node, file)
     match node.args:
         case [ast.Constant(value=str(text))] if name in PARSED and name not in file.takes:
-            return _number_in(text)
+            return _number_in(text, file)
+        case [ast.Name(id="float") as kind, ast.List(elts=parts) | ast.Tuple(elts=parts)] if (
+            name == "map" and name not in file.takes):  # fmt: skip
+            made = [expression(ast.Call(kind, [part], []), file) for part in parts]
+            return Term("list", "", tuple(made))
     given = [expression(arg, file) for arg in node.args]
     if name in SAME | VIEWS and name not in file.takes:
         if len(given) + len(owner) == 1 and (name in SAME or not node.keywords):
@@ -372,11 +378,17 @@ def _call(node: ast.Call, file: PythonFile) -> Term:
     return Term("call", name, (*owner, *given, *options))
 
 
-def _number_in(text: str) -> Term:
-    """The number that a text is: float("-0.5")."""
+def _number_in(text: str, file: PythonFile) -> Term:
+    """The number that a text is, or what it holds: float("-0.5"), json.loads('{"l": 1}')."""
     try:
         return Term("number", str(Fraction(text)))
     except (ValueError, ZeroDivisionError):
+        pass
+    try:
+        return (
+            _expression(ast.parse(text, mode="eval").body, file) if "{" in text else Term("other")
+        )
+    except SyntaxError:
         return Term("other")
 
 
