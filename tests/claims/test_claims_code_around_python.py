@@ -484,6 +484,8 @@ WRONG_ATTACKS = (
     "    y += dt*rate(t, y, *p)\n",
 )
 RIGHT_ATTACKS = (
+    "y = np.array([0.1, 0.0])\nfor i in range(9):\n    y = y + dt*rate(t, y, *p)\n"
+    "print(np.sort(y))\n",
     "sol = solve_ivp(rate, (0, 1), [0.1, 0], args=p)\nthe = sol.y[0, -1]\n"
     "we = sol.y[1, -1]\nsolve_ivp(rate, (1, 2), (the, we), args=p)\n",
     "for l in np.linspace(0.5, 1, 5):\n    solve_ivp(rate, (0, 1), [0.1, 0], args=(m, l, g, u))\n",

@@ -19,11 +19,13 @@ HARMLESS = frozenset(
 """Calls with ! that do not change what they are given, or as the solver does."""
 
 
-IN_PLACE = frozenset(
-    ("sort", "fill", "reverse", "shuffle", "resize", "partition", "itemset", "byteswap", "clear",
-     "pop", "insert", "put", "fill_diagonal", "place", "putmask")
+METHODS = frozenset(
+    ("sort", "fill", "reverse", "resize", "partition", "itemset", "byteswap", "clear", "pop",
+     "insert", "put")
 )  # fmt: skip
-"""Calls of Python that change what they are given first, or the object whose methods they are."""
+"""Methods of Python that change their object."""
+IN_PLACE = frozenset(("shuffle", "fill_diagonal", "place", "putmask"))
+"""Functions of Python that change what they are given first."""
 
 
 def changes_handed(run: Run, line: Term) -> bool:
@@ -60,8 +62,11 @@ def changed_by_other_names(run: Run, block: Term) -> Iterator[str]:
     """
     states = _asked(run, [Term("loop", "", (block,))])
     handed = states | start_names(run)
-    for call in (one for one in block.all() if one.kind == "call" and one.name in IN_PLACE):
-        if any(root_of(part) in handed for part in call.parts[:2]):
+    for call in (one for one in block.all() if one.kind == "call"):
+        roots = [root_of(part) for part in call.parts[:2]]
+        owned = bool(roots) and call.name in METHODS and call.text.startswith(f"{roots[0]}.")
+        changed = roots[:1] if owned else roots if call.name in IN_PLACE else []
+        if not handed.isdisjoint(changed):
             yield call.text
     loops = [one for one in block.all() if one.kind == "loop"]
     lines = [one for one in block.all() if one.kind == "set"]

@@ -169,8 +169,8 @@ class _Arrays:
                 return True
             case ast.Name(id=name) if name not in seen:
                 given = [v for _, target, v in self.assigned if word(target) == name]
-                inner = partial(self._is_whole, seen=seen | {name})
-                return bool(given) and all(map(inner, given))
+                written = partial(self._is_whole, seen=seen | {name})
+                return bool(given) and all(map(written, given))
         return False
 
 
