@@ -7,13 +7,14 @@
 All else is quoted.
 """
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from mechanics.claims.code.handed_values import changes_handed
+from mechanics.claims.code.handed_values import changes_handed, statements
 from mechanics.claims.code.integrator_steps import is_step
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
@@ -31,6 +32,7 @@ from mechanics.claims.code.interpreter_values import (
     Literal,
     NotFollowedError,
     Table,
+    Unknown,
     number,
     root_of,
     targets_of,
@@ -39,6 +41,7 @@ from mechanics.claims.code.judged_arguments import (
     accepted,
     is_possible,
 )
+from mechanics.claims.code.number_calls import KNOWN
 from mechanics.claims.code.run import (
     FAR,
     MOMENT,
@@ -143,7 +146,18 @@ def function_lines(run: Run, one: FileFunction, around: Mapping[str, Any]) -> li
     find_vectors(run, one.body, around)
     run = _with_body(run, one)
     env = {n: v for n, v in around.items() if n not in one.takes and n not in one.local}
-    return _lines(run, one.body, env, set(), _states_around(run, one))
+    found = _lines(run, one.body, env, set(), _states_around(run, one))
+    return found + [line.text for line in _kept_changes(run, one)]
+
+
+def _kept_changes(run: Run, one: FileFunction) -> list[Term]:
+    """Lines of a function of Python that change a state in place that it is given and hands on."""
+    if run.language.name != "Python":
+        return []
+    given = _moving(run, one.body, {}) & {*one.takes}
+    lines = [line for line in statements(one.body) if line.kind == "set"]
+    return [line for line in lines if root_of(line.parts[0]) in given
+            and (line.name or line.parts[0].kind != "name")]  # fmt: skip
 
 
 def _with_body(run: Run, one: FileFunction) -> Run:
@@ -237,8 +251,29 @@ def _resets(run: Run, line: Term, env: dict[str, Any]) -> bool:
     )
 
 
+SOURCES = re.compile(r"read|load|input|open|get|rand|rng|uniform|normal|choice|parse|slider")
+"""In names of calls whose numbers come from outside of the file."""
+
+
+def _is_unread_number(run: Run, line: Term, env: dict[str, Any]) -> bool:
+    """Whether a line of Python makes a parameter of numbers alone, in a way not followed here."""
+    target, value = line.parts
+    if run.language.name != "Python" or not _word(run, target):
+        return False
+    names = {one.name for one in value.all() if one.kind in ("name", "field")}
+    calls = {one.name for one in value.all() if one.kind == "call"}
+    if {name.rpartition(".")[2] for name in names} - {"inf", "nan", "NINF"}:
+        return False
+    if any(map(SOURCES.search, calls)):
+        return False
+    made = known_value(run, value, env)
+    return bool(names) or isinstance(made, Unknown) or not calls <= KNOWN | run.own.keys()
+
+
 def _is_another_number(run: Run, line: Term, env: dict[str, Any]) -> bool:
     """Whether a line makes a parameter another one, or another number than it was: g = -g."""
+    if line.kind == "set" and _is_unread_number(run, line, env):
+        return True
     if line.kind != "set" or (line.parts[1].kind == "call" and line.parts[1].name in run.own):
         return False
     words = {number("word", w): w for w in run.words.parameters.keys() | run.words.inputs}

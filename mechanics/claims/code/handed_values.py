@@ -10,13 +10,22 @@ from collections.abc import Iterator, Sequence
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import root_of, targets_of
 from mechanics.claims.code.run import Run
-from mechanics.claims.code.solver_starts import is_solver, solves
+from mechanics.claims.code.solver_starts import is_solver, solves, start_names
 
 HARMLESS = frozenset(
     ("step!", "solve!", "init!", "push!", "append!", "reinit!", "terminate!", "add_tstop!",
      "savevalues!", "display!")
 )  # fmt: skip
 """Calls with ! that do not change what they are given, or as the solver does."""
+
+
+METHODS = frozenset(
+    ("sort", "fill", "reverse", "resize", "partition", "itemset", "byteswap", "clear", "pop",
+     "insert", "put")
+)  # fmt: skip
+"""Methods of Python that change their object."""
+IN_PLACE = frozenset(("shuffle", "fill_diagonal", "place", "putmask"))
+"""Functions of Python that change what they are given first."""
 
 
 def changes_handed(run: Run, line: Term) -> bool:
@@ -26,12 +35,12 @@ def changes_handed(run: Run, line: Term) -> bool:
     ----------
     line : Term
     """
-    if run.language.name not in ("MATLAB", "Julia"):
+    if run.language.name not in ("MATLAB", "Julia", "Python"):
         return False
     handed = _handed(run)
     if any(_mutates(run, one, handed | run.memory.problems) for one in line.all()):
         return True
-    if line.kind != "set" or solves(line.parts[1]):
+    if line.kind != "set" or solves(line.parts[1], run):
         return False
     target, value = line.parts
     made = {
@@ -39,7 +48,48 @@ def changes_handed(run: Run, line: Term) -> bool:
     }
     whole = {root for root, kind in made.items() if kind == "name" and root_of(value) != root}
     parts = {root for root, kind in made.items() if kind != "name"}
-    return bool((whole | parts) & _parameters(run) or whole & _between(run, line))
+    moved = whole | parts if run.language.name == "Python" else whole
+    return bool((whole | parts) & _parameters(run) or moved & _between(run, line))
+
+
+def changed_by_other_names(run: Run, block: Term) -> Iterator[str]:
+    """Lines that change a state in place by a name that some line before gave it: v = y.
+
+    Parameters
+    ----------
+    block : Term
+        Lines of a file of Python, or of a function.
+    """
+    states = _asked(run, [Term("loop", "", (block,))])
+    handed = states | start_names(run)
+    for call in (one for one in block.all() if one.kind == "call"):
+        roots = [root_of(part) for part in call.parts[:2]]
+        owned = bool(roots) and call.name in METHODS and call.text.startswith(f"{roots[0]}.")
+        changed = roots[:1] if owned else roots if call.name in IN_PLACE else []
+        if not handed.isdisjoint(changed):
+            yield call.text
+    loops = [one for one in block.all() if one.kind == "loop"]
+    lines = [one for one in block.all() if one.kind == "set"]
+    for given in lines:
+        target, value = given.parts
+        pair = {target.name, root_of(value)}
+        whole = value.kind == "name" and value.text == value.name
+        part = value.kind == "entry" and value.parts[1].kind == "range"
+        if target.kind != "name" or not (whole or part) or given.name:
+            continue
+        if not pair & states or len(pair) == 1:
+            continue
+        around = [one for one in loops if any(line is given for line in one.all())]
+        here = {id(line) for one in around for line in one.all()}
+        later = {id(line) for one in loops for line in one.all()} - here
+        place = next(k for k, line in enumerate(lines) if line is given)
+        later |= {id(line) for line in lines[place + 1 :]} - here
+        (other,) = pair - states or (target.name,)
+        yield from (
+            line.text for line in lines
+            if root_of(line.parts[0]) == other and (line.name or line.parts[0].kind != "name")
+            and id(line) in later
+        )  # fmt: skip
 
 
 def _mutates(run: Run, call: Term, handed: set[str]) -> bool:
@@ -95,14 +145,15 @@ def _parameters(run: Run) -> set[str]:
 
 def _between(run: Run, line: Term) -> set[str]:
     """Names of states that loops advance before a line, and after it."""
-    lines = [*_statements(run.block)]
+    lines = [*statements(run.block)]
     place = next((k for k, one in enumerate(lines) if one is line), None)
     return set() if place is None else _asked(run, lines[:place]) & _asked(run, lines[place:])
 
 
-def _statements(block: Term) -> Iterator[Term]:
+def statements(block: Term) -> Iterator[Term]:
+    """Lines of a block, and those of its cases, but not of loops."""
     for one in block.parts:
-        yield from _statements(one) if one.kind == "block" else (one,)
+        yield from statements(one) if one.kind in ("block", "case") else (one,)
 
 
 def _asked(run: Run, lines: Sequence[Term]) -> set[str]:

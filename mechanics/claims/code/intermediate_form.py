@@ -35,6 +35,10 @@ CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
 
 
+EITHER = "either"
+"""The name of a choice whose value is that of one of its parts."""
+
+
 @dataclass(frozen=True)
 class Term:
     """A statement or a formula.

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any
 
 from mechanics.claims.code.integrators import NAMES as STEPS
-from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.intermediate_form import EITHER, Term
 from mechanics.claims.code.interpreter_values import (
     MOVING,
     UNKNOWN,
@@ -22,6 +22,7 @@ from mechanics.claims.code.interpreter_values import (
     JudgedFunction,
     Literal,
     NotFollowedError,
+    SeenEntries,
     Table,
     Unknown,
     number,
@@ -35,6 +36,7 @@ from mechanics.claims.code.judged_arguments import (
     is_possible,
     speed_of,
 )
+from mechanics.claims.code.number_calls import computed
 from mechanics.claims.code.run import (
     FAR,
     MOMENT,
@@ -467,13 +469,33 @@ def _give(run: Run, target: Term, part: Term, value: Any, env: dict[str, Any]) -
     if same and target.kind == "name" and isinstance(value, Table):
         env[target.name] = value
         return
+    seen = _part_of(run, part, value, env) if target.kind == "name" else None
+    if seen is not None:
+        env[target.name] = seen
+        return
     _store(run, target, _moving(run, part, value, env), env)
+
+
+def _part_of(run: Run, part: Term, value: Any, env: Mapping[str, Any]) -> Table | None:
+    """A part of an array of NumPy, which sees what the array becomes: v = y[2:]."""
+    whole = env.get(root_of(part)) if part.kind == "entry" and run.language.fills else None
+    if not isinstance(whole, Table) or not isinstance(value, Table) or len(part.parts) != 2:
+        return None
+    if part.parts[0].kind != "name" or part.parts[1].kind != "range" or not value.size:
+        return None
+    start = part.parts[1].parts[0]
+    if start.kind != "number" or not start.name.isdigit():
+        return None
+    seen = SeenEntries(whole.entries, int(start.name), value.size)
+    return (
+        Table(value.name, seen, value.size) if all(key in seen for key in value.entries) else None
+    )
 
 
 def _fill(run: Run, table: Table, value: Any) -> None:
     """Give an array other entries, wherever it is seen: y += x."""
     dense = entries_of(run, value) or [UNKNOWN] * (table.size or len(run.words.state))
-    table.entries |= {(k + run.language.first,): one for k, one in enumerate(dense)}
+    table.entries.update({(k + run.language.first,): one for k, one in enumerate(dense)})
 
 
 def _moving(run: Run, term: Term, value: Any, env: Mapping[str, Any]) -> Any:
@@ -584,12 +606,25 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _turned(run, term, env)
         case "choice":
             _stay(run, term)
-            for part in (one for one in term.parts if one.kind != "jump"):
-                value_of(run, part, env)
+            values = [
+                UNKNOWN if one.kind == "jump" else value_of(run, one, env) for one in term.parts
+            ]
             forget(run, term, env, UNKNOWN)
+            if term.name == EITHER:
+                return _either([v for v, part in zip(values, term.parts, strict=True)
+                                if part.kind != "choice"])  # fmt: skip
         case "set" | "case" | "loop" | "other" | "jump":
             execute(run, term, env)
     return UNKNOWN
+
+
+def _either(values: Sequence[Any]) -> Any:
+    """One of several numbers, first one that a parameter may not have; unknown for others."""
+    written = [v for v in values if isinstance(v, Literal)]
+    below = next((v for v in written if v <= 0), None)
+    if below is not None:
+        return below
+    return written[0] if written and len(written) == len(values) else UNKNOWN
 
 
 def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -657,6 +692,11 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
                 return kind(Fraction(left) * Fraction(right))
             case "/" if right:
                 return kind(Fraction(left) / Fraction(right))
+            case "^" if literal:
+                raised = computed("pow", [left, right])
+                return UNKNOWN if raised is None else kind(raised)
+            case "%" if literal and right:
+                return kind(Fraction(left) % Fraction(right))
             case "^" if right in (1, 2, 3):
                 return kind(Fraction(left) ** int(right))
         return UNKNOWN
@@ -696,7 +736,7 @@ def _spread(run: Run, term: Term, env: dict[str, Any]) -> Term:
         else:
             # Nothing says the order of what a call gives: f(*p.values()).
             uses = term.name in run.judged or term.name in run.users
-            run.memory.misused |= uses and _whole_call(run, inner).kind == "call"
+            run.memory.misused |= uses and _whole_call(run, inner).kind in ("call", "other")
             break
     return replace(term, parts=tuple(parts))
 
@@ -751,11 +791,23 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         _poison(run, term, env)
     if term.name in IMPURE:
         return MOVING
+    if (known_number := _computed(run, term.name, values)) is not None:
+        return known_number
     if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
         return Literal(number("call", term.name, *values))
     if not values and run.memory.stepping:  # micros()
         return 2 + number(run.memory.count, term.name)
     return UNKNOWN
+
+
+def _computed(run: Run, name: str, values: Sequence[Any]) -> Literal | None:
+    """The number that a call makes of numbers, or of a list of them, that are written out."""
+    listed = len(values) == 1 and isinstance(values[0], Table)
+    entries = (values[0].entries.values() if values[0].size else ()) if listed else values
+    if not entries or not all(isinstance(v, Literal) for v in entries):
+        return None
+    made = computed(name, [*entries], in_list=listed)
+    return None if made is None else Literal(made)
 
 
 def _given(run: Run, part: Term) -> Term:

@@ -1,6 +1,6 @@
 """What statements of code are run on: random numbers, arrays, functions."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, MutableMapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -33,6 +33,33 @@ class Literal(Fraction):
     """A number that is written out: it stands for any."""
 
 
+class SeenEntries(MutableMapping[tuple[Any, ...], Any]):
+    """Entries of another array from one place on: both are the same numbers."""
+
+    def __init__(self, of: MutableMapping[tuple[Any, ...], Any], start: int, size: int) -> None:
+        self.of, self.start, self.size = of, start, size
+
+    def __getitem__(self, key: tuple[Any, ...]) -> Any:
+        return self.of[self._there(key)]
+
+    def __setitem__(self, key: tuple[Any, ...], value: Any) -> None:
+        self.of[self._there(key)] = value
+
+    def __delitem__(self, key: tuple[Any, ...]) -> None:
+        del self.of[self._there(key)]
+
+    def __iter__(self) -> Iterator[tuple[Any, ...]]:
+        return (key for k in range(self.size) if self._there(key := (k,)) in self.of)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def _there(self, key: tuple[Any, ...]) -> tuple[Any, ...]:
+        if len(key) != 1 or not isinstance(key[0], int) or not 0 <= key[0] < self.size:
+            raise KeyError(key)
+        return (key[0] + self.start,)
+
+
 @dataclass
 class Table:
     """An array or a record, by places; entries that nobody has set are random.
@@ -48,7 +75,7 @@ class Table:
     """
 
     name: str = ""
-    entries: dict[tuple[Any, ...], Any] = field(default_factory=dict)
+    entries: MutableMapping[tuple[Any, ...], Any] = field(default_factory=dict)
     size: int | None = None
     added: int = 0
 

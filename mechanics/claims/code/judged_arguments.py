@@ -114,6 +114,11 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
             return False
         if {*words} & {*run.words.state}:
             named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
+            angles = run.words.angles
+            if any(
+                p.kind == "turn" and w not in angles for w, p in zip(words, named, strict=False)
+            ):
+                return False
             return value.name != "parameters" and all(
                 meaning_of(run, one.name) in ("", word)
                 for word, one in zip(words, named, strict=False)

@@ -24,6 +24,7 @@ from sympy import Expr, Piecewise, Rational, S, Symbol
 from sympy.logic.boolalg import Boolean
 
 from mechanics.claims.code.closure_numbers import held
+from mechanics.claims.code.containers import words_in
 from mechanics.claims.code.tracing import NONE, Given, Outputs, Value, parts_of
 from mechanics.claims.code.unpacking import Record
 from mechanics.errors import ExpressionError
@@ -90,6 +91,9 @@ def doubt_when_called(
     symbols = (*given.values(), *plain.values(), *symbols_in(standing.values()))
     kept = _kept(function, given) | {s: own.numbers[name] for name, s in plain.items()}
     compared, failure = False, "its formulas have no value at random states"
+    by_kind = any(not isinstance(v, Expr | Record) for v in given.values()) and _asks_kinds(
+        function
+    )
     try:
         program = program_of(outputs)
         for formulas in at_states(symbols, program):
@@ -105,6 +109,12 @@ def doubt_when_called(
             for result in results:
                 if not isinstance(result, _Failed) and (words := _differs(result, formulas)):
                     return words
+            for sequence in (list, tuple) if by_kind else ():
+                given_so = _attempt(function, given, formulas, float, sequence=sequence)
+                if isinstance(given_so, _Failed) or len(given_so) != len(formulas.values):
+                    continue  # code that is for arrays only
+                if words := _differs(given_so, formulas):
+                    return f"given a {sequence.__name__}, {words}"
             compared = True
         if kept and (there := _at_kept(symbols, program, kept)) is not None:
             values = {name: value_of(s, there.numbers) for name, s in standing.items()}
@@ -235,6 +245,29 @@ def _formulas(program: _Program, numbers: Numbers, rounded: int) -> _Formulas | 
     return _Formulas(numbers, tuple(values), tuple(slack))
 
 
+ASKED = frozenset(("isinstance", "type", "hasattr", "getattr", "__class__", "issubclass"))
+"""Names by which code asks of which kind an array is."""
+
+
+def _asks_kinds(function: Callable[..., Any]) -> bool:
+    """Whether a function, or one of its file that it may call, asks of which kind something is."""
+    inner = inspect.unwrap(getattr(function, "__func__", function))
+    todo, seen = [inner], set[int]()
+    while todo:
+        one = todo.pop()
+        code = getattr(one, "__code__", None)
+        if code is None or id(code) in seen:
+            continue
+        seen.add(id(code))
+        words = {*words_in(code)}
+        if words & ASKED:
+            return True
+        around = getattr(one, "__globals__", {})
+        known = (around[word] for word in sorted(words & around.keys()))
+        todo += [f for f in known if getattr(f, "__module__", None) == inner.__module__]
+    return False
+
+
 class _Failed(Exception):
     """A call of the person's code ended with an error; at another state it may have a value."""
 
@@ -245,18 +278,18 @@ class _Failed(Exception):
 
 def _attempt(
     function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float],
-    kept: Mapping[Expr, Any] = NONE,
+    kept: Mapping[Expr, Any] = NONE, *, sequence: type | None = None,
 ) -> list[float] | _Failed:  # fmt: skip
     """What a call returns, or how it failed; `kept` numbers are passed as they are."""
     try:
-        return _returned(function, given, formulas, kind, kept)
+        return _returned(function, given, formulas, kind, kept, sequence=sequence)
     except _Failed as failed:
         return failed
 
 
 def _returned(
     function: Callable[..., Any], given: Given, formulas: _Formulas, kind: type[float],
-    kept: Mapping[Expr, Any],
+    kept: Mapping[Expr, Any], *, sequence: type | None = None,
 ) -> list[float]:  # fmt: skip
     """What a call returns as one list."""
 
@@ -264,6 +297,9 @@ def _returned(
         return kept[symbol] if symbol in kept else kind(formulas.numbers[symbol])
 
     arguments = {name: _filled(value, number) for name, value in given.items()}
+    if sequence is not None:
+        arguments = {n: sequence(v.tolist()) if isinstance(v, np.ndarray) else v
+                     for n, v in arguments.items()}  # fmt: skip
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")

@@ -8,8 +8,9 @@ solve_ivp(rate, span, y0, args=(m, l))      solve_ivp(handle(t y, call(rate, t, 
 import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
-from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.intermediate_form import EITHER, Term
 
 SIGNS: dict[type[ast.operator], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.Mod: "%",
@@ -20,6 +21,12 @@ SAME = frozenset(
      "flatten", "squeeze", "tolist", "item", "atleast_1d", "hstack", "concatenate")
 )  # fmt: skip
 """Calls that leave a value as it is."""
+VIEWS = frozenset(("asarray", "asanyarray", "ascontiguousarray", "ravel", "squeeze", "atleast_1d",
+                   "view", "reshape", "transpose"))  # fmt: skip
+"""Calls that give the same array, not another one."""
+PARSED = frozenset(("float", "int", "loads", "float64", "float32", "Fraction", "Decimal",
+                    "literal_eval", "complex", "int64"))  # fmt: skip
+"""Calls that read a number from a text."""
 MODULES = frozenset(("np", "numpy", "math", "jnp", "plt", "scipy", "sp", "copy", "integrate", "la"))
 TIME_FIRST = ("solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA", "ode")
 STATE_FIRST = ("odeint",)
@@ -55,12 +62,15 @@ class PythonFile:
         Functions that objects are when they are called.
     started : str
         What ``ode`` of SciPy is handed.
+    lists : frozenset of str
+        Names of lists, of which y[:] is a copy.
     """
 
     takes: Mapping[str, Sequence[str]]
     lines: Sequence[str] = ()
     calls: Mapping[str, str] = field(default_factory=dict)
     started: str = ""
+    lists: frozenset[str] = frozenset()
 
 
 def block(body: Sequence[ast.stmt], file: PythonFile) -> Term:
@@ -156,6 +166,12 @@ def _loop(node: ast.For | ast.AsyncFor | ast.While, file: PythonFile) -> Term:
         return Term("loop", "", (Term("list"), Term("block", "", (*sets, body))))
     counter = target.id if isinstance(target, ast.Name) else ""
     limits: tuple[Term, ...] = (expression(over, file),)
+    ends = over.args[:2] if isinstance(over, ast.Call) and word(over.func) == "linspace" else ()
+    values = over.elts if isinstance(over, ast.List | ast.Tuple) else ends
+    if values and isinstance(target, ast.Name):
+        entry = Term("choice", EITHER, tuple(expression(part, file) for part in values))
+        first = Term("set", "", (expression(target, file), entry))
+        return Term("loop", "", (Term("list"), Term("block", "", (first, *body.parts))))
     match target, over:
         case ast.Name(), ast.Call(func=ast.Name(id="range"), args=args) if len(args) < 3:
             given = [expression(arg, file) for arg in args]
@@ -180,8 +196,23 @@ def _neighbours(target: ast.expr, over: ast.expr) -> tuple[ast.expr, ast.expr, a
 
 
 def expression(node: ast.expr, file: PythonFile) -> Term:
-    """A formula."""
-    return replace(_expression(node, file), text=ast.unparse(node))
+    """A formula; what is only another view of an array is written as the array."""
+    made = _expression(node, file)
+    return made if _is_view(node, file) else replace(made, text=ast.unparse(node))
+
+
+def _is_view(node: ast.expr, file: PythonFile) -> bool:
+    """Whether it is the whole of an array, no copy: y.ravel(), np.asarray(y), y.T, y[:]."""
+    match node:
+        case ast.Attribute(attr="T"):
+            return True
+        case ast.Subscript(
+            value=base, slice=ast.Slice(lower=None, upper=None, step=None), ctx=ast.Load()
+        ):
+            return word(base) not in file.lists
+        case ast.Call(func=func):
+            return word(func) in VIEWS and word(func) not in file.takes
+    return False
 
 
 def _expression(node: ast.expr, file: PythonFile) -> Term:
@@ -199,8 +230,12 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
             return of(base)
         case ast.Attribute(value=base, attr=attribute):
             return _part(of(base), attribute)
+        case ast.Subscript() if (entry := _written_entry(node)) is not None:
+            return of(entry)
         case ast.Subscript(value=base, slice=ast.Constant(value=str(key))):
             return _part(of(base), key)
+        case ast.Subscript(value=base) if _is_view(node, file):
+            return of(base)
         case ast.Subscript(value=base, slice=index):
             inner = of(base)
             places = index.elts if isinstance(index, ast.Tuple) else [index]
@@ -229,7 +264,11 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
             return Term("block", "", (Term("set", "", (of(target), of(value))),))
         case ast.ListComp() | ast.SetComp() | ast.GeneratorExp():
             return Term("list", "", (_of_each(node.elt, node.generators, file),))
-        case ast.Compare() | ast.BoolOp() | ast.IfExp() | ast.JoinedStr() | ast.FormattedValue():
+        case ast.IfExp(test=test, body=yes, orelse=no):
+            return Term("choice", EITHER, (of(yes), of(no), Term("choice", "", (of(test),))))
+        case ast.BoolOp(values=values):
+            return Term("choice", EITHER, tuple(map(of, values)))
+        case ast.Compare() | ast.JoinedStr() | ast.FormattedValue():
             inside = [n for n in ast.iter_child_nodes(node) if isinstance(n, ast.expr)]
             return Term("choice", "", tuple(map(of, inside)))
         case ast.UnaryOp(op=ast.Not(), operand=inner):
@@ -243,6 +282,23 @@ def _expression(node: ast.expr, file: PythonFile) -> Term:
         case _:
             inside = [n for n in ast.iter_child_nodes(node) if isinstance(n, ast.expr)]
             return Term("other", "", tuple(map(of, inside)))
+
+
+def _written_entry(node: ast.Subscript) -> ast.expr | None:
+    """The entry that is taken of what is written out there: [0.5, 1.0][-1], dict(l=1)["l"]."""
+    try:
+        match node.value, ast.literal_eval(node.slice):
+            case ast.List(elts=parts) | ast.Tuple(elts=parts), int(place):
+                spread = any(isinstance(part, ast.Starred) for part in parts)
+                return None if spread else parts[place]
+            case ast.Call(func=ast.Name(id="dict"), args=[], keywords=given), str(key):
+                return {k.arg: k.value for k in given}.get(key)
+            case ast.Dict(keys=keys, values=values), key:
+                words = [k.value if isinstance(k, ast.Constant) else None for k in keys]
+                return dict(zip(words, values, strict=True)).get(key)
+    except (ValueError, IndexError, TypeError):
+        return None
+    return None
 
 
 def _of_each(node: ast.expr, generators: Sequence[ast.comprehension], file: PythonFile) -> Term:
@@ -290,9 +346,19 @@ def arguments_of(args: ast.arguments) -> list[str]:
 
 def _call(node: ast.Call, file: PythonFile) -> Term:
     name, owner = word(node.func), _owner(node, file)
+    match node.args:
+        case [ast.Constant(value=str(text))] if name in PARSED and name not in file.takes:
+            return _number_in(text, file)
+        case [ast.Name(id="float") as kind, ast.List(elts=parts) | ast.Tuple(elts=parts)] if (
+            name == "map" and name not in file.takes):  # fmt: skip
+            made = [expression(ast.Call(kind, [part], []), file) for part in parts]
+            return Term("list", "", tuple(made))
     given = [expression(arg, file) for arg in node.args]
-    if name in SAME and name not in file.takes and len(given) + len(owner) == 1:
-        return (*owner, *given)[0]
+    if name in SAME | VIEWS and name not in file.takes:
+        if len(given) + len(owner) == 1 and (name in SAME or not node.keywords):
+            return (*owner, *given)[0]
+        if name == "reshape" and owner and ast.unparse(node.args[0]) == "-1":
+            return owner[0]
     name = file.calls.get(ast.unparse(node.func), name)
     if name in file.takes:
         ordered = _in_order(file.takes[name], node.args, node.keywords, file)
@@ -310,6 +376,20 @@ def _call(node: ast.Call, file: PythonFile) -> Term:
     if not name:
         return Term("other", "", (expression(node.func, file), *given, *options))
     return Term("call", name, (*owner, *given, *options))
+
+
+def _number_in(text: str, file: PythonFile) -> Term:
+    """The number that a text is, or what it holds: float("-0.5"), json.loads('{"l": 1}')."""
+    try:
+        return Term("number", str(Fraction(text)))
+    except (ValueError, ZeroDivisionError):
+        pass
+    try:
+        return (
+            _expression(ast.parse(text, mode="eval").body, file) if "{" in text else Term("other")
+        )
+    except SyntaxError:
+        return Term("other")
 
 
 def _owner(node: ast.Call, file: PythonFile) -> tuple[Term, ...]:
@@ -364,6 +444,8 @@ def _handed(name: str, first: ast.expr, node: ast.Call, file: PythonFile) -> Ter
     options = {k.arg: k.value for k in node.keywords if k.arg}
     if name == "odeint" and len(node.args) > 3:
         options.setdefault("args", node.args[3])
+    if name == "solve_ivp" and len(node.args) > 8:
+        options.setdefault("args", node.args[8])
     late = name in STATE_FIRST and not (
         isinstance(tfirst := options.get("tfirst"), ast.Constant) and tfirst.value is True
     )

@@ -22,7 +22,9 @@ from sympy import Symbol
 from mechanics.claims.code.call_sites import function_lines, is_result, lines_of
 from mechanics.claims.code.changed_numbers import MAKES
 from mechanics.claims.code.closure_assignments import paired
+from mechanics.claims.code.handed_values import changed_by_other_names
 from mechanics.claims.code.integrator_steps import is_step
+from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
     FileFunction,
     JudgedFunction,
@@ -30,6 +32,7 @@ from mechanics.claims.code.interpreter_values import (
     SceneNames,
     names_of,
 )
+from mechanics.claims.code.python_arrays import rounding
 from mechanics.claims.code.python_form import (
     DEFINED,
     STATE_FIRST,
@@ -50,6 +53,8 @@ from mechanics.claims.code.python_functions import (
     words_in,
 )
 from mechanics.claims.code.python_laws import ARITHMETIC, Scope, assigned, laws, root_in, roots_in
+from mechanics.claims.code.python_records import taken_otherwise
+from mechanics.claims.code.python_solvers import told_more
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
 from mechanics.claims.names import Naming
@@ -222,7 +227,20 @@ class _File:
         started = (word(n.args[0]) for n in ast.walk(self.tree)
                    if isinstance(n, ast.Call) and word(n.func) == "ode" and n.args)  # fmt: skip
         handed = next((name for name in started if name in takes), "")
-        return PythonFile(takes, self.text, called, handed)
+        return PythonFile(takes, self.text, called, handed, self._lists())
+
+    def _lists(self) -> frozenset[str]:
+        """Names that are nothing but lists."""
+        made: dict[str, list[ast.expr]] = {}
+        for line in (n for n in ast.walk(self.tree) if isinstance(n, ast.Assign)):
+            for target in line.targets:
+                if isinstance(target, ast.Name | ast.Attribute):
+                    made.setdefault(word(target), []).append(line.value)
+        taken = {n.arg for n in ast.walk(self.tree) if isinstance(n, ast.arg)}
+        return frozenset(
+            name for name, values in made.items()
+            if name not in taken and all(map(_is_list, values))
+        )  # fmt: skip
 
     @cached_property
     def functions(self) -> dict[str, FileFunction]:
@@ -249,7 +267,12 @@ class _File:
 
     def run(self, judged: Mapping[str, JudgedFunction]) -> Run:
         """What stands around some functions."""
-        return Run(judged, self.functions, self.users, self.names, PYTHON)
+        return Run(judged, self.functions, self.users, self.names, PYTHON, self.block)
+
+    @cached_property
+    def block(self) -> Term:
+        """Lines outside of functions and classes, in the intermediate form."""
+        return block(self.top, self.form)
 
     @cached_property
     def top(self) -> list[ast.stmt]:
@@ -269,8 +292,9 @@ class _File:
         """What names of the file are, and lines outside of functions that are not innocent."""
         known: dict[str, Any] = {}
         run = self.run(self.judged)
-        lines = [*self._attributes(), *self.top]
-        found = [text for one in lines for text in lines_of(run, statement(one, self.form), known)]
+        attributes = [statement(one, self.form) for one in self._attributes()]
+        lines = [*attributes, *self.block.parts]
+        found = [text for one in lines for text in lines_of(run, one, known)]
         return known, found
 
     def _attributes(self) -> Iterator[ast.stmt]:
@@ -288,6 +312,8 @@ class _File:
         """Lines that use what is judged otherwise than as it is."""
         known, found = self.known
         yield from found
+        for body in (self.block, *(one.body for one in self.functions.values())):
+            yield from changed_by_other_names(self.run(self.judged), body)
         for one in self.outer:
             run = self.run({**self.judged, **self.passed(one)})
             yield from function_lines(run, file_function(one, self.form), known)
@@ -317,6 +343,13 @@ class _File:
         """What says something."""
         yield from (n for n in self.tree.body if isinstance(n, DEFINED) and n.name in self.own
                     and all(n is not one for one in self.nodes.values()))  # fmt: skip
+        for judged in self.nodes.values():
+            for tried in (n for n in ast.walk(judged) if isinstance(n, ast.Try)):
+                yield from (n for n in tried.body if isinstance(n, ast.Import | ast.ImportFrom))
+        yield from told_more(self.tree)
+        yield from taken_otherwise(self.tree, self.names.meaning)
+        handed = {name for one in self.outer for name in self.passed(one)}
+        yield from rounding(self.tree, {*self.judged, *self.users, *handed})
         scopes: list[tuple[Sequence[ast.stmt], Defined | None]] = [(self.top, None)]
         scopes += [(one.body, one) for one in self.outer]
         scopes += [([s for s in c.body if not isinstance(s, DEFINED)], None) for c in self.kinds]
@@ -395,6 +428,12 @@ class _File:
         if meaning in self.names.state:
             return int(meaning in self.names.speeds)
         return 2 if meaning in self.names.accelerations else None
+
+
+def _is_list(node: ast.expr) -> bool:
+    """Whether something is a list, and no array."""
+    called = isinstance(node, ast.Call) and word(node.func) in ("list", "tolist")
+    return called or isinstance(node, ast.List | ast.ListComp)
 
 
 def _computes(node: ast.Lambda) -> bool:

@@ -104,7 +104,13 @@ def trace(
         When its code hides a formula: by ``float()``, by what is compiled, by too many decisions.
     """
     title, ways = _title(function), _Ways()
-    _follow(function, given, standing, ways)
+    try:
+        _follow(function, given, standing, ways)
+    except MechanicsError:
+        raise
+    except (TypeError, ValueError, AttributeError) as error:
+        # What it holds refuses traced numbers: an array of floats, a property that is kept.
+        raise InputError(f"{title} cannot be traced: {_words(error)}") from None
     defined = [way for way in ways.found if way.values is not None]
     if not defined:
         raise InputError(f"{title} raises an error for all arguments")
