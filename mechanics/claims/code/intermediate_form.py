@@ -30,6 +30,8 @@ SHORT = ("&&", "||", "and", "or")
 """Whose right side may not be run."""
 CHANGED = ("assignment_expression", "compound_assignment_expression", "update_expression",
            "assignment", "call_expression")  # fmt: skip
+SHARES = re.compile(r"span|view|reference_wrapper|iterator|\bMap\b|\bRef\b")
+"""Types that share the entries of what they are made of."""
 INTEGER = re.compile(r"\b(int\w*|long|short|char|unsigned|bool)\b")
 SHAPES = {"pointer_declarator": "*", "reference_declarator": "&", "array_declarator": "[]"}
 LOOPS = ("for_statement", "while_statement", "do_statement", "for_range_loop")
@@ -248,15 +250,23 @@ def _declared(node: Any) -> Iterator[Term]:
         if one.type != "init_declarator":
             continue
         target, value = (one.child_by_field_name(f) for f in ("declarator", "value"))
-        while target.type != "identifier" and named(target):
-            target = named(target)[0]
+        while target.type != "identifier" and (inner := _unqualified(target)):
+            target = inner[0]
         yield _assignment("", term(target), term(value), " ".join(words(node).split()))
+
+
+def _unqualified(declarator: Any) -> list[Any]:
+    """What a declarator is made of, without ``const``."""
+    return [p for p in named(declarator) if p.type != "type_qualifier"]
 
 
 def _type(kind: Any, declarator: Any, *shared: Term) -> Term:
     """A type that a name is declared with, its pointers, references and arrays behind it."""
     shape, one = words(kind) if kind is not None else "", declarator
-    while one.type != "identifier" and (inner := named(one)):
+    if declarator.type == "function_declarator" and SHARES.search(shape):  # std::span<double> s(y)
+        given = within(declarator.child_by_field_name("parameters"), "type_identifier")
+        shared = tuple(Term("name", words(name)) for name in given)
+    while one.type != "identifier" and (inner := _unqualified(one)):
         shape += SHAPES.get(one.type, "")
         one = inner[0]
     return Term("type", words(one), shared, shape)

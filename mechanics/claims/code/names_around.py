@@ -9,7 +9,7 @@ from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from functools import cached_property
 
-from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.intermediate_form import SHARES, Term
 from mechanics.claims.code.interpreter_values import FileFunction, root_of, targets_of
 from mechanics.claims.code.run import Run
 from mechanics.claims.code.solver_starts import is_solver
@@ -24,7 +24,7 @@ READS = frozenset(
 MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
 VIEWS = re.compile(r"view$|pointer$|unsafe_wrap$|^@views?\b|reinterpret$|^ref$|^begin$|^span$|^Map$"
                    r"|reshape$|vec$|tuples$|intervals$|eachrow$|eachcol$|eachindex$|selectdim$"
-                   r"|Ref$|parent$")  # fmt: skip
+                   r"|Ref$|parent$|addressof$")  # fmt: skip
 """Calls whose result shares the entries of what they are given."""
 DESTINATION = frozenset(("memcpy", "memmove"))
 """Calls that change only the first of what they are given."""
@@ -77,7 +77,7 @@ class Around:
         for call in self._calls:
             owner, _, method = call.name.rpartition(".")
             if (asked := run.judged.get(method)) is not None:
-                found |= {owner.partition(".")[0]}
+                found |= {head_of(owner)}
                 for name, part in zip(asked.takes, call.parts, strict=False):
                     if {*asked.meanings.get(name, ())} & {*run.words.state}:
                         found.add(base_of(part))
@@ -146,6 +146,8 @@ class Around:
         for line in self._sets:
             if any(one.kind == "call" and one.name in run.judged for one in line.parts[1].all()):
                 found |= {base_of(t) for t in targets_of(line.parts[0])}
+            if base_of(line.parts[0]) in self.state:  # what a step is made of
+                found |= {*map(head_of, line.parts[1].names())}
         return frozenset(found - {"", *run.judged, *run.users})
 
     @cached_property
@@ -194,7 +196,8 @@ class Around:
             return language.pointers
         if language.pointers:
             shape = self.types.get(base_of(target), "")
-            return "&" in shape or "*" in shape or value.text.startswith("&") or any(
+            declared = "&" in shape or "*" in shape or SHARES.search(shape) is not None
+            return declared or value.text.startswith("&") or any(
                 one.text.startswith("&") or VIEWS.search(one.name.rpartition(".")[2])
                 for one in value.all() if one.kind in ("name", "other", "entry", "field", "call")
             )  # fmt: skip
@@ -349,4 +352,4 @@ def no_steps(run: Run, block: Term) -> Iterator[Term]:
 
 def head_of(name: str) -> str:
     """The object of which a name is a part: rod of rod.theta."""
-    return name.partition(".")[0]
+    return re.split(r"[.\[(]", name, maxsplit=1)[0]

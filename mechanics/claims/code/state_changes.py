@@ -19,6 +19,7 @@ from mechanics.claims.code.solver_starts import is_solver
 
 SINGLE = re.compile(r"\b(float|float32_t|half)\b")
 WHOLE = re.compile(r"\b(u?int\w*|long|short|char|unsigned|signed|bool|byte|word|size_t)\b")
+ASSEMBLY = ("asm", "__asm")
 NARROW = re.compile(r"u?int(8|16|32|64)|single|logical")
 """Calls of MATLAB that round what they are given."""
 
@@ -124,8 +125,10 @@ def _sources(around: Around, line: Term) -> Iterator[str]:
                 and not todo.isdisjoint(map(base_of, targets_of(one.parts[0])))]  # fmt: skip
         for one in sets:
             part = one.parts[0].kind != "name" or one.name
-            if around.moving & {*map(head_of, one.parts[1].names())} and (
-                part or any(t.kind in ("minus", "binary", "list") for t in one.parts[1].all())
+            made = {*map(head_of, one.parts[1].names())}
+            if base_of(one.parts[0]) in made or (
+                around.moving & made
+                and (part or any(t.kind in ("minus", "binary", "list") for t in one.all()))
             ):
                 yield one.text
         todo = {head_of(n) for one in sets for n in one.parts[1].names()}
@@ -137,6 +140,8 @@ def _is_change(
     if part.kind == "call":
         asks = part.name in UNFOLLOWED or around.again or around.holds_function(part)
         return (used or steps or asks) and around.is_changing_call(part, part is line, steps)
+    if part.kind == "other" and part is line and part.text.startswith(ASSEMBLY):
+        return used and not around.all_names.isdisjoint(part.names())
     if part.kind == "other" and part is line and part.parts and part.parts[0].kind == "field":
         called = part.parts[0]  # q->kick()
         mine = base_of(called) in around.state | around.aliases
@@ -170,7 +175,7 @@ def _is_written(
         return False
     if around.run.language.pointers and any(t.kind == "call" for t in _way(target)):
         return True
-    inside = one is not line and around.run.language.pointers and any(
+    inside = one is not line and any(
         one in t.all() for t in line.all() if t.kind == "handle"
     )  # fmt: skip
     if steps and not inside:
@@ -240,9 +245,9 @@ def _is_anew(around: Around, lines: Sequence[Term], k: int) -> bool:
 
 
 def _is_scalar(around: Around, name: str) -> bool:
-    return meaning_of(around.run, name) in around.run.words.state or (
-        around.types.get(name, "") in ("double", "float", "int")
-    )
+    kind = around.types.get(name, "double" if around.run.language.pointers else "")
+    known = meaning_of(around.run, name) in around.run.words.state
+    return known or kind in ("double", "float", "int")
 
 
 def _is_start(around: Around, line: Term) -> bool:
