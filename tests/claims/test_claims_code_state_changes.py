@@ -135,6 +135,10 @@ C_WRONG = [
     ("accel", one(STEP.replace("9.81", "g") + " *p *= -1;", "double g = 9.81, *p = &g;"), "*p *="),
 ]
 CPP_WRONG = [
+    ("rate", two(STEPS + " *hp = -*hp;", "double *hp = &h;"), "*hp ="),
+    ("rate", two(STEPS + " *p *= 0.9;", "double *const p = std::addressof(y[1]);"), "*p *="),
+    ("rate", two(STEPS + " s[1] *= 0.9;", "std::span<double> s(y);"), "s[1] *="),
+    (None, rod("rods[0].step(u, dt); rods[0].omega *= 0.9;", "Rod rods[1] = {rod};"), "omega *="),
     ("accel", one(STEP + " p = -p;", "double &p = om;"), "p = -p"),
     ("rate", two(STEPS + " p[1] *= 0.9;", "auto &p = y;"), "p[1] *="),
     ("rate", two(STEPS + " for (auto &v : y) v *= 0.9;"), "v *="),
