@@ -111,11 +111,14 @@ class Words:
         return not isinstance(node, Sum) and "acceleration" in kinds
 
     def quadratic(self, term: Expr) -> bool:
-        """Whether a term is a product of two speeds, as those that belong to accelerations."""
+        """Whether a term is a product of two speeds, as those that belong to accelerations.
+
+        A speed to the power of a name, as in a slip like w2^w1, has no degree.
+        """
         scene = self.truth.scene
         speeds = {*scene.u, *scene.qd}
-        degrees = (e for base, e in term.as_powers_dict().items() if base in speeds)
-        return bool(sum(degrees) > 1)
+        degrees = [e for base, e in term.as_powers_dict().items() if base in speeds]
+        return all(e.is_number for e in degrees) and bool(sum(degrees) > 1)
 
     def functions(self, call: Call) -> list[Node]:
         """The same argument under another function."""

@@ -102,7 +102,9 @@ def _lines(
             continue  # the function without a name that is judged
         concerned = bool(_concerned(run, one, env, made))
         if one.kind == "loop" and concerned:
-            if not is_step(run, one.parts[1], env, one.name):
+            if is_step(run, one.parts[1], env, one.name):
+                _keep_step(run, one)
+            else:
                 forget(run, one, env)
                 find_vectors(run, one, env)
                 if one.name:
@@ -128,6 +130,10 @@ def _lines(
     return found
 
 
+def _keep_step(run: Run, block: Term) -> None:
+    run.memory.steps[id(block)] = frozenset(root for root, _ in run.memory.advanced)
+
+
 def is_result(run: Run, line: Term) -> bool:
     """Whether a line gives a name what the function returns: a = accel(theta, w)."""
     return (
@@ -141,6 +147,7 @@ def is_result(run: Run, line: Term) -> bool:
 def function_lines(run: Run, one: FileFunction, around: Mapping[str, Any]) -> list[str]:
     """Lines of one of the other functions that are not innocent."""
     if is_step(run, one.body, dict(around), "", one):
+        _keep_step(run, one.body)
         return []
     begin(run)
     find_vectors(run, one.body, around)

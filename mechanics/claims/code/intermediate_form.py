@@ -30,6 +30,10 @@ SHORT = ("&&", "||", "and", "or")
 """Whose right side may not be run."""
 CHANGED = ("assignment_expression", "compound_assignment_expression", "update_expression",
            "assignment", "call_expression")  # fmt: skip
+SHARES = re.compile(r"span|view|reference_wrapper|iterator|\bMap\b|\bRef\b")
+"""Types that share the entries of what they are made of."""
+INTEGER = re.compile(r"\b(int\w*|long|short|char|unsigned|bool)\b")
+SHAPES = {"pointer_declarator": "*", "reference_declarator": "&", "array_declarator": "[]"}
 LOOPS = ("for_statement", "while_statement", "do_statement", "for_range_loop")
 CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
@@ -49,7 +53,8 @@ class Term:
         number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
         loop, case, block, return, jump (break, continue, goto), choice (one of its parts, or what
         is made of them). Of Python, too: star and absent (arguments that are spread, and left
-        out), item (of such), turn (an angle brought back into one turn, and what that is).
+        out), item (of such), turn (an angle brought back into one turn, and what that is). Of C:
+        type (what a name is declared with; its parts are what the name is another one of).
     name : str
         Or the operation, or names of what a handle takes.
     parts : tuple of Term
@@ -110,6 +115,8 @@ def _term(node: Any, text: str) -> Term:
             return term(parts[0])
         case kind if kind in BRACKETS:
             return Term("block", "", _parts(parts))
+        case "cast_expression" if INTEGER.search(words(parts[0])) and "*" not in words(parts[0]):
+            return Term("other", "", (term(parts[-1]),))
         case "cast_expression":
             return term(parts[-1])
         case kind if kind in LISTS:
@@ -161,6 +168,8 @@ def _term(node: Any, text: str) -> Term:
         case "update_expression":
             sign = "+" if "++" in text else "-"
             return Term("set", sign, (term(parts[0]), Term("number", "1")))
+        case "labeled_statement":
+            return Term("block", "", _parts(parts[1:]))
         case "declaration":
             return Term("block", "", tuple(_declared(node)))
         case "let_binding" if len(parts) == 2:
@@ -203,6 +212,8 @@ def _call(parts: list[Any]) -> Term:
     )
     if (name in CHANGES and len(given) == 1) or named_one:
         return given[0]
+    if name.endswith(".data") and not given and name.count(".") == 1:  # of a vector of C++
+        return Term("name", name.removesuffix(".data"))
     if name == "Dict" and all(p.kind == "binary" and p.name == "=>" for p in given):
         pairs = [(KEY.fullmatch(p.parts[0].text), p) for p in given]
         return Term("list", "", tuple(
@@ -232,13 +243,37 @@ def _assignment(sign: str, target: Term, value: Term, text: str) -> Term:
 
 
 def _declared(node: Any) -> Iterator[Term]:
+    kind = node.child_by_field_name("type")
     for one in node.children_by_field_name("declarator"):
+        names = [n for part in within(one, "structured_binding_declarator") for n in named(part)]
+        if names:  # auto &[theta, omega] = state;
+            shared = term(one.child_by_field_name("value"))
+            yield from (Term("type", words(name), (shared,), "auto &") for name in names)
+            continue
+        yield _type(kind, one)
         if one.type != "init_declarator":
             continue
         target, value = (one.child_by_field_name(f) for f in ("declarator", "value"))
-        while target.type != "identifier" and named(target):
-            target = named(target)[0]
+        while target.type != "identifier" and (inner := _unqualified(target)):
+            target = inner[0]
         yield _assignment("", term(target), term(value), " ".join(words(node).split()))
+
+
+def _unqualified(declarator: Any) -> list[Any]:
+    """What a declarator is made of, without ``const``."""
+    return [p for p in named(declarator) if p.type != "type_qualifier"]
+
+
+def _type(kind: Any, declarator: Any, *shared: Term) -> Term:
+    """A type that a name is declared with, its pointers, references and arrays behind it."""
+    shape, one = words(kind) if kind is not None else "", declarator
+    if declarator.type == "function_declarator" and SHARES.search(shape):  # std::span<double> s(y)
+        given = within(declarator.child_by_field_name("parameters"), "type_identifier")
+        shared = tuple(Term("name", words(name)) for name in given)
+    while one.type != "identifier" and (inner := _unqualified(one)):
+        shape += SHAPES.get(one.type, "")
+        one = inner[0]
+    return Term("type", words(one), shared, shape)
 
 
 def _loop(node: Any, parts: list[Any]) -> Term:
@@ -247,6 +282,7 @@ def _loop(node: Any, parts: list[Any]) -> Term:
     heads = [p for p in parts if p.type in ("iterator", "for_binding")]
     counter = ""
     limits: tuple[Term, ...] = ()
+    pointers: list[Term] = []
     if heads:
         pair = [p for p in named(heads[0]) if p.type != "operator"]
         counter, limits = words(pair[0]), _parts(_inside(pair[-1]))
@@ -255,6 +291,9 @@ def _loop(node: Any, parts: list[Any]) -> Term:
         fields = ("initializer", "condition", "update")
         start, stop, step = (node.child_by_field_name(f) for f in fields)
         sets = [one for one in term(start).all() if one.kind == "set"] if start else []
+        pointers = [replace(one, parts=(line.parts[1],)) for line in sets
+                    for one in term(start).all() if one.kind == "type"
+                    if one.name == line.parts[0].name and "*" in one.text]  # fmt: skip
         ends = named(stop) if stop is not None and stop.type == "binary_expression" else []
         counter = sets[0].parts[0].name if sets else ""
         counts = step is not None and step.type == "update_expression" and "++" in words(step)
@@ -267,4 +306,9 @@ def _loop(node: Any, parts: list[Any]) -> Term:
     tests = [node.child_by_field_name("condition"), node.child_by_field_name("update")]
     tests = [one for one in tests if one is not None and within(one, *CHANGED)]
     lines = _parts([*blocks, *tests] if not limits else blocks)
+    if node.type == "for_range_loop":
+        kind, one, of = (node.child_by_field_name(f) for f in ("type", "declarator", "right"))
+        shared = (term(of),) if one.type == "reference_declarator" else ()
+        lines = (_type(kind, one, *shared), *lines)
+    lines = (*pointers, *lines)
     return Term("loop", counter, (Term("list", "", limits), Term("block", "", lines)))

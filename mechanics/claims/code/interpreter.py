@@ -787,7 +787,9 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     values = [value_of(run, part, env) for part in map(partial(_given, run), term.parts)]
     if term.name == "len" and isinstance(values[0], Table):
         return Fraction(values[0].size or len(run.words.state))
-    if run.language.pointers and term.name not in run.language.shows:
+    if term.name in ("pow", "powf") and len(values) == 2:
+        return _operation(run, "^", *values)
+    if run.language.pointers and term.name.rpartition(".")[2] not in run.language.shows:
         _poison(run, term, env)
     if term.name in IMPURE:
         return MOVING

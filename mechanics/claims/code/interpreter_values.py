@@ -145,6 +145,8 @@ class JudgedFunction:
         The argument that is the time, where that makes a difference.
     places : frozenset of str
         Arguments of which it takes entries by their places.
+    single : bool
+        Whether its numbers have single precision.
     """
 
     name: str
@@ -157,6 +159,7 @@ class JudgedFunction:
     unused: frozenset[str] = frozenset()
     time: str = ""
     places: frozenset[str] = frozenset()
+    single: bool = False
 
 
 @dataclass(frozen=True)

@@ -73,6 +73,8 @@ class Memory:
         Names of entries of a result, in order.
     silent : set of str or None
         Functions that return nothing of what the judged one returned, once they are asked for.
+    steps : dict of int to frozenset of str
+        Which terms are steps of an integrator, and names of what these advance.
     """
 
     initial: dict[Fraction, Place] = field(default_factory=dict)
@@ -96,6 +98,7 @@ class Memory:
     problems: set[str] = field(default_factory=set)
     unpacked: list[list[str]] = field(default_factory=list)
     silent: set[str] | None = None
+    steps: dict[int, frozenset[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from mechanics.claims.code.run import Run
 
 MATLAB_OPTIONS = frozenset(
     ("reltol", "abstol", "maxstep", "initialstep", "minstep", "outputfcn", "outputsel", "stats",
-     "refine", "events", "normcontrol", "bdf", "maxorder", "jacobian", "jpattern", "vectorized")
+     "refine", "events", "normcontrol", "bdf", "maxorder", "jpattern", "vectorized")
 )  # fmt: skip
 JULIA_OPTIONS = frozenset(
     ("reltol", "abstol", "saveat", "dt", "dtmax", "dtmin", "adaptive", "dense", "save_everystep",

@@ -14,7 +14,7 @@ from mechanics.claims.code.interpreter_values import root_of, targets_of
 from mechanics.claims.code.run import Run
 from mechanics.claims.code.solver_options import MADE_BY_NAME, RUNS
 
-SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian", re.IGNORECASE)
+SOLVERS = re.compile(r"ode|solve|problem|integrat|jacobian|do_step", re.IGNORECASE)
 """In the names of what takes a function by its name."""
 STATE_FIRST = frozenset(("lsode", "lsoda", "dassl"))
 MADE_AGAIN = frozenset(("remake", "reinit")) | RUNS

@@ -34,6 +34,7 @@ from mechanics.claims.code.manipulator_parts import parts_of
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
+from mechanics.claims.code.state_changes import changes_elsewhere, state_changes
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import plain_symbol
@@ -54,13 +55,15 @@ JOINED = ("binary_operator", "binary_expression", "comparison_operator", "juxtap
 """Where values are made into others."""
 NAMELESS = ("lambda", "arrow_function_expression", "lambda_expression")
 SENDS = frozenset(
-    ("push", "append", "fputs", "puts", "fwrite", "fflush", "fopen", "fclose", "write", "begin",
-     "delay", "millis", "micros", "println", "size", "length", "numel")
+    ("push", "append", "push_back", "emplace_back", "fputs", "puts", "fwrite", "fflush", "fopen",
+     "fclose", "write", "begin", "delay", "millis", "micros", "println", "size", "length", "numel")
 )  # fmt: skip
 """Calls that change nothing of what they take."""
 PROGRAM = frozenset(("main", "setup", "loop"))
 """Functions that only use others."""
 LONGEST = 60
+SETS = re.compile(r"\+\+|--|(?<![=<>!])=(?!=)|(?:<<|>>)=")
+"""Of C."""
 ROWS: dict[str, Language] = {
     ".m": Language("MATLAB", 1, brackets=True, shows=SHOWN | SENDS),
     ".jl": Language("Julia", 1, shows=SHOWN | SENDS),
@@ -98,6 +101,8 @@ def unjudged_code(
     lines = [*_lines(root, every)]
     others = {n: _own(node, suffix, title) for n, node in every.items()}
     seen = _seen(judged, found, others, lines, naming, title)
+    if (node := every.get(seen.name)) is not None:
+        seen = replace(seen, single="double" not in words(node))
     names = names_of(naming)
     around = (others, users, names, ROWS.get(suffix, ROWS[".cpp"]))
     terms = [with_names(term(node), title) for node in lines]
@@ -124,15 +129,23 @@ def unjudged_code(
             said += (f"{name}: {line}" for line in changed_numbers(uses, others[name], free))
     for name in (n for n in every if n in users | uses.memory.explained - own):
         said += (f"{name}: {line}" for line in function_lines(uses, others[name], known))
+        said += (f"{name}: {line}" for line in state_changes(
+            uses, others[name].body, name not in ("main", "setup")
+        ))  # fmt: skip
+    if suffix in LANGUAGES:
+        said += state_changes(uses, uses.block)
+    else:
+        apart = every.keys() - own - users - uses.memory.explained - PROGRAM
+        said += changes_elsewhere(uses, users, sorted(apart))
     for name, node in functions.items():
-        apart = not (chosen or name in own | users | PROGRAM | uses.memory.explained)
-        if apart and not _only_shows(node):
+        other = not (chosen or name in own | users | PROGRAM | uses.memory.explained)
+        if other and not _only_shows(node):
             said.insert(0, f"function {name}")
     return tuple(dict.fromkeys(one[:LONGEST] for one in said))
 
 
 def _macros(root: Any, judged: Collection[str]) -> list[str]:
-    """Macros of C that are made of judged functions."""
+    """Macros of C that are made of judged functions, or that set something."""
     values = [
         (node, node.child_by_field_name("value"))
         for node in within(root, "preproc_function_def", "preproc_def")
@@ -140,7 +153,8 @@ def _macros(root: Any, judged: Collection[str]) -> list[str]:
     return [
         words(node)
         for node, value in values
-        if value is not None and {*judged} & {*re.findall(r"\w+", words(value))}
+        if value is not None
+        and ({*judged} & {*re.findall(r"\w+", words(value))} or SETS.search(words(value)))
     ]
 
 
