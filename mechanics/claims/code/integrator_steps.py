@@ -161,7 +161,7 @@ def _parameters_change(run: Run, block: Term, env: Mapping[str, Any]) -> bool:
     words = {root: meaning_of(run, root) for root in sets & env.keys()}
     made = {root for root in words if isinstance(env[root], Unknown)} & _made_of_state(run, block)
     return any(
-        root in made or not fits_word(run, word, env[root], word) for root, word in words.items()
+        root in made or not fits_word(run, word, env[root]) for root, word in words.items()
         if word not in apart and word in run.words.parameters
     )  # fmt: skip
 
