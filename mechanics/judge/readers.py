@@ -234,8 +234,8 @@ def _aside(scene: Scene, thing: Aside, names: Mapping[str, str] | None) -> Readi
     title = f"{thing.where}, {' '.join(thing.text.split())[:60]!r}"
     if "=" not in thing.text:
         words = Vocabulary(scene)
-        found = (words.lookup(name) for name in re.findall(r"[^\W\d]\w*", thing.text))
-        moves = any(one is not None and one[0] in words.functions for one in found)
+        told = (words.lookup(name) for name in re.findall(r"[^\W\d]\w*", thing.text))
+        moves = any(one is not None and one[0] in words.functions for one in told)
         return Reading((), (), (), (f"{title}: an expression, not judged",) if moves else ())
     try:
         found = read_source(scene, thing.text, names=names)
