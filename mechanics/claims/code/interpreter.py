@@ -436,7 +436,7 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case "other":
             forget(run, term, env, UNKNOWN)
             if term.names() and run.memory.stepping:
-                _poison(run, term, env)
+                _poison(term, env)
             return None
         case _:
             value_of(run, term, env)
@@ -461,7 +461,7 @@ def _is_kept(term: Term) -> bool:
     return term.kind in ("name", "list", "number") and all(map(_is_kept, term.parts))
 
 
-def _poison(run: Run, term: Term, env: dict[str, Any]) -> None:
+def _poison(term: Term, env: dict[str, Any]) -> None:
     """Take what a call may change as unknown."""
     for name in term.names() & env.keys():
         if isinstance(env[name], Table):
@@ -616,7 +616,7 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _operation(run, "*", Literal(-1), value_of(run, term.parts[0], env))
         case "binary":
             left, right = (value_of(run, part, env) for part in term.parts)
-            if term.name == "/" and run.language.integers and _whole(run, term.parts[0]):
+            if term.name == "/" and run.language.integers and _whole(term.parts[0]):
                 return _whole_quotient(run, term.parts[1], left, right)
             return _operation(run, term.name, left, right)
         case "list":
@@ -662,14 +662,14 @@ def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return value if all(_is_turn(run, one, env) for one in turns) else UNKNOWN
 
 
-def _whole(run: Run, term: Term) -> bool:
+def _whole(term: Term) -> bool:
     """Whether a number is an integer as it is written."""
     return term.kind == "number" and term.name.isdigit()
 
 
 def _whole_quotient(run: Run, divisor: Term, left: Any, right: Any) -> Any:
     """1/6 is 0 in C, and 1/n where n is an integer."""
-    if _whole(run, divisor) and right:
+    if _whole(divisor) and right:
         return Literal(int(left) // int(right))
     if isinstance(right, Literal) and right.denominator == 1:
         return UNKNOWN
@@ -826,7 +826,7 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     if term.name in ("pow", "powf") and len(values) == 2:
         return _operation(run, "^", *values)
     if run.language.pointers and term.name.rpartition(".")[2] not in run.language.shows:
-        _poison(run, term, env)
+        _poison(term, env)
     if term.name in IMPURE:
         return MOVING
     if term.name in DRAWN:
