@@ -2,8 +2,8 @@ r"""Formulas of a notebook that nobody hands in as such: in comments of its code
 
 # theta'' = g/l*sin(theta)     printed: T = m*l^2*theta'^2/2     displayed: $\ddot\theta = ...$
 
-They are judged, too, each by itself. What gives a name a number, a part of a vector or words claims
-nothing.
+They are judged, too, each by itself; an expression without an equals sign is quoted. What gives a
+name a number, a part of a vector or words claims nothing.
 """
 
 import re
@@ -25,6 +25,11 @@ BARE = re.compile(
     r"|(?:\w+(?:\.\w+)*)?[\[(][-+\d.,;:\s\w\[\]()]*[\])]"  # y[0], [x, 1.0], array([1, 2])
     r"|['\"<{].*|(?:True|False|None|true|false)\b.*|[^\W\d_]{3,}(?:[ ,]+[^\W\d_]{2,})*\.?"
 )
+EXPRESSION = re.compile(
+    r"(?=.*(?:[*/^+]|\\frac|Derivative\())(?!.*(?<!\\)[^\W\d_]{2,}[ ]+[^\W\d_]{2,})"
+    r"[\w\s()+\-*/^.,\[\]{}\\&']+", re.DOTALL
+)  # fmt: skip
+"""An operation, and no words side by side."""
 SCALED = re.compile(r"\d\s*[A-Za-z]\b(?!\s*$)|\d[A-Za-z]$")
 
 
@@ -54,7 +59,8 @@ def asides_of(cells: Iterable[Cell]) -> Iterator[Aside]:
         for text in cell.shown:
             for line in _lines(text):
                 found.setdefault(line.strip(), f"the output of {cell.name}")
-    yield from (Aside(text, where) for text, where in found.items() if _claims(text))
+    yield from (Aside(text, where) for text, where in found.items()
+                if _claims(text) or ("=" not in text and EXPRESSION.fullmatch(text)))  # fmt: skip
 
 
 def _lines(text: str) -> Iterator[str]:
@@ -65,7 +71,7 @@ def _lines(text: str) -> Iterator[str]:
     for line in text.splitlines():
         if (same := EQ.search(line)) is not None:
             yield " = ".join(_sides(same["sides"]))
-        elif "=" in line:
+        else:
             yield line
 
 

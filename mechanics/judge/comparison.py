@@ -460,6 +460,7 @@ def _flat(facts: SceneFacts, said: Said) -> Found:
 def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tuple[int, int]]]]:
     """Whether there is friction, gravity, a spring."""
     start = 0
+    yield from (("", [m.span()]) for m in p.OF_FREQUENCY.finditer(sentence))
     sentence = p.OF_FREQUENCY.sub(lambda m: " " * len(m[0]), sentence)
     for stop in (*(m.end() for m in p.PARTS.finditer(sentence)), len(sentence)):
         part = sentence[start:stop]

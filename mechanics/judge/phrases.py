@@ -195,7 +195,9 @@ ABSENT = re.compile(
 )
 OF_FREQUENCY = re.compile(
     r"\bundamped(?=\s+(?:(?:natural|angular|circular)\s+)*(?:\w*frequenc|period))"
-    r"|(?<=frequency of the )undamped(?=\s+(?:system|oscillat|motion))",
+    r"|(?<=frequency of the )undamped(?=\s+(?:system|oscillat|motion))"
+    r"|\b(?:without|in the absence of)\s+(?:the\s+|any\s+)?(?:damping|friction)"
+    r"(?=,?\s+(?:the|its)\s+(?:(?:natural|angular|circular)\s+)+(?:\w*frequenc|period))",
     re.IGNORECASE,
 )
 """What says of a frequency which one it is, and nothing of the scene."""

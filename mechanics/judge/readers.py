@@ -232,6 +232,11 @@ def _not_read(thing: NotRead) -> Reading:
 def _aside(scene: Scene, thing: Aside, names: Mapping[str, str] | None) -> Reading:
     """A formula beside others, which may be an attempt that was given up: it is never REFUTED."""
     title = f"{thing.where}, {' '.join(thing.text.split())[:60]!r}"
+    if "=" not in thing.text:
+        words = Vocabulary(scene)
+        told = (words.lookup(name) for name in re.findall(r"[^\W\d]\w*", thing.text))
+        moves = any(one is not None and one[0] in words.functions for one in told)
+        return Reading((), (), (), (f"{title}: an expression, not judged",) if moves else ())
     try:
         found = read_source(scene, thing.text, names=names)
     except InputError as error:

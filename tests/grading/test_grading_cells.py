@@ -146,6 +146,28 @@ def test_what_a_cell_shows_is_judged(
         assert (found.score == 1, found.verdict == "right") == (marks, marks)
 
 
+@pytest.mark.parametrize(
+    ("output", "quoted"),
+    [
+        (displayed("text/plain", "-3*g*sin(theta(t))/(2*l) + Derivative(theta(t), (t, 2))"), True),
+        (displayed("text/latex", r"$\displaystyle \frac{m l^2 \dot{\theta}^{2}}{6}$"), True),
+        (stream("m*l**2*theta_dot**2/6\n"), True),
+        (displayed("text/plain", "m*l**2/3"), False),
+        (stream("the angle theta is 0.1 rad/s\n"), False),
+        (stream("[0.1, 0.2]\n1.5\n"), False),
+    ],
+)
+def test_an_expression_that_a_cell_shows_is_quoted(
+    output: dict[str, Any], quoted: bool, tmp_path: Path
+) -> None:
+    cell = {"cell_type": "code", "source": FUNCTION, "outputs": [output]}
+    path = tmp_path / "a.ipynb"
+    path.write_text(json.dumps({"cells": [cell]}))
+    found = grade(KEY, "a", things_in(path, run_python=True), require="right")
+    assert found.verdict == "right"
+    assert any("an expression, not judged" in words for words in found.unjudged) is quoted
+
+
 @pytest.mark.parametrize(("law", "marks"), [(WRONG, False), (RIGHT, True)])
 def test_formulas_in_comments_of_a_cell_are_judged(law: str, marks: bool, tmp_path: Path) -> None:
     cell = {"cell_type": "code", "source": f"{FUNCTION}\n# theta_ddot = {law}"}

@@ -263,6 +263,10 @@ def test_what_the_sentence_says_of_the_place_and_of_the_size(words: str, verdict
         ("The natural frequency of the undamped system is {}.", "PROVED"),
         ("The damped natural frequency is {}.", "UNDECIDED"),
         ("The system is undamped. The natural frequency is {}.", "UNDECIDED"),
+        ("Without damping, the natural frequency is {}.", "PROVED"),
+        ("Without damping, the damped natural frequency is {}.", "UNDECIDED"),
+        ("The system moves without damping. The natural frequency is {}.", "UNDECIDED"),
+        ("Without damping and the natural frequency is {}.", "UNDECIDED"),
     ],
 )
 def test_undamped_is_said_of_a_frequency_or_of_the_scene(words: str, verdict: str) -> None:

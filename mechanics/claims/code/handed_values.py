@@ -72,6 +72,10 @@ def changed_by_other_names(run: Run, block: Term) -> Iterator[str]:
     lines = [one for one in block.all() if one.kind == "set"]
     for given in lines:
         target, value = given.parts
+        place = next(k for k, line in enumerate(lines) if line is given)
+        if target.kind == "name" and value.kind == "list":
+            yield from _changed_in_a_list(lines[place:], states)
+            continue
         pair = {target.name, root_of(value)}
         whole = value.kind == "name" and value.text == value.name
         part = value.kind == "entry" and value.parts[1].kind == "range"
@@ -82,7 +86,6 @@ def changed_by_other_names(run: Run, block: Term) -> Iterator[str]:
         around = [one for one in loops if any(line is given for line in one.all())]
         here = {id(line) for one in around for line in one.all()}
         later = {id(line) for one in loops for line in one.all()} - here
-        place = next(k for k, line in enumerate(lines) if line is given)
         later |= {id(line) for line in lines[place + 1 :]} - here
         (other,) = pair - states or (target.name,)
         yield from (
@@ -90,6 +93,23 @@ def changed_by_other_names(run: Run, block: Term) -> Iterator[str]:
             if root_of(line.parts[0]) == other and (line.name or line.parts[0].kind != "name")
             and id(line) in later
         )  # fmt: skip
+
+
+def _changed_in_a_list(lines: Sequence[Term], states: set[str]) -> Iterator[str]:
+    """Lines that change a state in a list that holds it: z = [y]; z[0][1] = 0."""
+    target, value = lines[0].parts
+    held = {one.parts[1] if one.kind == "set" else one for one in value.parts}
+    owned = any(p.kind == "name" and p.text == p.name and p.name in states for p in held)
+    if not owned or value.text[:1] not in ("[", "(", "{"):
+        return
+    for line in lines[1:]:
+        place = line.parts[0]
+        if place.kind == "name" and place.name == target.name:
+            return  # another list
+        root, _, part = root_of(place).partition(".")
+        deep = place.kind == "entry" and len(place.parts) > 2 - bool(part)
+        if root == target.name and (deep or line.name):
+            yield line.text
 
 
 def _mutates(run: Run, call: Term, handed: set[str]) -> bool:

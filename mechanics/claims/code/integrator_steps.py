@@ -74,14 +74,14 @@ def is_step(run: Run, block: Term, env: dict[str, Any], counter: str = "",
     """
     if not any(judged.gives for judged in run.judged.values()):
         return False
-    sets = _sets(run, block)
+    sets = _sets(block)
     kept = [one for one in run.memory.before if root_of(one.parts[0]) in sets]
     return _is_advanced(run, block, env, counter, function, []) or bool(
         kept and _is_advanced(run, block, env, counter, function, kept)
     )
 
 
-def _sets(run: Run, block: Term) -> set[str]:
+def _sets(block: Term) -> set[str]:
     return {root_of(t) for one in block.all() if one.kind == "set"
             for t in targets_of(one.parts[0])}  # fmt: skip
 
@@ -143,7 +143,7 @@ def _is_advanced(
         run.memory.stepping, run.memory.depth = False, 0
     if run.memory.misused or not run.memory.called or _parameters_change(run, block, inside):
         return False
-    sets = _sets(run, block)
+    sets = _sets(block)
     calls = [one for one in block.all() if one.kind == "call" and one.name in run.judged]
     if any(is_another(run, call, sets | {*STEPS}) for call in calls):
         return False
@@ -156,12 +156,12 @@ def _is_advanced(
 
 def _parameters_change(run: Run, block: Term, env: Mapping[str, Any]) -> bool:
     """Whether a block leaves a parameter with another value."""
-    sets = _sets(run, block)
+    sets = _sets(block)
     apart = {"", *run.words.state, *run.words.inputs}
     words = {root: meaning_of(run, root) for root in sets & env.keys()}
     made = {root for root in words if isinstance(env[root], Unknown)} & _made_of_state(run, block)
     return any(
-        root in made or not fits_word(run, word, env[root], word) for root, word in words.items()
+        root in made or not fits_word(run, word, env[root]) for root, word in words.items()
         if word not in apart and word in run.words.parameters
     )  # fmt: skip
 
@@ -170,7 +170,7 @@ def _made_of_state(run: Run, block: Term) -> set[str]:
     """Names that a block makes of the state, or of what it sets."""
     asked = {value for at in run.memory.called for value in at.values()}
     moving = {root for value, (root, _) in run.memory.initial.items() if value in asked}
-    moving |= _sets(run, block)
+    moving |= _sets(block)
     lines = (
         t for t in block.all() if t.kind == "set" and not moving.isdisjoint(t.parts[1].names())
     )
@@ -185,7 +185,7 @@ def _located(run: Run, env: Mapping[str, Any]) -> Iterator[dict[str, Place]]:
         value = run.memory.called[0].get(word)
         place = run.memory.initial.get(value) if value is not None else None
         if place is None and value is not None:
-            here = (p for p in run.memory.initial.values() if _now(run, p, env) == value)
+            here = (p for p in run.memory.initial.values() if _now(p, env) == value)
             place = next(here, None)
         if place is None:
             missing.append(word)
@@ -194,13 +194,13 @@ def _located(run: Run, env: Mapping[str, Any]) -> Iterator[dict[str, Place]]:
     if len(missing) > 2:
         return
     begun = {place: value for value, place in run.memory.initial.items()}
-    left = [p for p in begun if p not in found.values() and _now(run, _later(p), env) != begun[p]]
+    left = [p for p in begun if p not in found.values() and _now(_later(p), env) != begun[p]]
     for chosen in islice(product(left, repeat=len(missing)), MOST_TRIED):
         if len({*chosen}) == len(missing):
             yield {**found, **dict(zip(missing, chosen, strict=True))}
 
 
-def _now(run: Run, place: Place, env: Mapping[str, Any]) -> Any:
+def _now(place: Place, env: Mapping[str, Any]) -> Any:
     """What stands at a place, by now."""
     root, key = place
     value = env.get(root)
@@ -214,7 +214,7 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
     start = {word: begun[place] for word, place in places.items()}
     after: dict[str, Any] = {}
     for word, place in places.items():
-        after[word] = _now(run, _later(place), env)
+        after[word] = _now(_later(place), env)
     if not _time_passes(run, env):
         return False
     lasting = [h for h in run.memory.scalars if _lasts(run, h, env)]
@@ -228,7 +228,7 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
 def _lasts(run: Run, span: Fraction, env: Mapping[str, Any]) -> bool:
     """Whether what is a step of time is one the next time: the same, or another above zero."""
     place = run.memory.initial.get(span)
-    later = _now(run, place, env) if place is not None else span
+    later = _now(place, env) if place is not None else span
     return span > 0 and isinstance(later, Fraction) and later > 0
 
 
@@ -261,7 +261,7 @@ def _time_passes(run: Run, env: Mapping[str, Any]) -> bool:
     """Whether the time of a call does not go on by a multiple of the step, or back."""
     begun = run.memory.called[0].get(MOMENT)
     place = run.memory.initial.get(begun) if begun is not None else None
-    after = _now(run, _later(place), env) if place is not None else None
+    after = _now(_later(place), env) if place is not None else None
     if begun is None or not isinstance(after, Fraction) or after == begun:
         return True
     shares = [(after - begun) / h for h in run.memory.scalars if h > 0 and h != begun]

@@ -17,6 +17,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import EITHER, Term
 from mechanics.claims.code.interpreter_values import (
     MOVING,
+    OUTSIDE,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -50,10 +51,14 @@ from mechanics.claims.code.run import (
 )
 
 IMPURE = frozenset(
-    ("next", "pop", "popleft", "popitem", "rand", "randn", "random", "randint", "uniform", "normal",
-     "choice", "input", "readline")
+    ("next", "pop", "popleft", "popitem", "readline")
 )  # fmt: skip
-"""Calls that give another value each time."""
+"""Calls that give another value of the file each time."""
+DRAWN = frozenset(
+    ("rand", "randn", "random", "randint", "integers", "uniform", "normal", "lognormal", "choice",
+     "standard_normal", "triangular", "gauss", "input")
+)  # fmt: skip
+"""Calls that give a number from outside of the file each time."""
 PI = Literal(355, 113)
 TURNS = 12
 """Of a loop over entries."""
@@ -331,10 +336,30 @@ def _place(run: Run, term: Term, env: dict[str, Any]) -> Any:
 def _as_word(run: Run, name: str, value: Any) -> Any:
     """The number of a word of the scene for one that is written out, and that it can have."""
     word = meaning_of(run, name)
-    if not word or not isinstance(value, Literal) or run.memory.stepping:
+    if not word or run.memory.stepping:
+        return value
+    if word in run.words.parameters and _is_argument(run, word, value):
+        return number("word", word)
+    if not isinstance(value, Literal):
         return value
     known = word in run.words.state or not is_possible(run, word, value)
     return Literal(value) if known else number("word", word)
+
+
+def _is_argument(run: Run, word: str, value: Any) -> bool:
+    """Whether a parameter has an entry of an array, and nothing but its name says what that is.
+
+    m, l = x of a function that fits parameters; no y[1] of an array that a judged function takes.
+    """
+    if run.language.name != "Python" or not isinstance(value, Fraction):
+        return False
+    root, key = run.memory.initial.get(value, ("", ()))
+    calls = [one for one in run.block.all() if one.kind == "call"]
+    handed = {root_of(part) for call in calls if call.name in run.judged for part in call.parts}
+    handed |= {n for name in handed for line in run.definitions.get(name, ())
+               for n in line.parts[1].names()}  # fmt: skip
+    said = {meaning_of(run, name) for name in root.split(".")} - {"", word}
+    return bool(key) and not said and root not in handed | {call.name for call in calls}
 
 
 def _store(run: Run, target: Term, value: Any, env: dict[str, Any]) -> None:
@@ -411,7 +436,7 @@ def execute(run: Run, term: Term, env: dict[str, Any]) -> Any:
         case "other":
             forget(run, term, env, UNKNOWN)
             if term.names() and run.memory.stepping:
-                _poison(run, term, env)
+                _poison(term, env)
             return None
         case _:
             value_of(run, term, env)
@@ -436,7 +461,7 @@ def _is_kept(term: Term) -> bool:
     return term.kind in ("name", "list", "number") and all(map(_is_kept, term.parts))
 
 
-def _poison(run: Run, term: Term, env: dict[str, Any]) -> None:
+def _poison(term: Term, env: dict[str, Any]) -> None:
     """Take what a call may change as unknown."""
     for name in term.names() & env.keys():
         if isinstance(env[name], Table):
@@ -591,7 +616,7 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _operation(run, "*", Literal(-1), value_of(run, term.parts[0], env))
         case "binary":
             left, right = (value_of(run, part, env) for part in term.parts)
-            if term.name == "/" and run.language.integers and _whole(run, term.parts[0]):
+            if term.name == "/" and run.language.integers and _whole(term.parts[0]):
                 return _whole_quotient(run, term.parts[1], left, right)
             return _operation(run, term.name, left, right)
         case "list":
@@ -637,14 +662,14 @@ def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return value if all(_is_turn(run, one, env) for one in turns) else UNKNOWN
 
 
-def _whole(run: Run, term: Term) -> bool:
+def _whole(term: Term) -> bool:
     """Whether a number is an integer as it is written."""
     return term.kind == "number" and term.name.isdigit()
 
 
 def _whole_quotient(run: Run, divisor: Term, left: Any, right: Any) -> Any:
     """1/6 is 0 in C, and 1/n where n is an integer."""
-    if _whole(run, divisor) and right:
+    if _whole(divisor) and right:
         return Literal(int(left) // int(right))
     if isinstance(right, Literal) and right.denominator == 1:
         return UNKNOWN
@@ -700,6 +725,8 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
             case "^" if right in (1, 2, 3):
                 return kind(Fraction(left) ** int(right))
         return UNKNOWN
+    if OUTSIDE in (left, right):
+        return _with_outside(sign, left, right)
     a, b = entries_of(run, left), entries_of(run, right)
     if a is None or b is None:
         return UNKNOWN
@@ -715,6 +742,15 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
         return UNKNOWN
     made = [_operation(run, sign, one, other) for one, other in pairs]
     return row_of(run, made)
+
+
+def _with_outside(sign: str, left: Any, right: Any) -> Any:
+    """What is made of a number from outside: any, but where its sign is turned."""
+    others = [one for one in (left, right) if one is not OUTSIDE]
+    if not all(isinstance(one, Literal) for one in others):
+        return UNKNOWN
+    turned = any(one < 0 for one in others) or (sign == "-" and right is OUTSIDE)
+    return MOVING if turned and sign != "+" else OUTSIDE
 
 
 def _spread(run: Run, term: Term, env: dict[str, Any]) -> Term:
@@ -790,9 +826,11 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     if term.name in ("pow", "powf") and len(values) == 2:
         return _operation(run, "^", *values)
     if run.language.pointers and term.name.rpartition(".")[2] not in run.language.shows:
-        _poison(run, term, env)
+        _poison(term, env)
     if term.name in IMPURE:
         return MOVING
+    if term.name in DRAWN:
+        return _drawn(run, values)
     if (known_number := _computed(run, term.name, values)) is not None:
         return known_number
     if values and all(isinstance(v, Literal) for v in values) and term.name not in MADE:
@@ -800,6 +838,14 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
     if not values and run.memory.stepping:  # micros()
         return 2 + number(run.memory.count, term.name)
     return UNKNOWN
+
+
+def _drawn(run: Run, values: Sequence[Any]) -> Any:
+    """Any number, but one below zero where a bound of it is, and another one in each step."""
+    numbers = [v for one in values for v in (entries_of(run, one) or ()) if isinstance(v, Literal)]
+    if run.memory.stepping or run.language.name != "Python":
+        return MOVING
+    return next((v for v in numbers if v < 0), OUTSIDE)
 
 
 def _computed(run: Run, name: str, values: Sequence[Any]) -> Literal | None:

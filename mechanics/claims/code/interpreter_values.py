@@ -27,6 +27,8 @@ class Unknown:
 UNKNOWN = Unknown()
 MOVING = Unknown()
 """What is made of the state, and not followed."""
+OUTSIDE = Unknown()
+"""A number from outside of the file, which is drawn, typed or read: any."""
 
 
 class Literal(Fraction):

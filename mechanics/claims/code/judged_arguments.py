@@ -11,6 +11,7 @@ from typing import Any
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
     MOVING,
+    OUTSIDE,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -47,7 +48,7 @@ def is_another(run: Run, call: Term, moving: Collection[str]) -> bool:
 
 def _place_of(run: Run, part: Term) -> str:
     """Where a value stands; the whole array for one of its entries."""
-    if part.kind in ("entry", "call"):
+    if part.kind == "entry" or (part.kind == "call" and run.language.name != "Python"):
         base = part.parts[0] if part.kind == "entry" else part
         return base.name if base.kind in ("name", "call") else base.text
     return part.text or part.name if part.kind in ("name", "field") else ""
@@ -94,7 +95,7 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
             m and m != w for (m, _), w in zip(pairs, words, strict=False)
         ):
             return False
-        return all(fits_word(run, m, v, m) for m, v in pairs if m and m not in run.words.state)
+        return all(fits_word(run, m, v) for m, v in pairs if m and m not in run.words.state)
     if not words:
         meaning = meaning_of(run, own) if own else ""
         same = own == name or meaning in ("", meaning_of(run, name))
@@ -105,7 +106,12 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
         if part.kind in ("minus", "binary"):
             return False
     made = part.kind in ("call", "binary", "minus", "other", "list")
-    if isinstance(value, Unknown) and made and any(p.names() for p in part.parts):
+    if (
+        isinstance(value, Unknown)
+        and value is not OUTSIDE
+        and made
+        and any(p.names() for p in part.parts)
+    ):
         return False
     if len(words) > 1:
         if isinstance(value, Unknown):
@@ -128,7 +134,7 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
             return True
         dense = [value.entries.get((k + run.language.first,), UNKNOWN) for k in range(len(words))]
         return (value.size or len(words)) == len(words) and all(
-            fits_word(run, w, v, "") for w, v in zip(words, dense, strict=True)
+            fits_word(run, w, v) for w, v in zip(words, dense, strict=True)
         )
     (word,) = words
     meaning = meaning_of(run, own) if own else ""
@@ -147,7 +153,7 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
         return True
     begun = isinstance(value, Fraction) and value in run.memory.initial and not meaning
     given = part.kind in ("entry", "item", "name", "field")
-    return fits_word(run, word, value, meaning) or (begun and given)
+    return fits_word(run, word, value) or (begun and given)
 
 
 def _is_made(run: Run, word: str, name: str, value: Any) -> bool:
@@ -158,7 +164,7 @@ def _is_made(run: Run, word: str, name: str, value: Any) -> bool:
     return max(abs(share.numerator), share.denominator) > FAR
 
 
-def fits_word(run: Run, word: str, value: Any, meaning: str) -> bool:
+def fits_word(run: Run, word: str, value: Any) -> bool:
     """Whether a value is what a word of the scene stands for."""
     if isinstance(value, Literal):
         return is_possible(run, word, value)
@@ -171,7 +177,7 @@ def is_possible(run: Run, word: str, value: Fraction) -> bool:
     """Whether a number is one that the scene allows a parameter."""
     symbols = run.words.parameters
     if word not in symbols:
-        return value >= 0 or word in run.words.inputs
+        return value >= 0 or word in (*run.words.inputs, *run.words.state)
     return not (
         (value <= 0 and symbols[word].is_positive) or (value < 0 and symbols[word].is_nonnegative)
     )

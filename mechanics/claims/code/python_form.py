@@ -64,6 +64,8 @@ class PythonFile:
         What ``ode`` of SciPy is handed.
     lists : frozenset of str
         Names of lists, of which y[:] is a copy.
+    records : mapping of str to sequence of str
+        Named tuples of the file, with their fields in order.
     """
 
     takes: Mapping[str, Sequence[str]]
@@ -71,6 +73,7 @@ class PythonFile:
     calls: Mapping[str, str] = field(default_factory=dict)
     started: str = ""
     lists: frozenset[str] = frozenset()
+    records: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
 
 def block(body: Sequence[ast.stmt], file: PythonFile) -> Term:
@@ -344,6 +347,14 @@ def arguments_of(args: ast.arguments) -> list[str]:
     return [n for n in names if n not in ("self", "cls")]
 
 
+def defaults_of(args: ast.arguments) -> list[tuple[str, ast.expr]]:
+    """Arguments that a call may leave out, with what they are then."""
+    placed = [*args.posonlyargs, *args.args]
+    pairs = [*zip(placed[::-1], args.defaults[::-1], strict=False)]
+    pairs += [(a, v) for a, v in zip(args.kwonlyargs, args.kw_defaults, strict=True) if v]
+    return [(a.arg, value) for a, value in pairs]
+
+
 def _call(node: ast.Call, file: PythonFile) -> Term:
     name, owner = word(node.func), _owner(node, file)
     match node.args:
@@ -360,6 +371,10 @@ def _call(node: ast.Call, file: PythonFile) -> Term:
         if name == "reshape" and owner and ast.unparse(node.args[0]) == "-1":
             return owner[0]
     name = file.calls.get(ast.unparse(node.func), name)
+    if name in file.records and name not in file.takes:
+        return Term(
+            "list", "", tuple(_in_order(file.records[name], node.args, node.keywords, file))
+        )
     if name in file.takes:
         ordered = _in_order(file.takes[name], node.args, node.keywords, file)
         return Term("call", name, tuple(ordered))

@@ -9,7 +9,14 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from mechanics.claims.code.interpreter_values import FileFunction, JudgedFunction, SceneNames
-from mechanics.claims.code.python_form import DEFINED, PythonFile, arguments_of, block, word
+from mechanics.claims.code.python_form import (
+    DEFINED,
+    PythonFile,
+    arguments_of,
+    block,
+    defaults_of,
+    word,
+)
 
 Defined = ast.FunctionDef | ast.AsyncFunctionDef
 TIMES = frozenset(("t", "time", "ti", "t0", "tn", "t_i", "t_n", "tk", "_t", "_"))
@@ -77,14 +84,10 @@ def _gives(
 
 def _defaults(node: Defined, meanings: Collection[str]) -> dict[str, Fraction]:
     """Numbers that arguments without a meaning have where a call gives none."""
-    placed = [*node.args.posonlyargs, *node.args.args]
-    pairs = [*zip(placed[::-1], node.args.defaults[::-1], strict=False)]
-    pairs += [(a, v) for a, v in zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True)
-              if v is not None]  # fmt: skip
     return {
-        a.arg: Fraction(str(v.value))
-        for a, v in pairs
-        if a.arg not in meanings and isinstance(v, ast.Constant)
+        name: Fraction(str(v.value))
+        for name, v in defaults_of(node.args)
+        if name not in meanings and isinstance(v, ast.Constant)
         and isinstance(v.value, int | float) and not isinstance(v.value, bool)
     }  # fmt: skip
 

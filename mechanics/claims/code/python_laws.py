@@ -167,6 +167,10 @@ def _keeps(scope: Scope, line: Line, circle: frozenset[str]) -> bool:
     match line.node:
         case ast.AugAssign(target=ast.Name() | ast.Attribute() as target, value=value):
             return _counts(scope, word(target), value)
+        case ast.AugAssign(
+            target=ast.Subscript(value=ast.Name(id=name)), value=ast.Constant(value=int()) as one
+        ):
+            return _counts(scope, name, one)
         case ast.AugAssign():
             return False
         case ast.Assign(

@@ -25,6 +25,7 @@ from mechanics.claims.code.closure_assignments import paired
 from mechanics.claims.code.handed_values import changed_by_other_names
 from mechanics.claims.code.integrator_steps import is_step
 from mechanics.claims.code.intermediate_form import Term
+from mechanics.claims.code.interpreter import DRAWN
 from mechanics.claims.code.interpreter_values import (
     FileFunction,
     JudgedFunction,
@@ -40,6 +41,8 @@ from mechanics.claims.code.python_form import (
     PythonFile,
     arguments_of,
     block,
+    defaults_of,
+    expression,
     statement,
     word,
 )
@@ -53,8 +56,8 @@ from mechanics.claims.code.python_functions import (
     words_in,
 )
 from mechanics.claims.code.python_laws import ARITHMETIC, Scope, assigned, laws, root_in, roots_in
-from mechanics.claims.code.python_records import taken_otherwise
-from mechanics.claims.code.python_solvers import told_more
+from mechanics.claims.code.python_records import named_tuples, taken_otherwise
+from mechanics.claims.code.python_solvers import SOLVERS, told_more
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.run import Run
 from mechanics.claims.names import Naming
@@ -227,7 +230,8 @@ class _File:
         started = (word(n.args[0]) for n in ast.walk(self.tree)
                    if isinstance(n, ast.Call) and word(n.func) == "ode" and n.args)  # fmt: skip
         handed = next((name for name in started if name in takes), "")
-        return PythonFile(takes, self.text, called, handed, self._lists())
+        records = named_tuples([*ast.walk(self.tree)])
+        return PythonFile(takes, self.text, called, handed, self._lists(), records)
 
     def _lists(self) -> frozenset[str]:
         """Names that are nothing but lists."""
@@ -316,7 +320,18 @@ class _File:
             yield from changed_by_other_names(self.run(self.judged), body)
         for one in self.outer:
             run = self.run({**self.judged, **self.passed(one)})
+            yield from lines_of(run, self._defaults(one), dict(known))
             yield from function_lines(run, file_function(one, self.form), known)
+
+    def _defaults(self, function: Defined) -> Term:
+        """What a function that uses a judged one has for arguments which a call leaves out."""
+        uses = words_in(function) & {*self.judged, *self.users, *SOLVERS, *self.passed(function)}
+        pairs = defaults_of(function.args) if uses else ()
+        sets = tuple(
+            Term("set", "", (Term("name", name), expression(value, self.form)))
+            for name, value in pairs if self.names.meaning(name) not in self.names.state
+        )  # fmt: skip
+        return Term("call", "", sets, " ".join(self.text[function.lineno - 1].split()))
 
     def steps(
         self, judged: Mapping[str, JudgedFunction], around: Defined | None,
@@ -347,6 +362,7 @@ class _File:
             for tried in (n for n in ast.walk(judged) if isinstance(n, ast.Try)):
                 yield from (n for n in tried.body if isinstance(n, ast.Import | ast.ImportFrom))
         yield from told_more(self.tree)
+        yield from self._drawn_laws()
         yield from taken_otherwise(self.tree, self.names.meaning)
         handed = {name for one in self.outer for name in self.passed(one)}
         yield from rounding(self.tree, {*self.judged, *self.users, *handed})
@@ -361,6 +377,34 @@ class _File:
             scope = Scope(body, function, naming, moving, {*inert, *passed}, steps)
             yield from laws(scope)
             yield from self._said(scope)
+
+    def _drawn_laws(self) -> Iterator[ast.AST]:
+        """Lines by which a parameter is another one whenever a law is asked, or in each step."""
+        parts = {name: one.body.names() for name, one in self.functions.items()}
+        drawn = DRAWN | {name for name in parts if reachable({name}, parts) & DRAWN}
+        asking = {*self.judged, *self.users}
+        laws = [
+            (list[ast.AST]([one.body]), {*arguments_of(one.args)})
+            for one in ast.walk(self.tree) if isinstance(one, ast.Lambda)
+        ]  # fmt: skip
+        laws += [([*one.body], {*arguments_of(one.args)}) for one in self.outer]
+        for loop in ast.walk(self.tree):
+            if isinstance(loop, ast.For | ast.While):
+                lines = assigned([*within(loop.body)])
+                laws.append(([*loop.body], {
+                    name for line in lines if words_in(line.value) & asking
+                    for name in line.targets & roots_in(line.value)
+                }))  # fmt: skip
+        for body, moving in laws:
+            inside = [*within(body)]
+            calls = [n for n in inside if isinstance(n, ast.Call) and word(n.func) in asking]
+            if not any(words_in(part) & moving for call in calls for part in call.args):
+                continue
+            for line in assigned(inside):
+                told = {*map(self.names.meaning, line.targets)} & {*self.names.parameters}
+                if told and words_in(line.value) & drawn:
+                    yield line.node
+            yield from (call for call in calls if any(words_in(p) & drawn for p in call.args))
 
     def _said(self, scope: Scope) -> Iterator[ast.AST]:
         for one in scope.inside:

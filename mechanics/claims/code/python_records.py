@@ -22,16 +22,18 @@ def taken_otherwise(tree: ast.Module, meaning: Callable[[str], str]) -> Iterator
         The word of the scene that a name is; empty for none.
     """
     nodes = [*ast.walk(tree)]
-    fields = {**_of_classes(nodes), **_of_calls(nodes)}
+    fields = {**_of_classes(nodes), **named_tuples(nodes)}
     made = _instances(nodes, fields)
     takes = {n.name: arguments_of(n.args) for n in nodes if isinstance(n, ast.FunctionDef)}
     for one in nodes:
         match one:
-            case ast.Assign(targets=[ast.Tuple(elts=targets)], value=value) | ast.For(
-                target=ast.Tuple(elts=targets), iter=value):  # fmt: skip
-                names = [word(t) for t in targets]
-                if _differs(names, _fields_of(value, made, fields), meaning):
+            case ast.Assign(targets=[ast.Tuple() as target], value=value):
+                if _differs(_names(target), _fields_of(value, made, fields), meaning):
                     yield one
+            case (ast.For(target=ast.Tuple() as target, iter=value)
+                  | ast.comprehension(target=ast.Tuple() as target, iter=value)):  # fmt: skip
+                if _differs(_names(target), _fields_of_each(value, made, fields), meaning):
+                    yield target
             case ast.Call(func=func, args=[*args]):
                 names = [*takes.get(word(func), ())]
                 for k, part in enumerate(args):
@@ -44,6 +46,10 @@ def taken_otherwise(tree: ast.Module, meaning: Callable[[str], str]) -> Iterator
                     yield one
 
 
+def _names(target: ast.Tuple) -> list[str]:
+    return [word(part) for part in target.elts]
+
+
 def _differs(names: Sequence[str], fields: Sequence[str], meaning: Callable[[str], str]) -> bool:
     """Whether names stand for other fields than they are called."""
     pairs = [(a, b) for a, b in zip(names, fields, strict=False) if a and a != b]
@@ -51,6 +57,18 @@ def _differs(names: Sequence[str], fields: Sequence[str], meaning: Callable[[str
         a in fields or ((one := meaning(a)) and (other := meaning(b)) and one != other)
         for a, b in pairs
     )
+
+
+def _fields_of_each(
+    value: ast.expr, made: Mapping[str, str], fields: Fields
+) -> Sequence[str]:  # fmt: skip
+    """Fields of the records that a list holds."""
+    match value:
+        case ast.List(elts=[first, *_]) | ast.Tuple(elts=[first, *_]) | ast.ListComp(elt=first):
+            return _fields_of(first, made, fields)
+        case ast.Name(id=name):
+            return fields.get(made.get(f"{name}[]", ""), ())
+    return ()
 
 
 def _of_classes(nodes: Sequence[ast.AST]) -> dict[str, list[str]]:
@@ -67,7 +85,7 @@ def _of_classes(nodes: Sequence[ast.AST]) -> dict[str, list[str]]:
     return found
 
 
-def _of_calls(nodes: Sequence[ast.AST]) -> dict[str, list[str]]:
+def named_tuples(nodes: Sequence[ast.AST]) -> dict[str, list[str]]:
     """Fields of what namedtuple makes."""
     found: dict[str, list[str]] = {}
     for one in nodes:
@@ -92,6 +110,12 @@ def _instances(nodes: Sequence[ast.AST], fields: Fields) -> dict[str, str]:
                 base = func.value if isinstance(func, ast.Attribute) else func
                 for kind in {word(func), word(base)} & fields.keys():
                     found[word(target)] = kind
+            case ast.Assign(
+                targets=[target],
+                value=ast.List(elts=[ast.Call(func=func), *_])
+                | ast.ListComp(elt=ast.Call(func=func)),
+            ) if word(func) in fields:  # fmt: skip
+                found[f"{word(target)}[]"] = word(func)
             case ast.arg(arg=name, annotation=ast.expr() as kind) if word(kind) in fields:
                 found[name] = word(kind)
     return found

@@ -6,9 +6,17 @@ solve_ivp(f, span, y0, **options)       anything, where nothing here says what i
 """
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
+import builtins
+import sys
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from mechanics.claims.code.python_form import STATE_FIRST, TIME_FIRST, word
+from mechanics.claims.code.python_form import (
+    STATE_FIRST,
+    TIME_FIRST,
+    arguments_of,
+    defaults_of,
+    word,
+)
 
 SOLVERS = frozenset((*TIME_FIRST, *STATE_FIRST))
 OPTIONS = frozenset(
@@ -30,7 +38,7 @@ def told_more(tree: ast.AST) -> Iterator[ast.Call]:
     tree : ast.Module
     """
     nodes = [*ast.walk(tree)]
-    values = _values(nodes)
+    values, given_as, known = _values(nodes), _given_as(nodes), _of_scipy(nodes)
     passed = {n.args.kwarg.arg for n in nodes if isinstance(n, ast.FunctionDef) and n.args.kwarg}
     told = {k.arg for n in nodes if isinstance(n, ast.Call) for k in n.keywords}
     if told & {"jac", "Dfun", "mass"}:
@@ -43,6 +51,7 @@ def told_more(tree: ast.AST) -> Iterator[ast.Call]:
             if (
                 more
                 or any(not _is_told(name, value) for name, value in given.items())
+                or not ("method" not in given or _is_method(given["method"], given_as, known))
                 or not all(word(w) in passed or _holds_options(w, values) for w in whole)
             ):
                 yield one
@@ -50,6 +59,58 @@ def told_more(tree: ast.AST) -> Iterator[ast.Call]:
 
 def _is_told(name: str, value: ast.expr) -> bool:
     return name in OPTIONS or (isinstance(value, ast.Constant) and value.value in (None, False))
+
+
+def _of_scipy(nodes: Sequence[ast.AST]) -> set[str]:
+    """Names that are no solver but SciPy's: of SciPy, of Python, and arguments."""
+    known = {*dir(builtins), *(n.arg for n in nodes if isinstance(n, ast.arg))}
+    for one in nodes:
+        if isinstance(one, ast.Import):
+            known |= {
+                (a.asname or a.name).partition(".")[0] for a in one.names if _is_known(a.name)
+            }
+        elif isinstance(one, ast.ImportFrom) and _is_known(one.module or ""):
+            known |= {a.asname or a.name for a in one.names}
+    return known - {n.name for n in nodes if isinstance(n, ast.ClassDef)}
+
+
+def _is_known(module: str) -> bool:
+    first = module.partition(".")[0]
+    return first in ("scipy", "numpy", "pandas") or first in sys.stdlib_module_names
+
+
+def _given_as(nodes: Sequence[ast.AST]) -> dict[str, list[ast.expr]]:
+    """What names may be: assigned, one by one in a loop, an argument's default, or given."""
+    found: dict[str, list[ast.expr]] = {}
+    takes = {n.name: arguments_of(n.args) for n in nodes if isinstance(n, ast.FunctionDef)}
+    for one in nodes:
+        pairs: list[tuple[str, ast.expr]] = []
+        match one:
+            case ast.Assign(targets=targets, value=value):
+                pairs = [(word(t), value) for target in targets for t in ast.walk(target)]
+            case ast.For(target=target, iter=value) | ast.comprehension(target=target, iter=value):
+                pairs = [(word(t), value) for t in ast.walk(target)]
+            case ast.FunctionDef(args=args) | ast.Lambda(args=args):
+                pairs = defaults_of(args)
+            case ast.Call(func=func, args=args, keywords=keywords):
+                pairs = [*zip(takes.get(word(func), ()), args, strict=False)]
+                pairs += [(k.arg, k.value) for k in keywords if k.arg]
+        for name, value in pairs:
+            found.setdefault(name, []).append(value)
+    return found
+
+
+def _is_method(
+    value: ast.expr, given: Mapping[str, Sequence[ast.expr]], known: Collection[str],
+    seen: frozenset[str] = frozenset(),
+) -> bool:  # fmt: skip
+    """Whether a method can be none but SciPy's: a text, of which it knows its own, or a class."""
+    names = {n.id for n in ast.walk(value) if isinstance(n, ast.Name)} - seen
+    return all(
+        (name in known or name in given)
+        and all(_is_method(one, given, known, seen | {name}) for one in given.get(name, ()))
+        for name in names
+    )
 
 
 def _values(nodes: Sequence[ast.AST]) -> dict[str, list[ast.expr]]:

@@ -36,6 +36,7 @@ from mechanics.claims.text.letters import plain
 from mechanics.claims.text.nodes import FIRST, OTHERS, Nodes
 from mechanics.claims.text.prepare import prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
+from mechanics.claims.text.values_in_words import without_values_in_words
 from mechanics.claims.tree import Name, ended
 
 BASE = r"(?:[kcm]?m|k?g|m?s|k?N|J|rad|W|Pa|Hz)(?:\^?-?[1-4]|\*\*-?[1-4])?"
@@ -72,7 +73,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
         bounded_mathematics(len(text), 0)
     except Refused as reason:
         raise refusal(text, reason, origin) from None
-    clean = prepared(text)
+    clean = prepared(without_values_in_words(text, naming))
     lost = [
         Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
         for at, words in without_effect(text)
