@@ -226,6 +226,52 @@ CPP_WRONG += [
 C_WRONG.append(
     ("func", GSL.replace('    printf("%.5e', '    y[1] = -y[1];\n    printf("%.5e'), "y[1]")
 )
+START = "double y[2] = {0.1, 0}, t = 0, h = 0.01;"
+HELPER = "void {}(double t, double *y, double h)\n{{ double k[2]; {} }}\n"
+FIXED = "rate(t, y, k, 1, 1, 9.81, 0); "
+EULER_STEP = "y[0] += h*k[0]; y[1] += h*k[1];"
+MOVED = FIXED + "for (int j = 0; j < 2; j++) y[j] += h*k[j];"
+RK4 = (
+    "double b[2], c[2], d[2], z[2]; int j; "
+    + FIXED
+    + "".join(
+        f"for (j = 0; j < 2; j++) z[j] = y[j] + {of}*{k}[j]; rate(t, z, {to}, 1, 1, 9.81, 0); "
+        for of, k, to in (("h/2", "k", "b"), ("h/2", "b", "c"), ("h", "c", "d"))
+    )
+    + "for (j = 0; j < 2; j++) y[j] += h/6*(k[j] + 2*b[j] + 2*c[j] + d[j]);"
+)
+HANDED = (
+    "typedef void (*Law)(double, const double *, double *, double, double, double, double);\n"
+    "void euler(Law f, double t, double *y, double h)\n"
+    "{ double k[2]; f(t, y, k, 1, 1, 9.81, 0); for (int j = 0; j < 2; j++) y[j] += h*k[j]; }\n"
+)
+MOVES = (
+    f"void move(double *th, double *om, double h)\n{{ double a = {ASKED}; *om += h*a; "
+    "*th += h**om; }\n"
+).replace("th, om,", "*th, *om,")
+
+
+def helped(body: str, name: str = "euler", above: str = "") -> str:
+    """A program whose state a function of its own advances."""
+    return program(RATE + above + HELPER.format(name, body), START, f"{name}(t, y, h); t += h;")
+
+
+HELPED_WRONG = [
+    ("rate", helped(FIXED + EULER_STEP.replace("1] +=", "1] -=")), "y[1] -="),
+    ("rate", helped(FIXED + "y[0] += h*k[1]; y[1] += h*k[0];"), "y[0] +="),
+    ("rate", helped(MOVED + " y[1] *= 0.9;"), "y[1] *="),
+    ("rate", helped(FIXED + "k[1] = -k[1]; " + EULER_STEP), "k[1] ="),
+    ("rate", helped("double *p = y; p[1] *= 0.9; " + MOVED), "p[1] *="),
+    ("rate", helped(MOVED.replace("9.81", "-9.81")), "-9.81"),
+    ("rate", helped(RK4.replace("y[j] += h/6", "y[j] -= h/6"), "rk4"), "-= h/6"),
+    ("rate", helped(RK4.replace("+ d[j]", "- d[j]"), "rk4"), "- d[j]"),
+    ("rate", program(RATE + HANDED.replace("+= h", "-= h"), START, "euler(rate, t, y, h);"),
+        "euler("),
+    ("accel", program(ACCEL + MOVES.replace("*om +=", "*om -="), ONE, "move(&th, &om, h);"),
+        "*om -="),
+]  # fmt: skip
+C_WRONG += HELPED_WRONG
+CPP_WRONG += HELPED_WRONG
 ARDUINO_WRONG = [
     ("accel", sketch(STEP + " om *= 0.9;"), "om *="),
     ("accel", sketch("om *= 0.9; " + STEP), "om *="),
@@ -326,7 +372,16 @@ C_RIGHT = [
     (None, shared("step(u, m, l, g, dt);", "theta = 0.2; omega = 0;")),
     ("func", GSL),
 ]  # fmt: skip
+HELPED_RIGHT = [
+    ("rate", helped(FIXED + EULER_STEP)), ("rate", helped(MOVED)), ("rate", helped(RK4, "rk4")),
+    ("rate", helped(MOVED, above="static int count = 100;\nFILE *out;\n")),
+    ("rate", RATE + HELPER.format("rk4", RK4)),
+    ("rate", program(RATE + HANDED, START, "euler(rate, t, y, h);")),
+    ("accel", program(ACCEL + MOVES, ONE, "move(&th, &om, h);")),
+]  # fmt: skip
+C_RIGHT += [*HELPED_RIGHT, (None, helped(MOVED)), (None, RATE + HELPER.format("rk4", RK4))]
 CPP_RIGHT = [
+    *HELPED_RIGHT,
     ("accel", one(STEP + ' printf("%g", p);', "const double &p = om;")),
     ("rate", VECTOR.replace("{} }", "std::cout << y[0] << std::endl; }")),
     ("rate", two(STEPS + ' out << t << "," << y[0] << "\\n";', 'std::ofstream out("a.csv");')),
