@@ -272,6 +272,41 @@ HELPED_WRONG = [
 ]  # fmt: skip
 C_WRONG += HELPED_WRONG
 CPP_WRONG += HELPED_WRONG
+ROW = "double (*p)[2] = &y;"
+C_WRONG += [
+    ("rate", two(f"{STEPS} {line}", given), fragment)
+    for given, line, fragment in (
+        (ROW, "(*p)[1] *= 0.9;", "(*p)[1] *="), (ROW, "(*p)[1] = 0;", "(*p)[1] ="),
+        (ROW, "p[0][1] *= 0.9;", "p[0][1] *="), (ROW, "*(*p + 1) *= 0.9;", "*(*p + 1)"),
+        (ROW + " double *q = *p;", "q[1] *= 0.9;", "q[1] *="),
+        (ROW.replace("&y", "&k"), "(*p)[1] *= 0.9;", "(*p)[1] *="),
+        ("double (*p)[2]; p = &y;", "(*p)[1]--;", "(*p)[1]--"),
+    )
+]  # fmt: skip
+C_WRONG += [
+    ("accel", one(f"{STEP} om = (float)om;"), "(float)om"),
+    ("accel", one(f"{STEP} om = (double)(float)om;"), "(float)om"),
+    ("accel", one(f"{STEP} float f = om; om = f;"), "float f"),
+    ("accel", one(f"om += h*(float){ASKED}; th += h*om;"), "(float)accel"),
+    ("accel", one(STEP.replace("accel(th", "accel((float)th")), "(float)th"),
+    ("rate", two(f"{STEPS} y[1] = (float)y[1];"), "(float)y[1]"),
+    ("accel", record(f"{FIELDS} s.omega = (float)s.omega;"), "(float)s.omega"),
+]
+DRIVER = "  gsl_odeiv2_driver *d ="
+C_WRONG += [
+    ("func", GSL.replace(DRIVER, f"  {line}\n{DRIVER}"), fragment)
+    for line, fragment in (
+        ("mu[2] = -9.81;", "mu[2] ="), ("mu[1] = 0;", "mu[1] ="), ("mu[2] *= -1;", "mu[2] *="),
+        ("*(mu + 2) = -9.81;", "*(mu + 2)"), ("double *q = mu; q[2] = -9.81;", "q[2] ="),
+        ("mu[1] = mu[2];", "mu[1] = mu[2]"), ("memset(mu, 0, sizeof mu);", "memset"),
+        ("for (int j = 0; j < 4; j++) mu[j] = -1;", "mu[j] ="),
+    )
+]  # fmt: skip
+C_WRONG += [
+    ("func", GSL.replace("{1, 1, 9.81, 0}", values), "double mu")
+    for values in ("{1, 1, -9.81, 0}", "{1, -1, 9.81, 0}", "{1, 1}")
+]
+CPP_WRONG.append(("rate", two(STEPS + " p[1] *= 0.9;", "double (&p)[2] = y;"), "p[1] *="))
 ARDUINO_WRONG = [
     ("accel", sketch(STEP + " om *= 0.9;"), "om *="),
     ("accel", sketch("om *= 0.9; " + STEP), "om *="),
@@ -335,6 +370,28 @@ MATLAB_WRONG = [
 ]  # fmt: skip
 
 
+GLOBAL = (
+    "global m l g u\nm = 1; l = 0.5; g = 9.81; u = 0;\no = odeset({}, @show);\n"
+    "[t, y] = ode45(@rate, [0 1], [0.1; 0], o);\nplot(t, y(:, 1));\n"
+    "function dydt = rate(t, y)\nglobal m l g u\n"
+    "dydt = [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];\nend\n"
+    "function status = show(t, y, flag)\n{}\nstatus = 0;\nend\n"
+)
+SHOWN = "'OutputFcn'"
+SET_UP = "function begin()\nglobal g l\ng = {}; l = 2*0.25;\nend\n"
+MATLAB_WRONG += [
+    *(("rate", GLOBAL.format(SHOWN, line), fragment)
+      for line, fragment in (
+          ("global g\ng = 1.62;", "g = 1.62"), ("global g\ng = -g;", "g = -g"),
+          ("global g\nif t > 0.5, g = 1.62; end", "g = 1.62"), ("global l\nl = 2;", "l = 2"),
+          ("global l\n[l, k] = deal(2, 0);", "[l, k]"),
+          ("assignin('base', 'g', 1.62);", "assignin"),
+      )),
+    ("rate", GLOBAL.format("'Events'", "global g\ng = g*0.9;"), "g = g*0.9"),
+    ("rate", "begin();\n" + GLOBAL.format(SHOWN, "") + SET_UP.format("-9.81"), "g = -9.81"),
+]  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("suffix", "function", "text", "fragment"),
     [(suffix, *case) for suffix, cases in (
@@ -371,6 +428,17 @@ C_RIGHT = [
     ("accel", one(STEP, after="om = -om;")),
     (None, shared("step(u, m, l, g, dt);", "theta = 0.2; omega = 0;")),
     ("func", GSL),
+]  # fmt: skip
+C_RIGHT += [
+    ("rate", two(STEPS + ' printf("%g", (*p)[1]);', ROW)),
+    ("accel", one(STEP + " buf[i] = (float)om; n = (int)om;", "float buf[9]; int n = 0;")),
+    ("accel", one(STEP + ' float f = om; printf("%g %g", (float)om, f);')),
+    ("accel", one(f"om += h*(double){ASKED}; th += h*om;")),
+    ("accel", one(STEP, "float n = 100; h = (float)1/n;")),
+    ("accel", one(STEP + " om = (float)om;").replace("double", "float")),
+    ("func", GSL.replace(DRIVER, f"  mu[2] = 1.62; mu[3] = -1;\n{DRIVER}")),
+    ("func", GSL.replace("mu[4] = {1, 1, 9.81, 0}", "mu[4]").replace(
+        DRIVER, f"  mu[0] = 1; mu[1] = 1; mu[2] = 9.81; mu[3] = 0;\n{DRIVER}")),
 ]  # fmt: skip
 HELPED_RIGHT = [
     ("rate", helped(FIXED + EULER_STEP)), ("rate", helped(MOVED)), ("rate", helped(RK4, "rk4")),
@@ -419,6 +487,16 @@ MATLAB_RIGHT = [
     ("rate", GIVEN + "sol = ode45(@(t, y) rate(t, y, m, l, g, u), [0 10], [0.1 0]);\n"
         "th = deval(sol, 0:0.1:10, 1);\nplot(th)\n" + MATLAB),
 ]  # fmt: skip
+
+
+MATLAB_RIGHT += [
+    ("rate", GLOBAL.format(SHOWN, line))
+    for line in (
+        "", "plot(t, y(1, :), '.'); drawnow", "global T\nT = [T t];", "global u\nu = -3*y(1);",
+        "g = 2;",
+    )
+]  # fmt: skip
+MATLAB_RIGHT.append(("rate", "begin();\n" + GLOBAL.format(SHOWN, "") + SET_UP.format("9.81")))
 
 
 @pytest.mark.parametrize(
