@@ -392,6 +392,34 @@ MATLAB_WRONG += [
 ]  # fmt: skip
 
 
+BOUND = "double &th = y[0], &om = y[1];"
+ADVANCED = FIXED + "th += h*k[0]; om += h*k[1];"
+COPIED = FIXED + "yn[0] = y[0] + h*k[0]; yn[1] = y[1] + h*k[1]; "
+COPY = "memcpy(y, yn, sizeof y);"
+CPP_WRONG += [
+    ("rate", two(lines, given), fragment)
+    for given, lines, fragment in (
+        (BOUND, ADVANCED.replace("om +=", "om -="), "om -="),
+        (BOUND, ADVANCED + " om *= 0.9;", "om *="),
+        (BOUND, STEPS + " om = -om;", "om = -om"),
+        ("double &th = y[1], &om = y[0];", ADVANCED, "om +="),
+        ("double &v = y[1]; double &w = v;", STEPS + " w *= 0.9;", "w *="),
+        ("", STEPS + " { double &v = y[1]; v *= 0.9; }", "v *="),
+    )
+]
+C_WRONG += [
+    ("rate", two(lines, "double yn[3] = {0};"), fragment)
+    for lines, fragment in (
+        (COPIED.replace("y[1] +", "y[1] -") + COPY, "yn[1] ="),
+        (COPIED + "yn[1] *= 0.9; " + COPY, "yn[1] ="),
+        (STEPS + COPY, "memcpy"),
+        (COPIED + "memcpy(y, k, sizeof y);", "memcpy"),
+        (COPIED + "memcpy(y, yn, sizeof(double));", "yn[1] ="),
+        (COPIED + "memcpy(y, yn + 1, sizeof y);", "yn[1] ="),
+    )
+]
+
+
 @pytest.mark.parametrize(
     ("suffix", "function", "text", "fragment"),
     [(suffix, *case) for suffix, cases in (
@@ -497,6 +525,18 @@ MATLAB_RIGHT += [
     )
 ]  # fmt: skip
 MATLAB_RIGHT.append(("rate", "begin();\n" + GLOBAL.format(SHOWN, "") + SET_UP.format("9.81")))
+
+
+CPP_RIGHT += [
+    ("rate", two(ADVANCED, BOUND)), ("rate", two(f"{BOUND} {ADVANCED}")),
+    ("rate", two(ADVANCED, "auto &th = y[0]; auto &om = y[1];")),
+    ("accel", program(ACCEL, "double y[2] = {0.1, 0}, h = 0.01; " + BOUND, STEP)),
+]  # fmt: skip
+C_RIGHT += [
+    ("rate", two(COPIED + COPY, "double yn[2];")),
+    ("rate", two(STEPS + " memcpy(old, y, sizeof y);", "double old[2];")),
+    ("rate", two(STEPS + " double *row = z[i]; row[0] = y[0];", "double z[9][2];")),
+]
 
 
 @pytest.mark.parametrize(

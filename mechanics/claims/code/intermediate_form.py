@@ -143,7 +143,7 @@ def _term(node: Any, text: str) -> Term:
         case "juxtaposition_expression" if len(parts) == 2:
             return Term("binary", "*", _parts(parts))
         case "function_call" | "call_expression" | "broadcast_call_expression" if parts:
-            return _call(parts)
+            return _copied(_call(parts))
         case "assignment_expression" | "subscript_expression" if row := ROWS.match(text):
             return _row_pointer(row, parts if node.type == "assignment_expression" else [])
         case "index_expression" | "subscript_expression" if len(parts) == 2:
@@ -234,6 +234,18 @@ def _call(parts: list[Any]) -> Term:
     if head.type == "identifier" or "::" in name or "." in name:
         return Term("call", re.split(r"::", name)[-1], given)
     return Term("other", "", (term(head), *given))
+
+
+def _copied(call: Term) -> Term:
+    """A copy of a whole array of C as what it is: memcpy(y, z, sizeof y) is y[:] = z."""
+    if call.name not in ("memcpy", "memmove") or len(call.parts) != 3:
+        return call
+    target, value, size = call.parts
+    whole = re.fullmatch(r"sizeof\s*\(?\s*(\w+)\s*\)?", size.text)
+    plain = target.kind == value.kind == "name" and target.text == target.name
+    if not plain or whole is None or whole[1] not in (target.name, value.name):
+        return call
+    return Term("set", "", (Term("entry", "", (target, Term("whole")), target.text), value))
 
 
 def _set(node: Any, parts: list[Any]) -> Term:

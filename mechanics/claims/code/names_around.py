@@ -64,8 +64,9 @@ class Around:
 
     @cached_property
     def types(self) -> dict[str, str]:
-        """Types of names, as far as the block declares them."""
-        return {one.name: one.text for one in self.body.all() if one.kind == "type"}
+        """Types of names, as far as the block declares them; of two, the one that shares."""
+        types = (one for one in self.body.all() if one.kind == "type")
+        return {one.name: one.text for one in sorted(types, key=lambda t: t.text[-1] in "&*")}
 
     @cached_property
     def state(self) -> frozenset[str]:

@@ -33,6 +33,7 @@ from mechanics.claims.code.interpreter_values import (
 from mechanics.claims.code.manipulator_parts import parts_of
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
+from mechanics.claims.code.references import without_references
 from mechanics.claims.code.run import Run
 from mechanics.claims.code.state_changes import changes_elsewhere, state_changes
 from mechanics.claims.names import Naming
@@ -232,6 +233,7 @@ def _own(node: Any, suffix: str, title: Callable[[str], str]) -> FileFunction:
         entries = [t.parts[0] for t in made.all() if t.kind == "set" and t.parts[0].kind == "entry"]
         shared = {words(i) for i in within(node, "identifier")} & {t.parts[0].name for t in entries}
         shared |= {*takes[:1]} if words(named(one.call)[0]).endswith("!") else set()
+    made = without_references(made)
     own = FileFunction(tuple(map(title, takes)), gives, with_names(made, title))
     return replace(own, shared=frozenset(map(title, shared & {*takes})))
 
