@@ -14,7 +14,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
-from mechanics.claims.code.cpp_functions import SUFFIXES, without_main
+from mechanics.claims.code.cpp_functions import SUFFIXES, without_users
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
     LANGUAGES,
@@ -127,7 +127,8 @@ def read(
             raise InputError(f"file {thing}: a notebook has cells: mechanics grade reads them")
         if thing.suffix in (".c", ".h", *SUFFIXES):
             text, origin = file_text(thing), str(thing)
-            used = text if function == "main" else without_main(text)
+            c = thing.suffix not in SUFFIXES
+            used = text if function == "main" else without_users(text, function, c=c)
             found = _read_c_file(scene, used, thing.suffix, function, names, about, origin)
             return _with_rest(found, scene, thing, text, names, function)
         options = {"names": names, "notation": notation, "about": about}

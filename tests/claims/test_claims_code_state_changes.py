@@ -226,6 +226,87 @@ CPP_WRONG += [
 C_WRONG.append(
     ("func", GSL.replace('    printf("%.5e', '    y[1] = -y[1];\n    printf("%.5e'), "y[1]")
 )
+START = "double y[2] = {0.1, 0}, t = 0, h = 0.01;"
+HELPER = "void {}(double t, double *y, double h)\n{{ double k[2]; {} }}\n"
+FIXED = "rate(t, y, k, 1, 1, 9.81, 0); "
+EULER_STEP = "y[0] += h*k[0]; y[1] += h*k[1];"
+MOVED = FIXED + "for (int j = 0; j < 2; j++) y[j] += h*k[j];"
+RK4 = (
+    "double b[2], c[2], d[2], z[2]; int j; "
+    + FIXED
+    + "".join(
+        f"for (j = 0; j < 2; j++) z[j] = y[j] + {of}*{k}[j]; rate(t, z, {to}, 1, 1, 9.81, 0); "
+        for of, k, to in (("h/2", "k", "b"), ("h/2", "b", "c"), ("h", "c", "d"))
+    )
+    + "for (j = 0; j < 2; j++) y[j] += h/6*(k[j] + 2*b[j] + 2*c[j] + d[j]);"
+)
+HANDED = (
+    "typedef void (*Law)(double, const double *, double *, double, double, double, double);\n"
+    "void euler(Law f, double t, double *y, double h)\n"
+    "{ double k[2]; f(t, y, k, 1, 1, 9.81, 0); for (int j = 0; j < 2; j++) y[j] += h*k[j]; }\n"
+)
+MOVES = (
+    f"void move(double *th, double *om, double h)\n{{ double a = {ASKED}; *om += h*a; "
+    "*th += h**om; }\n"
+).replace("th, om,", "*th, *om,")
+
+
+def helped(body: str, name: str = "euler", above: str = "") -> str:
+    """A program whose state a function of its own advances."""
+    return program(RATE + above + HELPER.format(name, body), START, f"{name}(t, y, h); t += h;")
+
+
+HELPED_WRONG = [
+    ("rate", helped(FIXED + EULER_STEP.replace("1] +=", "1] -=")), "y[1] -="),
+    ("rate", helped(FIXED + "y[0] += h*k[1]; y[1] += h*k[0];"), "y[0] +="),
+    ("rate", helped(MOVED + " y[1] *= 0.9;"), "y[1] *="),
+    ("rate", helped(FIXED + "k[1] = -k[1]; " + EULER_STEP), "k[1] ="),
+    ("rate", helped("double *p = y; p[1] *= 0.9; " + MOVED), "p[1] *="),
+    ("rate", helped(MOVED.replace("9.81", "-9.81")), "-9.81"),
+    ("rate", helped(RK4.replace("y[j] += h/6", "y[j] -= h/6"), "rk4"), "-= h/6"),
+    ("rate", helped(RK4.replace("+ d[j]", "- d[j]"), "rk4"), "- d[j]"),
+    ("rate", program(RATE + HANDED.replace("+= h", "-= h"), START, "euler(rate, t, y, h);"),
+        "euler("),
+    ("accel", program(ACCEL + MOVES.replace("*om +=", "*om -="), ONE, "move(&th, &om, h);"),
+        "*om -="),
+]  # fmt: skip
+C_WRONG += HELPED_WRONG
+CPP_WRONG += HELPED_WRONG
+ROW = "double (*p)[2] = &y;"
+C_WRONG += [
+    ("rate", two(f"{STEPS} {line}", given), fragment)
+    for given, line, fragment in (
+        (ROW, "(*p)[1] *= 0.9;", "(*p)[1] *="), (ROW, "(*p)[1] = 0;", "(*p)[1] ="),
+        (ROW, "p[0][1] *= 0.9;", "p[0][1] *="), (ROW, "*(*p + 1) *= 0.9;", "*(*p + 1)"),
+        (ROW + " double *q = *p;", "q[1] *= 0.9;", "q[1] *="),
+        (ROW.replace("&y", "&k"), "(*p)[1] *= 0.9;", "(*p)[1] *="),
+        ("double (*p)[2]; p = &y;", "(*p)[1]--;", "(*p)[1]--"),
+    )
+]  # fmt: skip
+C_WRONG += [
+    ("accel", one(f"{STEP} om = (float)om;"), "(float)om"),
+    ("accel", one(f"{STEP} om = (double)(float)om;"), "(float)om"),
+    ("accel", one(f"{STEP} float f = om; om = f;"), "float f"),
+    ("accel", one(f"om += h*(float){ASKED}; th += h*om;"), "(float)accel"),
+    ("accel", one(STEP.replace("accel(th", "accel((float)th")), "(float)th"),
+    ("rate", two(f"{STEPS} y[1] = (float)y[1];"), "(float)y[1]"),
+    ("accel", record(f"{FIELDS} s.omega = (float)s.omega;"), "(float)s.omega"),
+]
+DRIVER = "  gsl_odeiv2_driver *d ="
+C_WRONG += [
+    ("func", GSL.replace(DRIVER, f"  {line}\n{DRIVER}"), fragment)
+    for line, fragment in (
+        ("mu[2] = -9.81;", "mu[2] ="), ("mu[1] = 0;", "mu[1] ="), ("mu[2] *= -1;", "mu[2] *="),
+        ("*(mu + 2) = -9.81;", "*(mu + 2)"), ("double *q = mu; q[2] = -9.81;", "q[2] ="),
+        ("mu[1] = mu[2];", "mu[1] = mu[2]"), ("memset(mu, 0, sizeof mu);", "memset"),
+        ("for (int j = 0; j < 4; j++) mu[j] = -1;", "mu[j] ="),
+    )
+]  # fmt: skip
+C_WRONG += [
+    ("func", GSL.replace("{1, 1, 9.81, 0}", values), "double mu")
+    for values in ("{1, 1, -9.81, 0}", "{1, -1, 9.81, 0}", "{1, 1}")
+]
+CPP_WRONG.append(("rate", two(STEPS + " p[1] *= 0.9;", "double (&p)[2] = y;"), "p[1] *="))
 ARDUINO_WRONG = [
     ("accel", sketch(STEP + " om *= 0.9;"), "om *="),
     ("accel", sketch("om *= 0.9; " + STEP), "om *="),
@@ -289,6 +370,56 @@ MATLAB_WRONG = [
 ]  # fmt: skip
 
 
+GLOBAL = (
+    "global m l g u\nm = 1; l = 0.5; g = 9.81; u = 0;\no = odeset({}, @show);\n"
+    "[t, y] = ode45(@rate, [0 1], [0.1; 0], o);\nplot(t, y(:, 1));\n"
+    "function dydt = rate(t, y)\nglobal m l g u\n"
+    "dydt = [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];\nend\n"
+    "function status = show(t, y, flag)\n{}\nstatus = 0;\nend\n"
+)
+SHOWN = "'OutputFcn'"
+SET_UP = "function begin()\nglobal g l\ng = {}; l = 2*0.25;\nend\n"
+MATLAB_WRONG += [
+    *(("rate", GLOBAL.format(SHOWN, line), fragment)
+      for line, fragment in (
+          ("global g\ng = 1.62;", "g = 1.62"), ("global g\ng = -g;", "g = -g"),
+          ("global g\nif t > 0.5, g = 1.62; end", "g = 1.62"), ("global l\nl = 2;", "l = 2"),
+          ("global l\n[l, k] = deal(2, 0);", "[l, k]"),
+          ("assignin('base', 'g', 1.62);", "assignin"),
+      )),
+    ("rate", GLOBAL.format("'Events'", "global g\ng = g*0.9;"), "g = g*0.9"),
+    ("rate", "begin();\n" + GLOBAL.format(SHOWN, "") + SET_UP.format("-9.81"), "g = -9.81"),
+]  # fmt: skip
+
+
+BOUND = "double &th = y[0], &om = y[1];"
+ADVANCED = FIXED + "th += h*k[0]; om += h*k[1];"
+COPIED = FIXED + "yn[0] = y[0] + h*k[0]; yn[1] = y[1] + h*k[1]; "
+COPY = "memcpy(y, yn, sizeof y);"
+CPP_WRONG += [
+    ("rate", two(lines, given), fragment)
+    for given, lines, fragment in (
+        (BOUND, ADVANCED.replace("om +=", "om -="), "om -="),
+        (BOUND, ADVANCED + " om *= 0.9;", "om *="),
+        (BOUND, STEPS + " om = -om;", "om = -om"),
+        ("double &th = y[1], &om = y[0];", ADVANCED, "om +="),
+        ("double &v = y[1]; double &w = v;", STEPS + " w *= 0.9;", "w *="),
+        ("", STEPS + " { double &v = y[1]; v *= 0.9; }", "v *="),
+    )
+]
+C_WRONG += [
+    ("rate", two(lines, "double yn[3] = {0};"), fragment)
+    for lines, fragment in (
+        (COPIED.replace("y[1] +", "y[1] -") + COPY, "yn[1] ="),
+        (COPIED + "yn[1] *= 0.9; " + COPY, "yn[1] ="),
+        (STEPS + COPY, "memcpy"),
+        (COPIED + "memcpy(y, k, sizeof y);", "memcpy"),
+        (COPIED + "memcpy(y, yn, sizeof(double));", "yn[1] ="),
+        (COPIED + "memcpy(y, yn + 1, sizeof y);", "yn[1] ="),
+    )
+]
+
+
 @pytest.mark.parametrize(
     ("suffix", "function", "text", "fragment"),
     [(suffix, *case) for suffix, cases in (
@@ -326,7 +457,27 @@ C_RIGHT = [
     (None, shared("step(u, m, l, g, dt);", "theta = 0.2; omega = 0;")),
     ("func", GSL),
 ]  # fmt: skip
+C_RIGHT += [
+    ("rate", two(STEPS + ' printf("%g", (*p)[1]);', ROW)),
+    ("accel", one(STEP + " buf[i] = (float)om; n = (int)om;", "float buf[9]; int n = 0;")),
+    ("accel", one(STEP + ' float f = om; printf("%g %g", (float)om, f);')),
+    ("accel", one(f"om += h*(double){ASKED}; th += h*om;")),
+    ("accel", one(STEP, "float n = 100; h = (float)1/n;")),
+    ("accel", one(STEP + " om = (float)om;").replace("double", "float")),
+    ("func", GSL.replace(DRIVER, f"  mu[2] = 1.62; mu[3] = -1;\n{DRIVER}")),
+    ("func", GSL.replace("mu[4] = {1, 1, 9.81, 0}", "mu[4]").replace(
+        DRIVER, f"  mu[0] = 1; mu[1] = 1; mu[2] = 9.81; mu[3] = 0;\n{DRIVER}")),
+]  # fmt: skip
+HELPED_RIGHT = [
+    ("rate", helped(FIXED + EULER_STEP)), ("rate", helped(MOVED)), ("rate", helped(RK4, "rk4")),
+    ("rate", helped(MOVED, above="static int count = 100;\nFILE *out;\n")),
+    ("rate", RATE + HELPER.format("rk4", RK4)),
+    ("rate", program(RATE + HANDED, START, "euler(rate, t, y, h);")),
+    ("accel", program(ACCEL + MOVES, ONE, "move(&th, &om, h);")),
+]  # fmt: skip
+C_RIGHT += [*HELPED_RIGHT, (None, helped(MOVED)), (None, RATE + HELPER.format("rk4", RK4))]
 CPP_RIGHT = [
+    *HELPED_RIGHT,
     ("accel", one(STEP + ' printf("%g", p);', "const double &p = om;")),
     ("rate", VECTOR.replace("{} }", "std::cout << y[0] << std::endl; }")),
     ("rate", two(STEPS + ' out << t << "," << y[0] << "\\n";', 'std::ofstream out("a.csv");')),
@@ -364,6 +515,28 @@ MATLAB_RIGHT = [
     ("rate", GIVEN + "sol = ode45(@(t, y) rate(t, y, m, l, g, u), [0 10], [0.1 0]);\n"
         "th = deval(sol, 0:0.1:10, 1);\nplot(th)\n" + MATLAB),
 ]  # fmt: skip
+
+
+MATLAB_RIGHT += [
+    ("rate", GLOBAL.format(SHOWN, line))
+    for line in (
+        "", "plot(t, y(1, :), '.'); drawnow", "global T\nT = [T t];", "global u\nu = -3*y(1);",
+        "g = 2;",
+    )
+]  # fmt: skip
+MATLAB_RIGHT.append(("rate", "begin();\n" + GLOBAL.format(SHOWN, "") + SET_UP.format("9.81")))
+
+
+CPP_RIGHT += [
+    ("rate", two(ADVANCED, BOUND)), ("rate", two(f"{BOUND} {ADVANCED}")),
+    ("rate", two(ADVANCED, "auto &th = y[0]; auto &om = y[1];")),
+    ("accel", program(ACCEL, "double y[2] = {0.1, 0}, h = 0.01; " + BOUND, STEP)),
+]  # fmt: skip
+C_RIGHT += [
+    ("rate", two(COPIED + COPY, "double yn[2];")),
+    ("rate", two(STEPS + " memcpy(old, y, sizeof y);", "double old[2];")),
+    ("rate", two(STEPS + " double *row = z[i]; row[0] = y[0];", "double z[9][2];")),
+]
 
 
 @pytest.mark.parametrize(

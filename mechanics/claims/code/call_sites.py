@@ -181,7 +181,9 @@ def _states_around(run: Run, function: FileFunction) -> frozenset[str]:
     return frozenset(states - declared - {*function.takes})
 
 
-def changed_numbers(run: Run, function: FileFunction, free: Collection[str]) -> list[str]:
+def changed_numbers(
+    run: Run, function: FileFunction, free: Collection[str], *, during: bool = False
+) -> list[str]:
     """Lines of a function that change a number of the file which the judged one uses.
 
     Parameters
@@ -189,16 +191,28 @@ def changed_numbers(run: Run, function: FileFunction, free: Collection[str]) -> 
     function : FileFunction
     free : collection of str
         Names that the judged function uses, and that are none of its own.
+    during : bool
+        Whether a solver calls it while it runs.
     """
     found = []
-    for one in (t for t in function.body.all() if t.kind == "set"):
-        root = root_of(one.parts[0])
-        if root not in free or meaning_of(run, root) not in run.words.parameters:
-            continue
-        value = one.parts[1]
-        if one.name or value.kind != "number" or value.name.startswith("-"):
+    for one in function.body.all():
+        if one.kind == "call" and during and one.name in ("assignin", "evalin", "eval"):
             found.append(one.text)
+        if one.kind != "set":
+            continue
+        roots = {root_of(target) for target in targets_of(one.parts[0])} & {*free}
+        found += [
+            one.text for word in {meaning_of(run, root) for root in roots}
+            if word in run.words.parameters
+            and (during or one.name or not _is_number_for(run, word, one.parts[1]))
+        ]  # fmt: skip
     return found
+
+
+def _is_number_for(run: Run, word: str, value: Term) -> bool:
+    """Whether a value is a number that a parameter may be."""
+    made = known_value(run, value, {})
+    return isinstance(made, Literal) and is_possible(run, word, made)
 
 
 def _moving(run: Run, body: Term, env: dict[str, Any]) -> frozenset[str]:

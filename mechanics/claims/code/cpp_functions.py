@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -47,6 +47,7 @@ from mechanics.claims.code.python_page import (
     within,
     words,
 )
+from mechanics.claims.code.reachability import reachable
 
 LIBRARY = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log",
@@ -289,32 +290,77 @@ def _tree(text: str) -> Any:
     return _tree(data.decode()) if data != text.encode() else root
 
 
-def without_main(text: str) -> str:
-    """The text with blanks for ``main``, which only uses other functions; as it is without these.
+def without_users(text: str, function: str | None = None, *, c: bool = False) -> str:
+    """The text with blanks for functions that only use others; as it is without these.
 
-    A variable of the file that ``main`` alone sets loses the value that the file begins with.
+    ``main`` is one. In C, where all that a file says is read, so is what the function that is asked
+    for does not call; where none is asked for, what advances a state by another function that it
+    hands numbers. Declarations that nothing else uses go with them. A variable of the file that
+    these alone set loses the value that the file begins with.
 
     Parameters
     ----------
     text : str
+    function : str, optional
+        Which is asked for.
+    c : bool
+        Whether it is C, not C++.
     """
     root = tree(language, text, "tree-sitter-cpp")
     nodes = [n for n in within(root, "function_definition") if n.child_by_field_name("type")]
-    main = [n for n in nodes if _title(n) == "main"]
-    if len(main) != 1 or len(nodes) == 1 or main[0].has_error:
+    users = [n for n in nodes if _title(n) == "main"]
+    if len(users) > 1:
         return text
-    others = {name for node in nodes if node not in main for name in _written(node)}
-    changed = _written(main[0]) - others
+    if c:
+        calls = {_title(n): {words(i) for i in within(n, "identifier")} for n in nodes}
+        kept = reachable({function}, calls) if function in calls else None
+        users += [n for n in nodes if n not in users and (
+            _is_example(n, calls.keys()) if kept is None else _title(n) not in kept
+        )]  # fmt: skip
+    users = [n for n in users if not n.has_error]
+    if not users or len(users) == len(nodes):
+        return text
+    others = {name for node in nodes if node not in users for name in _written(node)}
+    changed = {name for node in users for name in _written(node)} - others
+    parts = [part for part in named(root) if part.type in ("declaration", "type_definition")]
     values = [
-        one for part in named(root) if part.type == "declaration"
+        one for part in parts if part.type == "declaration"
         for one in within(part, "init_declarator") if words(within(one, "identifier")[0]) in changed
     ]  # fmt: skip
-    data = bytearray(text.encode())
     spans = [(one.child_by_field_name("declarator").end_byte, one.end_byte) for one in values]
-    for start, end in (*spans, (main[0].start_byte, main[0].end_byte)):
+    spans += [(one.start_byte, one.end_byte) for one in users]
+    left = _blanked(text, spans)
+    for part in parts if c else ():
+        span = (part.start_byte, part.end_byte)
+        rest = _blanked(left, [span])
+        names = {words(within(d, "identifier", "type_identifier")[0])
+                 for d in part.children_by_field_name("declarator")}  # fmt: skip
+        if not any(re.search(rf"\b{re.escape(name)}\b", rest) for name in names):
+            left = rest
+    return left
+
+
+def _blanked(text: str, spans: Iterable[tuple[int, int]]) -> str:
+    """The text with blanks for some of its bytes."""
+    data = bytearray(text.encode())
+    for start, end in spans:
         for k in range(start, end):
             data[k] = data[k] if data[k] in b"\n\r" else ord(" ")
     return data.decode()
+
+
+def _is_example(node: Any, functions: Collection[str]) -> bool:
+    """Whether a function changes what it is given, by another one that it hands numbers."""
+    changed = [one.child_by_field_name("left") for one in within(node, "assignment_expression")
+               if words(one.child_by_field_name("operator")) != "="]  # fmt: skip
+    given = {words(i) for one in within(node, "parameter_declaration")
+             for i in within(one, "identifier")}  # fmt: skip
+    return any(words(i) in given for one in changed for i in within(one, "identifier")) and any(
+        one.type == "number_literal"
+        for call in within(node, "call_expression")
+        if words(call.child_by_field_name("function")) in functions
+        for one in named(call.child_by_field_name("arguments"))
+    )
 
 
 def _written(node: Any) -> set[str]:

@@ -34,6 +34,11 @@ SHARES = re.compile(r"span|view|reference_wrapper|iterator|\bMap\b|\bRef\b")
 """Types that share the entries of what they are made of."""
 INTEGER = re.compile(r"\b(int\w*|long|short|char|unsigned|bool)\b")
 SHAPES = {"pointer_declarator": "*", "reference_declarator": "&", "array_declarator": "[]"}
+ROWS = re.compile(
+    r"(?:double|float|int|long|auto|\w+_t|\w+(?=.*=\s*&))\s*"
+    r"\(\s*([*&])\s*(\w+)\s*\)\s*\[[^]]*\](?:\s*=(?!=)|$)"
+)
+"""``double (*p)[2] = &y``, which the grammar of C++ takes for an entry of what a call gives."""
 LOOPS = ("for_statement", "while_statement", "do_statement", "for_range_loop")
 CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
@@ -117,6 +122,8 @@ def _term(node: Any, text: str) -> Term:
             return Term("block", "", _parts(parts))
         case "cast_expression" if INTEGER.search(words(parts[0])) and "*" not in words(parts[0]):
             return Term("other", "", (term(parts[-1]),))
+        case "cast_expression" if words(parts[0]) in ("float", "half"):
+            return Term("call", "float", (term(parts[-1]),))
         case "cast_expression":
             return term(parts[-1])
         case kind if kind in LISTS:
@@ -136,7 +143,9 @@ def _term(node: Any, text: str) -> Term:
         case "juxtaposition_expression" if len(parts) == 2:
             return Term("binary", "*", _parts(parts))
         case "function_call" | "call_expression" | "broadcast_call_expression" if parts:
-            return _call(parts)
+            return _copied(_call(parts))
+        case "assignment_expression" | "subscript_expression" if row := ROWS.match(text):
+            return _row_pointer(row, parts if node.type == "assignment_expression" else [])
         case "index_expression" | "subscript_expression" if len(parts) == 2:
             places = [Term("whole") if words(p) == ":" else term(p) for p in _inside(parts[1])]
             base = term(parts[0])
@@ -227,6 +236,18 @@ def _call(parts: list[Any]) -> Term:
     return Term("other", "", (term(head), *given))
 
 
+def _copied(call: Term) -> Term:
+    """A copy of a whole array of C as what it is: memcpy(y, z, sizeof y) is y[:] = z."""
+    if call.name not in ("memcpy", "memmove") or len(call.parts) != 3:
+        return call
+    target, value, size = call.parts
+    whole = re.fullmatch(r"sizeof\s*\(?\s*(\w+)\s*\)?", size.text)
+    plain = target.kind == value.kind == "name" and target.text == target.name
+    if not plain or whole is None or whole[1] not in (target.name, value.name):
+        return call
+    return Term("set", "", (Term("entry", "", (target, Term("whole")), target.text), value))
+
+
 def _set(node: Any, parts: list[Any]) -> Term:
     sign = next((words(c) for c in node.children if words(c).endswith("=")), "=")
     text, target = " ".join(words(node).split()), term(parts[0])
@@ -257,6 +278,14 @@ def _declared(node: Any) -> Iterator[Term]:
         while target.type != "identifier" and (inner := _unqualified(target)):
             target = inner[0]
         yield _assignment("", term(target), term(value), " ".join(words(node).split()))
+
+
+def _row_pointer(found: re.Match[str], parts: list[Any]) -> Term:
+    """A pointer, or a reference, to an array: its type, and what it begins with."""
+    sign, name = found.groups()
+    made = Term("type", name, (), f"double[]{sign}")
+    lines = [Term("set", "", (Term("name", name, (), name), term(p)), words(p)) for p in parts[1:]]
+    return Term("block", "", (made, *lines))
 
 
 def _unqualified(declarator: Any) -> list[Any]:

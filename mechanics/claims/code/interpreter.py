@@ -825,6 +825,9 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return Fraction(values[0].size or len(run.words.state))
     if term.name in ("pow", "powf") and len(values) == 2:
         return _operation(run, "^", *values)
+    if term.name == "float" and run.language.pointers and len(values) == 1:  # it rounds
+        single = all(judged.single for judged in run.judged.values())
+        return values[0] if single or isinstance(values[0], Literal) else UNKNOWN
     if run.language.pointers and term.name.rpartition(".")[2] not in run.language.shows:
         _poison(term, env)
     if term.name in IMPURE:

@@ -64,8 +64,9 @@ class Around:
 
     @cached_property
     def types(self) -> dict[str, str]:
-        """Types of names, as far as the block declares them."""
-        return {one.name: one.text for one in self.body.all() if one.kind == "type"}
+        """Types of names, as far as the block declares them; of two, the one that shares."""
+        types = (one for one in self.body.all() if one.kind == "type")
+        return {one.name: one.text for one in sorted(types, key=lambda t: t.text[-1] in "&*")}
 
     @cached_property
     def state(self) -> frozenset[str]:
@@ -148,7 +149,29 @@ class Around:
                 found |= {base_of(t) for t in targets_of(line.parts[0])}
             if base_of(line.parts[0]) in self.state:  # what a step is made of
                 found |= {*map(head_of, line.parts[1].names())}
-        return frozenset(found - {"", *run.judged, *run.users})
+        return frozenset((found | self.handed) - {"", *run.judged, *run.users})
+
+    @cached_property
+    def handed(self) -> frozenset[str]:
+        """Names of C that stand beside the function where it is handed on: {rate, NULL, 2, mu}."""
+        if not self.run.language.pointers:
+            return frozenset()
+        groups = [one.parts for one in self.body.all() if one.kind in ("list", "call")
+                  and any(part.kind == "name" and part.name in self.run.judged
+                          for part in one.parts)]  # fmt: skip
+        groups += [
+            one.parts[1:]
+            for one in self._sets
+            if one.parts[0].kind == "field" and base_of(one.parts[0]) in self._holders
+        ]
+        found = {base_of(part) for group in groups for part in group}
+        return frozenset(found & self.types.keys() - self.state - self._holders)
+
+    @property
+    def _holders(self) -> frozenset[str]:
+        """Names of records of which a field is the function: sys.function = rate."""
+        return self._solvers | {base_of(one.parts[0]) for one in self._sets
+                                if one.parts[1].name in self.run.judged}  # fmt: skip
 
     @cached_property
     def parameters(self) -> frozenset[str]:
@@ -164,8 +187,11 @@ class Around:
     @cached_property
     def aliases(self) -> frozenset[str]:
         """Other names of the same: pointers, references and views."""
-        known, found = self.state | self.others, set[str]()
-        pairs = [*self._shares]
+        return self.others_of(self.state | self.others)
+
+    def others_of(self, known: Set[str]) -> frozenset[str]:
+        """Other names of some: pointers, references and views."""
+        found, pairs = set[str](), [*self._shares]
         while new := {n for n, names in pairs if names & (known | found)} - found - known:
             found |= new
         return frozenset(found)

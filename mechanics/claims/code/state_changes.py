@@ -11,6 +11,7 @@ What stands before the first use is a start, and so is a line that gives the who
 import re
 from collections.abc import Collection, Iterator, Sequence
 
+from mechanics.claims.code.handed_parameters import other_parameters
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import targets_of
 from mechanics.claims.code.names_around import READS, UNFOLLOWED, Around, base_of, head_of
@@ -40,7 +41,7 @@ def state_changes(run: Run, body: Term, again: bool = False) -> list[str]:
         return []
     steps = id(body) in run.memory.steps
     back = any(one.kind == "jump" and one.name == "goto" for one in body.all())
-    return [*_types(around), *_walk(around, body, (back, back), steps)]
+    return [*_types(around), *other_parameters(around), *_walk(around, body, (back, back), steps)]
 
 
 def changes_elsewhere(run: Run, users: Collection[str], apart: Collection[str]) -> Iterator[str]:
@@ -276,6 +277,7 @@ def _types(around: Around) -> Iterator[str]:
     sets = [t for t in around.body.all() if t.kind == "set"]
     moving = around.state | around.results
     beside = {n for one in sets if base_of(one.parts[0]) in moving for n in one.parts[1].names()}
+    kept = beside & around.moving
     beside |= around.others
     wide = not all(judged.single for judged in around.run.judged.values())
     for name, text in around.types.items():
@@ -283,7 +285,8 @@ def _types(around: Around) -> Iterator[str]:
         whole, single = WHOLE.search(shape), SINGLE.search(shape)
         values = [one.parts[1] for one in sets if base_of(one.parts[0]) == name]
         rounds = whole and name in beside and any(map(_is_fraction, values))
-        if rounds or (name in moving and (whole or (single and wide))):
+        narrow = single and wide
+        if rounds or (name in moving and (whole or narrow)) or (name in kept and narrow):
             yield f"{text.rstrip('[]*&')} {name}"
 
 

@@ -33,6 +33,7 @@ from mechanics.claims.code.interpreter_values import (
 from mechanics.claims.code.manipulator_parts import parts_of
 from mechanics.claims.code.python_page import named, safe, tree, within, words
 from mechanics.claims.code.reachability import reachable
+from mechanics.claims.code.references import without_references
 from mechanics.claims.code.run import Run
 from mechanics.claims.code.state_changes import changes_elsewhere, state_changes
 from mechanics.claims.names import Naming
@@ -124,9 +125,11 @@ def unjudged_code(
         said += quoted
     said += _macros(root, judged)
     free = {n for name in own & others.keys() for n in others[name].free()}
-    for name in (n for n in every if n not in own):
-        if suffix not in LANGUAGES:
-            said += (f"{name}: {line}" for line in changed_numbers(uses, others[name], free))
+    during = _called_by_solvers(terms, others)
+    for name in (n for n in every if n not in own and suffix != ".jl"):
+        shared = free if suffix not in LANGUAGES else free & _global(every[name], title)
+        numbers = changed_numbers(uses, others[name], shared, during=name in during)
+        said += (f"{name}: {line}" for line in numbers)
     for name in (n for n in every if n in users | uses.memory.explained - own):
         said += (f"{name}: {line}" for line in function_lines(uses, others[name], known))
         said += (f"{name}: {line}" for line in state_changes(
@@ -142,6 +145,18 @@ def unjudged_code(
         if other and not _only_shows(node):
             said.insert(0, f"function {name}")
     return tuple(dict.fromkeys(one[:LONGEST] for one in said))
+
+
+def _global(node: Any, title: Callable[[str], str]) -> set[str]:
+    """Names of MATLAB that a function shares with others."""
+    return {name for one in within(node, "global_operator") for name in _names(one, title)}
+
+
+def _called_by_solvers(lines: Iterable[Term], others: Mapping[str, FileFunction]) -> set[str]:
+    """Functions that options of MATLAB's solvers name: odeset('OutputFcn', @show)."""
+    bodies = (*lines, *(one.body for one in others.values()))
+    options = (t for body in bodies for t in body.all() if t.kind == "call" and t.name == "odeset")
+    return {name for one in options for name in one.names()} & others.keys()
 
 
 def _macros(root: Any, judged: Collection[str]) -> list[str]:
@@ -218,6 +233,7 @@ def _own(node: Any, suffix: str, title: Callable[[str], str]) -> FileFunction:
         entries = [t.parts[0] for t in made.all() if t.kind == "set" and t.parts[0].kind == "entry"]
         shared = {words(i) for i in within(node, "identifier")} & {t.parts[0].name for t in entries}
         shared |= {*takes[:1]} if words(named(one.call)[0]).endswith("!") else set()
+    made = without_references(made)
     own = FileFunction(tuple(map(title, takes)), gives, with_names(made, title))
     return replace(own, shared=frozenset(map(title, shared & {*takes})))
 
