@@ -3,6 +3,7 @@
 import pytest
 
 import mechanics
+from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from systems import cartpole
 
@@ -132,11 +133,19 @@ def test_a_name_behind_a_power_is_no_part_of_it() -> None:
     assert verdicts(text.replace("l^2 theta''", "l^(2*theta'')")) == ["REFUTED"]
 
 
-@pytest.mark.parametrize("label", ["{k}) ", "({k}) ", "eq{k}: ", "* ", "\u2022 "])
+@pytest.mark.parametrize("label", ["{k}) ", "({k}) ", "{k}. ", "{k} ", "1. ", "eq{k}: ", "* ", "\u2022 "])
 def test_labels_of_lines_of_plain_text(label: str) -> None:
     lines = ["4/3*l*theta'' + x''*cos(theta) = g*sin(theta)", TYPED, "M = mc + mp", "mu = mp/M"]
-    labelled = [label.format(k=k) + line for k, line in enumerate(lines)]
+    labelled = [label.format(k=k) + line for k, line in enumerate(lines, start=1)]
     assert verdicts("\n".join(labelled)) == ["PROVED", "PROVED"]
+
+
+def test_the_number_of_an_item_is_no_factor() -> None:
+    right = "4/3*l*theta'' + x''*cos(theta) = g*sin(theta)"
+    wrong = "x''*cos(theta) + 4/3*l*theta'' = g*sin(theta)/2"
+    assert verdicts(f"1. {right}\n2. {wrong}") == ["PROVED", "REFUTED"]
+    with pytest.raises(InputError, match="may be a factor or count the line"):
+        verdicts("2. theta''*4/3*l + 2*x''*cos(theta) = 2*g*sin(theta) - 4/3*l*theta''*0")
 
 
 def test_a_number_in_brackets_may_be_a_factor() -> None:

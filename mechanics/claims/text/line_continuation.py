@@ -38,6 +38,8 @@ LABELLED = re.compile(
     re.MULTILINE,
 )
 """A number, a name, words or a mark before an equation."""
+ITEM = re.compile(r"^[ \t]*(?P<number>\d{1,2})\.?[ \t]+(?=[^-+*/^=\s][^\n]*=)", re.MULTILINE)
+"""The number of an item in a list, which would be a factor without the others: 2. k*x = 0."""
 DECIMAL = re.compile(r"\d,\d")
 BEGINS = re.compile(r"[ \t]*(?:(?P<sign>[-+*/\u2212])|=)")
 ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
@@ -46,7 +48,7 @@ ENDS = re.compile(r"(?:[-+*/=^\u2212]|\*\*)[ \t\r]*$")
 def sentences(text: str) -> str:
     """The text with semicolons for words and commas between equations, and without full stops."""
     text = CONDITION.sub(lambda m: " " * len(m[0]), text)
-    text = LABELLED.sub(lambda m: " " * len(m[0]), text)
+    text = LABELLED.sub(lambda m: " " * len(m[0]), _without_items(text))
     text = NUMBERED.sub(lambda m: " " * len(m[0]), text)
     text = WORDS.sub(lambda m: ";".ljust(len(m[0])), text)
     text = STOP.sub(" ", text)
@@ -58,6 +60,15 @@ def sentences(text: str) -> str:
     for i in together:
         out[i] = ","
     return "".join(out)
+
+
+def _without_items(text: str) -> str:
+    """The text with blanks for the numbers of a list that counts from one."""
+    items = [*ITEM.finditer(text)]
+    numbers = [int(item["number"]) for item in items]
+    if {*numbers} != {1} and numbers != [*range(1, max(len(items), 2) + 1)]:
+        return text
+    return ITEM.sub(lambda m: " " * len(m[0]), text)
 
 
 def _commas(text: str) -> list[int]:

@@ -12,6 +12,7 @@ from lark import Token
 
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.names import Naming
+from mechanics.claims.place import Refused
 from mechanics.claims.text.declarations import HEADER
 from mechanics.claims.text.letters import plain
 
@@ -52,6 +53,11 @@ def with_products(
         The names that a word is made of: one, or those of a product.
     constant : callable
         Whether a name is that of a constant, which is no function of what stands behind it.
+
+    Raises
+    ------
+    Refused
+        Where a number may be a factor or count a line: 2. x.
     """
     apart = list(_apart(tokens, letters))
     found: list[Token] = []
@@ -61,6 +67,9 @@ def with_products(
         meet = before is not None and (_meet(apart, i) or _below(apart, i, constant))
         if meet and not (free == depth and token.type != "LPAR"):
             at = token.start_pos
+            if before is not None and before.type == "NUMBER" and before.endswith("."):
+                words = f"{before} may be a factor or count the line: write {before}0*{token}"
+                raise Refused(int(before.start_pos or 0), words)
             found.append(
                 Token(BESIDE, "", at, token.line, token.column, token.line, token.column, at)
             )
