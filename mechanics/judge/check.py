@@ -11,6 +11,7 @@ from typing import Any
 
 from mechanics.blame.reference import Reference
 from mechanics.claims.code.black_box import BlackBox
+from mechanics.claims.code.callers import callers
 from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
 from mechanics.claims.names import Match, Naming, Vocabulary
@@ -229,6 +230,7 @@ def check(
         *dict.fromkeys(left_potentials(truth.scene, judged)),
         *_remarks_on_motion(truth, judged),
         *untried,
+        *(words for one in files for words in callers(one.code, ".py", one.judged)),
     )
     around = [_around(part, truth.scene, names or {}, known) for part in files]
     beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))

@@ -14,6 +14,7 @@ from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
+from mechanics.claims.code.callers import callers
 from mechanics.claims.code.cpp_functions import SUFFIXES, without_users
 from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
@@ -197,7 +198,9 @@ def _with_rest(
     """What was read of a file of code, and what stands in it beside that."""
     naming = _single(scene, names)
     beside = unjudged_code(text, path.suffix, found, naming, chosen=function is not None)
-    return replace(_with_values(found, scene, text, names), beside=beside)
+    judged = {s.source.partition(":")[0] for s in found.statements}
+    remarks = (*found.remarks, *callers(text, path.suffix, judged))
+    return replace(_with_values(found, scene, text, names), beside=beside, remarks=remarks)
 
 
 def _with_values(

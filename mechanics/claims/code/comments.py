@@ -74,7 +74,11 @@ def _says(string: str) -> bool:
 
 
 def without_comments(text: str, suffix: str) -> str:
-    """Code alone."""
+    """Code alone, each line of it in its place."""
     if suffix not in LANGUAGES:
         return text
-    return LANGUAGES[suffix].sub(lambda m: m[0] if m["string"] is not None else " ", text)
+
+    def bare(found: re.Match[str]) -> str:
+        return found[0] if found["string"] is not None else " " + "\n" * found[0].count("\n")
+
+    return LANGUAGES[suffix].sub(bare, text)

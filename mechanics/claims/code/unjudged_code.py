@@ -91,9 +91,8 @@ def unjudged_code(
         Whether somebody said which function is meant: others that do not use it are left alone.
     """
     judged = {s.source.partition(":")[0] for s in found.statements}
-    language, title = LANGUAGES.get(suffix, (cpp_functions.language, str))
-    grammar = {".m": "tree-sitter-matlab", ".jl": "tree-sitter-julia"}.get(suffix)
-    root = tree(language, text, grammar or "tree-sitter-cpp")
+    _, title = LANGUAGES.get(suffix, (cpp_functions.language, str))
+    root = _root(text, suffix)
     functions = dict(_functions(root, suffix))
     every = {**dict(_idle(root, suffix)), **functions}
     parts = {name: {*_names(node, title)} & every.keys() - {name} for name, node in every.items()}
@@ -157,6 +156,26 @@ def _called_by_solvers(lines: Iterable[Term], others: Mapping[str, FileFunction]
     bodies = (*lines, *(one.body for one in others.values()))
     options = (t for body in bodies for t in body.all() if t.kind == "call" and t.name == "odeset")
     return {name for one in options for name in one.names()} & others.keys()
+
+
+def spans_of_functions(text: str, suffix: str) -> dict[str, tuple[int, int]]:
+    """First and last lines of the functions of a file, by their names.
+
+    Parameters
+    ----------
+    text : str
+    suffix : str
+        As of `unjudged_code`.
+    """
+    root = _root(text, suffix)
+    nodes = {**dict(_idle(root, suffix)), **dict(_functions(root, suffix))}
+    return {name: (n.start_point[0] + 1, n.end_point[0] + 1) for name, n in nodes.items()}
+
+
+def _root(text: str, suffix: str) -> Any:
+    language, _ = LANGUAGES.get(suffix, (cpp_functions.language, str))
+    grammar = {".m": "tree-sitter-matlab", ".jl": "tree-sitter-julia"}.get(suffix)
+    return tree(language, text, grammar or "tree-sitter-cpp")
 
 
 def _macros(root: Any, judged: Collection[str]) -> list[str]:
