@@ -133,7 +133,9 @@ def test_a_name_behind_a_power_is_no_part_of_it() -> None:
     assert verdicts(text.replace("l^2 theta''", "l^(2*theta'')")) == ["REFUTED"]
 
 
-@pytest.mark.parametrize("label", ["{k}) ", "({k}) ", "{k}. ", "{k} ", "1. ", "eq{k}: ", "* ", "\u2022 "])
+@pytest.mark.parametrize(
+    "label", ["{k}) ", "({k}) ", "{k}. ", "{k} ", "1. ", "eq{k}: ", "* ", "\u2022 "]
+)
 def test_labels_of_lines_of_plain_text(label: str) -> None:
     lines = ["4/3*l*theta'' + x''*cos(theta) = g*sin(theta)", TYPED, "M = mc + mp", "mu = mp/M"]
     labelled = [label.format(k=k) + line for k, line in enumerate(lines, start=1)]
