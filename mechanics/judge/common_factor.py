@@ -7,6 +7,7 @@ It counts as a divisor of what the equation says, as in ``(theta'' - a)/u = 0``.
 """
 
 from collections.abc import Collection, Iterator
+from functools import lru_cache
 
 from sympy import (
     Abs,
@@ -45,8 +46,14 @@ def demands_of_factors(truth: Equations, statement: Statement) -> tuple[Demand, 
     if len(row.sides) != 2 or any(isinstance(side, MatrixBase) for side in row.sides):
         return ()
     difference = row.sides[0] - row.sides[1]
-    divisors = _divisors(difference, set(truth.scene.ud))
+    divisors = _all_divisors(difference, frozenset(truth.scene.ud))
     return tuple(Demand("divide", (S.One, divisor)) for divisor in divisors)
+
+
+@lru_cache(maxsize=64)
+def _all_divisors(difference: Expr, moving: frozenset[Symbol]) -> tuple[Expr, ...]:
+    """Of one statement several questions ask."""
+    return tuple(_divisors(difference, moving))
 
 
 def _divisors(difference: Expr, moving: Collection[Symbol]) -> Iterator[Expr]:
