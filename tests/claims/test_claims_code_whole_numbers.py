@@ -50,6 +50,21 @@ def rates(arguments: str) -> str:
     return f"rate({arguments}, 0, 1.0, 2.0, 9.81);"
 
 
+def matlab(step: str) -> tuple[str, str]:
+    return ".m", MAIN.format(step)
+
+
+MAIN = """function main()
+y = [1; 0];
+h = {};
+for i = 1:100
+y = y + h*rate(0, y, 1, 2, 9.81, 0);
+end
+end
+function dy = rate(t, y, m, l, g, u)
+dy = [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];
+end
+"""
 LAST = "unsigned long last = 0;\n"
 NOW = "unsigned long now = millis(); "
 PLAIN = rates("y, d")
@@ -72,11 +87,16 @@ WRONG = [
     program(rates("y, p"), "double h = 0.01, *p = y;"),
     program(rates("y, y + 1"), "double h = 0.01;"),
     program(rates("y, &y[0]"), "double h = 0.01;"),
+    matlab("int32(10)/1000"),
+    matlab("double(1/int32(100))"),
+    matlab("floor(1/100)"),
     (".jl", JULIA + "dy = y; h = 0.01\n" + AROUND),
     (".jl", JULIA + "dy = similar(y); h = 1 ÷ 100\n" + AROUND),
     (".jl", JULIA + "dy = similar(y); h = div(1, 100)\n" + AROUND),
 ]
 RIGHT = [
+    matlab("10/1000"),
+    matlab("floor(10.5)/1000"),
     sketch("double dt = DT_MS / 1000.0;", "const int DT_MS = 10;\n"),
     sketch("double dt = DT_MS * 1e-3;", "#define DT_MS 10\n"),
     sketch("double dt = DT;", "#define DT (10/1000.0)\n"),

@@ -39,7 +39,7 @@ from mechanics.claims.code.judged_arguments import (
     is_possible,
     speed_of,
 )
-from mechanics.claims.code.number_calls import computed
+from mechanics.claims.code.number_calls import KNOWN, computed
 from mechanics.claims.code.run import (
     FAR,
     MOMENT,
@@ -867,7 +867,8 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return _of_handle(run, known, term, env)
     if term.name in run.judged:
         return call_judged(run, term, env)
-    array = run.language.brackets and term.name in run.memory.vectors and term.name not in run.own
+    functions = {*run.own, *KNOWN, *ROUNDS.get(run.language.name, ())}
+    array = run.language.brackets and term.name in run.memory.vectors - functions
     if term.parts and (isinstance(known, Table) or (array and known is None)):
         return read_name(run, *_path(run, term, env), env)
     if term.name in run.own:
