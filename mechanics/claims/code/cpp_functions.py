@@ -59,6 +59,8 @@ PAIRS = ("make_pair", "make_tuple")
 """Functions that return what they are given, side by side."""
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
+UNREAD = frozenset(("constrain", "map", "degrees", "radians", "sq"))
+"""Calls of Arduino that are not read."""
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
 
 OWN_KIND = re.compile(
@@ -1459,6 +1461,8 @@ def _call(node: Any, scope: Scope) -> str:
         raise refuse(node, "abs may be the one of integers here: write std::abs")
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
+    if name in UNREAD - {*scope.functions, *scope.locals, *scope.arguments}:
+        raise refuse(node, f"the call {name}() is not supported")
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)
     raise refuse(node)

@@ -26,6 +26,7 @@ from mechanics.claims.code.interpreter import (
     value_of,
 )
 from mechanics.claims.code.interpreter_values import (
+    ROUNDED,
     FileFunction,
     Handle,
     NotFollowedError,
@@ -94,7 +95,7 @@ def _known_before(
     run.memory.count += 1
     copied: dict[int, Any] = {}
     inside = {n: copied.setdefault(id(v), _copied(v)) for n, v in env.items()
-              if not isinstance(v, Unknown)}  # fmt: skip
+              if not isinstance(v, Unknown) or v is ROUNDED}  # fmt: skip
     forget(run, block, inside)
     for name in function.takes if function is not None else ():
         if not isinstance(inside.get(name), Handle):

@@ -11,8 +11,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mechanics.claims.code import matlab
+from mechanics.claims.code import cpp_functions, matlab
 from mechanics.claims.code.python_page import named, tree, within, words
+from mechanics.claims.code.whole_arithmetic import is_whole, limits_of, type_of
 
 BLOCKS = ("block", "compound_statement", "expression_statement", "source_file", "else_clause",
           "elseif_clause", "macro_argument_list", "let_statement", "argument",
@@ -33,12 +34,15 @@ CHANGED = ("assignment_expression", "compound_assignment_expression", "update_ex
 SHARES = re.compile(r"span|view|reference_wrapper|iterator|\bMap\b|\bRef\b")
 """Types that share the entries of what they are made of."""
 INTEGER = re.compile(r"\b(int\w*|long|short|char|unsigned|bool)\b")
+NARROW = 2**15
+"""Types of integers that hold no more are watched for numbers that are too large."""
 SHAPES = {"pointer_declarator": "*", "reference_declarator": "&", "array_declarator": "[]"}
 ROWS = re.compile(
     r"(?:double|float|int|long|auto|\w+_t|\w+(?=.*=\s*&))\s*"
     r"\(\s*([*&])\s*(\w+)\s*\)\s*\[[^]]*\](?:\s*=(?!=)|$)"
 )
 """``double (*p)[2] = &y``, which the grammar of C++ takes for an entry of what a call gives."""
+NUMBERS = re.compile(r"[\d.eEfFuUlL\s()+*/-]*\d[\d.eEfFuUlL\s()+*/-]*[*/+-][\d.eEfFuUlL\s()+*/-]*")
 LOOPS = ("for_statement", "while_statement", "do_statement", "for_range_loop")
 CHANGES = ("copy", "collect", "vec", "deepcopy", "double")
 """Calls that leave a value as it is."""
@@ -57,7 +61,8 @@ class Term:
     kind : str
         number, name, entry, field, call, minus, binary, list, handle, whole, range, other; set,
         loop, case, block, return, jump (break, continue, goto), choice (one of its parts, or what
-        is made of them). Of Python, too: star and absent (arguments that are spread, and left
+        is made of them). Of C, too: integer (what a type of integers, its limits the name, holds of
+        a number). Of Python, too: star and absent (arguments that are spread, and left
         out), item (of such), turn (an angle brought back into one turn, and what that is). Of C:
         type (what a name is declared with; its parts are what the name is another one of).
     name : str
@@ -139,7 +144,7 @@ def _term(node: Any, text: str) -> Term:
             sign = next((words(c) for c in named(node) if c.type == "operator"), sign)
             if sign in SHORT:
                 return Term("choice", "", _parts(parts))
-            return Term("binary", sign.strip("."), _parts(parts))
+            return _arithmetic(node, sign.strip("."), parts)
         case "juxtaposition_expression" if len(parts) == 2:
             return Term("binary", "*", _parts(parts))
         case "function_call" | "call_expression" | "broadcast_call_expression" if parts:
@@ -198,13 +203,43 @@ def _term(node: Any, text: str) -> Term:
         case "macrocall_expression":
             return Term("block", "", _parts(parts[1:]))
         case "preproc_def" if len(parts) == 2:
-            return Term("set", "", (Term("name", words(parts[0])), Term("number", words(parts[1]))))
+            return Term("set", "", (Term("name", words(parts[0])), _macro(words(parts[1]))))
         case "string" if re.fullmatch(r"(['\"])[^\W\d]\w*\1", text):  # ode45('rate', ...)
             return Term("name", text[1:-1])
         case "function_definition" | "string" | "string_literal" | "comment" | "line_comment":
             return Term("other")
         case _:
             return Term("other", "", _parts(named(node)))
+
+
+def _macro(text: str) -> Term:
+    """The value of a macro, as far as it is a formula of numbers."""
+    if not NUMBERS.fullmatch(text):
+        return Term("number", text)
+    root = tree(cpp_functions.language, f"auto macro = {text.rstrip(';')};", "tree-sitter-cpp")
+    return next(one.parts[1] for one in term(root).all() if one.kind == "set")
+
+
+def _arithmetic(node: Any, sign: str, parts: list[Any]) -> Term:
+    """An operation; of two integers of C it is another one: 1/6 is 0, 10^2 no power."""
+    of_c = node.child_by_field_name("operator") is not None
+    whole = of_c and all(map(is_whole, parts))
+    name = {"\u00f7": "div", "//": "/"}.get(sign, sign)
+    made = Term(
+        "binary", {"/": "div", "^": "xor"}.get(name, name) if whole else name, _parts(parts)
+    )
+    if whole and sign == "*":
+        return _held(made, limits_of(node, "int"), whole=True)
+    return made
+
+
+def _held(value: Term, limits: tuple[int, int] | None, *, whole: bool) -> Term:
+    """What an integer type holds of a number; a small number that is written out is as it is."""
+    if limits is None or (whole and value.kind != "binary" and limits[1] > NARROW):
+        return value
+    if value.kind == "number" and value.name.isdigit() and int(value.name) <= min(1, limits[1]):
+        return value
+    return Term("integer", f"{limits[0]} {limits[1]}", (value,), value.text)
 
 
 def _inside(node: Any) -> list[Any]:
@@ -253,7 +288,13 @@ def _set(node: Any, parts: list[Any]) -> Term:
     text, target = " ".join(words(node).split()), term(parts[0])
     if sign.startswith(".") and target.kind == "name":  # y .+= x
         target = Term("entry", "", (target, Term("whole")), target.text)
-    return _assignment(sign.strip(".").rstrip("="), target, term(parts[-1]), text)
+    sign, value = sign.strip(".").rstrip("="), term(parts[-1])
+    kind = type_of(parts[0]) if parts[0].type == "identifier" else ""
+    limits = limits_of(node, kind) if kind else None
+    if limits is not None and not is_whole(parts[-1]):
+        value = Term("binary", sign, (target, value)) if sign else value
+        return _assignment("", target, _held(value, limits, whole=False), text)
+    return _assignment(sign, target, value, text)
 
 
 def _assignment(sign: str, target: Term, value: Term, text: str) -> Term:
@@ -277,7 +318,10 @@ def _declared(node: Any) -> Iterator[Term]:
         target, value = (one.child_by_field_name(f) for f in ("declarator", "value"))
         while target.type != "identifier" and (inner := _unqualified(target)):
             target = inner[0]
-        yield _assignment("", term(target), term(value), " ".join(words(node).split()))
+        made = term(value)
+        if kind is not None and value.type != "initializer_list" and target.type == "identifier":
+            made = _held(made, limits_of(kind, words(kind)), whole=is_whole(value))
+        yield _assignment("", term(target), made, " ".join(words(node).split()))
 
 
 def _row_pointer(found: re.Match[str], parts: list[Any]) -> Term:

@@ -7,7 +7,8 @@ What is not followed is unknown, and what is made of it. An argument that is not
 takes at its place is a misuse.
 """
 
-from collections.abc import Mapping, Sequence, Set
+import re
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -18,6 +19,7 @@ from mechanics.claims.code.intermediate_form import EITHER, Term
 from mechanics.claims.code.interpreter_values import (
     MOVING,
     OUTSIDE,
+    ROUNDED,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -37,7 +39,7 @@ from mechanics.claims.code.judged_arguments import (
     is_possible,
     speed_of,
 )
-from mechanics.claims.code.number_calls import computed
+from mechanics.claims.code.number_calls import KNOWN, computed
 from mechanics.claims.code.run import (
     FAR,
     MOMENT,
@@ -64,6 +66,15 @@ TURNS = 12
 """Of a loop over entries."""
 DEPTH = 6
 """Of calls."""
+ROUNDS = {
+    "Julia": frozenset(("div", "fld", "cld")),
+    "MATLAB": frozenset(
+        ("int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64", "idivide")
+    ),
+}
+"""Calls that give integers, by languages; those of MATLAB round what is made of them, too."""
+WHOLE = frozenset(("div", "xor", "&", "|", "<<", ">>"))
+"""Operations of integers."""
 MADE = frozenset(
     ("zeros", "ones", "empty", "linspace", "arange", "full", "eye", "repmat", "fill", "similar")
 )
@@ -128,6 +139,8 @@ def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
     if len(call.parts) > len(takes):
         run.memory.misused = True
         return UNKNOWN
+    if _writes_over(run, judged, call, env):
+        run.memory.misused = True
     at: dict[str, Any] = {}
     entries: dict[str, list[tuple[int, Any]]] = {}
     out: list[Term] = []
@@ -170,6 +183,46 @@ def call_judged(run: Run, call: Term, env: dict[str, Any]) -> Any:
             value = result.entries.get((k + run.language.first,), UNKNOWN)
         _store(run, part, value, env)
     return result
+
+
+def _writes_over(run: Run, judged: JudgedFunction, call: Term, env: dict[str, Any]) -> bool:
+    """Whether a call fills an array that it reads, or one twice: rate(y, y), rate(y, y + 1)."""
+    pairs = [*zip(judged.takes, call.parts, strict=False)]
+    filled = [(k, part) for k, (name, part) in enumerate(pairs) if name in judged.fills]
+    for k, part in filled:
+        for other, (name, given) in enumerate(pairs):
+            value = known_value(run, given, env)
+            array = isinstance(value, Table) or name in {*judged.places, *judged.fills}
+            same = isinstance(value, Table) and value is known_value(run, part, env)
+            if other != k and array and (same or _share(run, part, given)):
+                return True
+    return False
+
+
+def _share(run: Run, part: Term, given: Term) -> bool:
+    """Whether two arguments are the same array, or parts of one that nothing here keeps apart."""
+    rows = part.kind == given.kind == "entry" and "&" not in part.text + given.text
+    if rows and part.parts[0] == given.parts[0] and part.parts[1] != given.parts[1]:
+        return False  # z[0] and z[1]
+    return not {*_arrays(run, part)}.isdisjoint(_arrays(run, given))
+
+
+def _arrays(run: Run, part: Term, seen: frozenset[str] = frozenset()) -> Iterator[str]:
+    """Arrays and fields that an argument is or is a part of: y of &y[1], y + 1 and double *p = y.
+
+    What a call gives is another array: ``copy(y)``.
+    """
+    if part.kind == "field":
+        yield part.text
+    elif part.kind == "name" and re.match(rf"[&*(\s]*{re.escape(part.name)}\b", part.text):
+        yield part.name
+        for one in run.pointers.get(part.name, ()) if part.name not in seen else ():
+            yield from _arrays(run, one, seen | {part.name})
+    elif part.kind == "entry":
+        yield from _arrays(run, part.parts[0], seen)
+    elif part.kind in ("binary", "block", "other"):
+        for one in part.parts:
+            yield from _arrays(run, one, seen)
 
 
 def find_vectors(
@@ -616,9 +669,9 @@ def _evaluated(run: Run, term: Term, env: dict[str, Any]) -> Any:
             return _operation(run, "*", Literal(-1), value_of(run, term.parts[0], env))
         case "binary":
             left, right = (value_of(run, part, env) for part in term.parts)
-            if term.name == "/" and run.language.integers and _whole(term.parts[0]):
-                return _whole_quotient(run, term.parts[1], left, right)
             return _operation(run, term.name, left, right)
+        case "integer":
+            return _held(term, value_of(run, term.parts[0], env))
         case "list":
             return _list(run, term, env)
         case "handle":
@@ -662,18 +715,14 @@ def _turned(run: Run, term: Term, env: dict[str, Any]) -> Any:
     return value if all(_is_turn(run, one, env) for one in turns) else UNKNOWN
 
 
-def _whole(term: Term) -> bool:
-    """Whether a number is an integer as it is written."""
-    return term.kind == "number" and term.name.isdigit()
-
-
-def _whole_quotient(run: Run, divisor: Term, left: Any, right: Any) -> Any:
-    """1/6 is 0 in C, and 1/n where n is an integer."""
-    if _whole(divisor) and right:
-        return Literal(int(left) // int(right))
-    if isinstance(right, Literal) and right.denominator == 1:
-        return UNKNOWN
-    return _operation(run, "/", left, right)
+def _held(term: Term, value: Any) -> Any:
+    """What a type of integers holds of a number: 0 of 0.01; nothing is said of one too large."""
+    least, largest = map(int, term.name.split())
+    if not isinstance(value, Literal):
+        part = term.parts[0]
+        counts = isinstance(value, Fraction) and value.denominator == 1
+        return value if counts or isinstance(value, Unknown) or part.name == "*" else ROUNDED
+    return Literal(int(value)) if least <= int(value) <= largest else ROUNDED
 
 
 def _run_last(run: Run, term: Term, env: dict[str, Any]) -> Any:
@@ -720,11 +769,19 @@ def _operation(run: Run, sign: str, left: Any, right: Any) -> Any:
             case "^" if literal:
                 raised = computed("pow", [left, right])
                 return UNKNOWN if raised is None else kind(raised)
+            case "div" if literal and right:
+                return kind(int(Fraction(left) / Fraction(right)))
             case "%" if literal and right:
                 return kind(Fraction(left) % Fraction(right))
             case "^" if right in (1, 2, 3):
                 return kind(Fraction(left) ** int(right))
-        return UNKNOWN
+        return ROUNDED if sign in WHOLE else UNKNOWN
+    if (
+        sign in WHOLE
+        or left is ROUNDED
+        or (right is ROUNDED and not (sign == "/" and run.language.integers))
+    ):
+        return ROUNDED
     if OUTSIDE in (left, right):
         return _with_outside(sign, left, right)
     a, b = entries_of(run, left), entries_of(run, right)
@@ -810,7 +867,8 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return _of_handle(run, known, term, env)
     if term.name in run.judged:
         return call_judged(run, term, env)
-    array = run.language.brackets and term.name in run.memory.vectors and term.name not in run.own
+    functions = {*run.own, *KNOWN, *ROUNDS.get(run.language.name, ())}
+    array = run.language.brackets and term.name in run.memory.vectors - functions
     if term.parts and (isinstance(known, Table) or (array and known is None)):
         return read_name(run, *_path(run, term, env), env)
     if term.name in run.own:
@@ -830,6 +888,9 @@ def _call(run: Run, term: Term, env: dict[str, Any]) -> Any:
         return values[0] if single or isinstance(values[0], Literal) else UNKNOWN
     if run.language.pointers and term.name.rpartition(".")[2] not in run.language.shows:
         _poison(term, env)
+    if term.name in ROUNDS.get(run.language.name, ()):
+        known_number = _computed(run, term.name, values)
+        return ROUNDED if known_number is None else known_number
     if term.name in IMPURE:
         return MOVING
     if term.name in DRAWN:

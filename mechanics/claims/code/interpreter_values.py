@@ -31,6 +31,10 @@ OUTSIDE = Unknown()
 """A number from outside of the file, which is drawn, typed or read: any."""
 
 
+ROUNDED = Unknown()
+"""A number of integers, of which nothing says how it is rounded."""
+
+
 class Literal(Fraction):
     """A number that is written out: it stands for any."""
 

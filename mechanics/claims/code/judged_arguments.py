@@ -12,6 +12,7 @@ from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter_values import (
     MOVING,
     OUTSIDE,
+    ROUNDED,
     UNKNOWN,
     Handle,
     JudgedFunction,
@@ -81,6 +82,8 @@ def in_usual_order(run: Run, entries: Sequence[tuple[int, tuple[str, list[Any]]]
 def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any) -> bool:
     """Whether an argument is what the function takes at its place."""
     words = judged.meanings.get(name, ())
+    if value is ROUNDED:
+        return False
     if part.kind == "turn":  # accel(th % (2*pi), w)
         angle = len(words) == 1 and words[0] in run.words.angles
         return angle and accepted(run, judged, name, part.parts[0], value)

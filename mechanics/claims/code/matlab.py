@@ -342,6 +342,15 @@ def arguments_of(node: Any) -> list[str]:
     return [safe(words(one)) for one in within(found, "identifier")] if found else []
 
 
+def conversions_of(node: Any) -> Iterator[tuple[Any, str]]:
+    """What an ``arguments`` block of a function makes into another class than double."""
+    blocks = [c for c in node.children if c.type == "arguments_statement"]
+    for one in (part for block in blocks for part in within(block, "property")):
+        kinds = [words(c) for c in named(one)[1:] if c.type in ("identifier", "property_name")]
+        if kinds and kinds[-1] not in ("double", "sym"):
+            yield one, kinds[-1]
+
+
 def _targets(node: Any) -> Iterator[tuple[Any, Any]]:
     """What is assigned in a function, and its value."""
     for one in within(node, "assignment"):
@@ -403,6 +412,8 @@ def _uses(block: Any, target: Any) -> int:
 
 def _function(page: Page, node: Any, scope: Scope, chosen: list[str], before: list[Any]) -> None:
     name = safe(words(_name(node)))
+    for one, kind in conversions_of(node):
+        raise refuse(one, f"the class {kind} changes what is given: write double")
     main = name in chosen
     body = Page()
     for one in before:

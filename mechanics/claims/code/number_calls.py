@@ -12,6 +12,8 @@ EXACT: dict[str, Callable[..., Fraction]] = {
     "copysign": lambda a, b: abs(a) if b >= 0 else -abs(a),
     "neg": lambda a: -a, "negative": lambda a: -a, "positive": lambda a: a,
     "int": lambda a: Fraction(int(a)), "trunc": lambda a: Fraction(int(a)),
+    "fix": lambda a: Fraction(int(a)), "div": lambda a, b: Fraction(int(a / b)),
+    "fld": lambda a, b: Fraction(a // b), "cld": lambda a, b: Fraction(-(-a // b)),
     "floor": lambda a: Fraction(math.floor(a)), "ceil": lambda a: Fraction(math.ceil(a)),
     "round": lambda a, n=0: round(Fraction(a), int(n)),
     "sign": lambda a: Fraction((a > 0) - (a < 0)),

@@ -136,6 +136,18 @@ class Run:
                 found[root] = (*found.get(root, ()), line)
         return found
 
+    @cached_property
+    def pointers(self) -> dict[str, tuple[Term, ...]]:
+        """What names of arrays are set to that are the same array: double *p = y, du = u."""
+        every = [t for one in (self.block, *(f.body for f in self.own.values())) for t in one.all()]
+        names = {t.name for t in every if t.kind == "type" and t.text.endswith(("*", "&"))}
+        found: dict[str, tuple[Term, ...]] = {}
+        for target, value in (t.parts for t in every if t.kind == "set" and not t.name):
+            same = not self.language.copies and value.kind == "name" and value.text == value.name
+            if target.kind == "name" and (same or target.name in names):
+                found[target.name] = (*found.get(target.name, ()), value)
+        return found
+
 
 def begin(run: Run) -> None:
     """Forget what the last block met."""

@@ -242,7 +242,7 @@ def _own(node: Any, suffix: str, title: Callable[[str], str]) -> FileFunction:
         takes = cpp_functions.arguments_of(node)
         shared = cpp_functions.shared_of(node)
         body = [node.child_by_field_name("body")]
-    made = Term("block", "", tuple(term(part) for part in body))
+    made = Term("block", "", (*_converted(node, suffix), *(term(part) for part in body)))
     if suffix == ".jl" and made.parts:
         last = made.parts[-1]
         value = last.parts[0] if last.kind == "set" else last
@@ -255,6 +255,13 @@ def _own(node: Any, suffix: str, title: Callable[[str], str]) -> FileFunction:
     made = without_references(made)
     own = FileFunction(tuple(map(title, takes)), gives, with_names(made, title))
     return replace(own, shared=frozenset(map(title, shared & {*takes})))
+
+
+def _converted(node: Any, suffix: str) -> Iterator[Term]:
+    """Arguments of MATLAB that a function makes into another class, as assignments."""
+    for one, kind in matlab.conversions_of(node) if suffix == ".m" else ():
+        name = Term("name", words(named(one)[0]))
+        yield Term("set", "", (name, Term("call", kind, (name,))), words(one))
 
 
 def _seen(
