@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from mechanics.claims.code.python_form import DEFINED, word
 
-UNKNOWN = "unknown"
+UNKNOWN = "unknown function"
 """What is called where nothing says what a name is."""
 LIBRARIES = frozenset(("scipy", "numpy", "pandas", "jax"))
 

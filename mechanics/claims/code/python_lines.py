@@ -33,7 +33,7 @@ from mechanics.claims.code.interpreter_values import (
     SceneNames,
     names_of,
 )
-from mechanics.claims.code.library_names import with_library_names
+from mechanics.claims.code.library_names import UNKNOWN, with_library_names
 from mechanics.claims.code.python_arrays import rounding
 from mechanics.claims.code.python_form import (
     DEFINED,
@@ -365,6 +365,7 @@ class _File:
             for tried in (n for n in ast.walk(judged) if isinstance(n, ast.Try)):
                 yield from (n for n in tried.body if isinstance(n, ast.Import | ast.ImportFrom))
         yield from told_more(self.tree)
+        yield from self._handed_to_unknown()
         yield from self._drawn_laws()
         yield from taken_otherwise(self.tree, self.names.meaning)
         handed = {name for one in self.outer for name in self.passed(one)}
@@ -380,6 +381,14 @@ class _File:
             scope = Scope(body, function, naming, moving, {*inert, *passed}, steps)
             yield from laws(scope)
             yield from self._said(scope)
+
+    def _handed_to_unknown(self) -> Iterator[ast.AST]:
+        """Calls of what only has the name of a solver, with what is judged."""
+        for one in ast.walk(self.tree):
+            if isinstance(one, ast.Call) and word(one.func) == UNKNOWN:
+                given = [*one.args, *(k.value for k in one.keywords)]
+                if any(words_in(part) & {*self.judged, *self.users} for part in given):
+                    yield one
 
     def _drawn_laws(self) -> Iterator[ast.AST]:
         """Lines by which a parameter is another one whenever a law is asked, or in each step."""
