@@ -122,8 +122,12 @@ def doubt_when_called(
             result = _attempt(function, given, there, float, kept)
             if not isinstance(result, _Failed) and (words := _differs(result, there)):
                 return words
-        if compared and (
-            words := _differs_as_it_stands(whole, given, symbols, program, own, plain)
+        # What a call changes stays as it is; what nothing keeps has no number.
+        settled = not outputs.changed and {*symbols_in(standing.values())} <= {*plain.values()}
+        if (
+            compared
+            and settled
+            and (words := _differs_as_it_stands(whole, given, symbols, program, own, plain))
         ):
             return words
     except ExpressionError as error:
