@@ -23,7 +23,7 @@ from flint import arb
 from sympy import Expr, Piecewise, Rational, S, Symbol
 from sympy.logic.boolalg import Boolean
 
-from mechanics.claims.code.closure_numbers import held
+from mechanics.claims.code.closure_numbers import Held, held
 from mechanics.claims.code.containers import words_in
 from mechanics.claims.code.tracing import NONE, Given, Outputs, Value, parts_of
 from mechanics.claims.code.unpacking import Record
@@ -90,7 +90,7 @@ def doubt_when_called(
     plain = {name: s for name, s in standing.items() if isinstance(s, Symbol)}
     symbols = (*given.values(), *plain.values(), *symbols_in(standing.values()))
     kept = _kept(function, given) | {s: own.numbers[name] for name, s in plain.items()}
-    compared, failure = False, "its formulas have no value at random states"
+    whole, compared, failure = function, False, "its formulas have no value at random states"
     by_kind = any(not isinstance(v, Expr | Record) for v in given.values()) and _asks_kinds(
         function
     )
@@ -122,11 +122,35 @@ def doubt_when_called(
             result = _attempt(function, given, there, float, kept)
             if not isinstance(result, _Failed) and (words := _differs(result, there)):
                 return words
+        # What a call changes stays as it is; what nothing keeps has no number.
+        settled = not outputs.changed and {*symbols_in(standing.values())} <= {*plain.values()}
+        if (
+            compared
+            and settled
+            and (words := _differs_as_it_stands(whole, given, symbols, program, own, plain))
+        ):
+            return words
     except ExpressionError as error:
         failure = str(error)
     except RecursionError:
         failure = "its expressions are nested too deeply"
     return "" if compared else f"{UNCALLED}: {failure}"
+
+
+def _differs_as_it_stands(
+    function: Callable[..., Any], given: Given, symbols: Sequence[Value], program: _Program,
+    own: Held, plain: Mapping[str, Symbol],
+) -> str:  # fmt: skip
+    """How the function itself, with its own numbers, differs from its formulas.
+
+    It may keep what it computed before these numbers changed, which its copies compute anew.
+    """
+    numbers = {s: own.numbers[name] for name, s in plain.items() if isfinite(own.numbers[name])}
+    there = _at_kept(symbols, program, numbers) if len(numbers) == len(plain) else None
+    result = _attempt(function, given, there, float) if there is not None else _Failed(ValueError())
+    if there is None or isinstance(result, _Failed) or not (words := _differs(result, there)):
+        return ""
+    return f"as it stands, with values that it computed before, {words}"
 
 
 def at_states(

@@ -33,6 +33,7 @@ from mechanics.claims.code.interpreter_values import (
     SceneNames,
     names_of,
 )
+from mechanics.claims.code.library_names import UNKNOWN, with_library_names
 from mechanics.claims.code.python_arrays import rounding
 from mechanics.claims.code.python_form import (
     DEFINED,
@@ -83,6 +84,8 @@ INNER = frozenset(("modules", "patch", "__builtins__", "__class__", "__closure__
 LINEAR = frozenset(("expm", "lsim", "lsim2", "StateSpace", "TransferFunction", "lfilter",
                     "forced_response", "initial_response"))  # fmt: skip
 """Calls that solve a law which is a matrix."""
+KEEPING = frozenset(("cached_property", "lru_cache", "cache"))
+"""What keeps the value of a function."""
 INSIDE = frozenset(("copyto", "put", "place", "putmask", "iadd", "isub", "imul", "itruediv"))
 """Calls that change what they are given."""
 WAVES = frozenset(("sin", "cos", "exp", "sinh", "cosh"))
@@ -104,7 +107,7 @@ def lines_around(code: str, judged: Collection[str], naming: Naming) -> tuple[st
         What arguments are.
     """
     text = [" ".join(line.split()) for line in code.splitlines()]
-    tree = ast.parse(code)
+    tree = with_library_names(ast.parse(code), SOLVERS)
     file = _File(tree, code.splitlines(), reached(tree, judged), names_of(naming))
     found = {one.lineno - 1 for one in file.found(naming) if hasattr(one, "lineno")}
     called = [*file.called()]
@@ -362,6 +365,7 @@ class _File:
             for tried in (n for n in ast.walk(judged) if isinstance(n, ast.Try)):
                 yield from (n for n in tried.body if isinstance(n, ast.Import | ast.ImportFrom))
         yield from told_more(self.tree)
+        yield from self._handed_to_unknown()
         yield from self._drawn_laws()
         yield from taken_otherwise(self.tree, self.names.meaning)
         handed = {name for one in self.outer for name in self.passed(one)}
@@ -377,6 +381,14 @@ class _File:
             scope = Scope(body, function, naming, moving, {*inert, *passed}, steps)
             yield from laws(scope)
             yield from self._said(scope)
+
+    def _handed_to_unknown(self) -> Iterator[ast.AST]:
+        """Calls of what only has the name of a solver, with what is judged."""
+        for one in ast.walk(self.tree):
+            if isinstance(one, ast.Call) and word(one.func) == UNKNOWN:
+                given = [*one.args, *(k.value for k in one.keywords)]
+                if any(words_in(part) & {*self.judged, *self.users} for part in given):
+                    yield one
 
     def _drawn_laws(self) -> Iterator[ast.AST]:
         """Lines by which a parameter is another one whenever a law is asked, or in each step."""
@@ -427,6 +439,22 @@ class _File:
         """Attributes that judged methods use."""
         return _attributes_of(self.nodes.values())
 
+    @cached_property
+    def kept_of(self) -> frozenset[str]:
+        """Of what objects are when they compute a value that they keep: other ones do not follow.
+
+        By ``cached_property`` or ``lru_cache``, or by what makes an object.
+        """
+        kinds = [kind for kind in self.kinds if kind.name in self.own]
+        methods = [part for kind in kinds for part in kind.body if isinstance(part, DEFINED)]
+        once = [m for m in methods if {n for d in m.decorator_list for n in words_in(d)} & KEEPING]
+        found = set(_attributes_of(once))
+        for maker in (m for m in methods if m.name in MAKES):
+            for line in assigned([*within(maker.body)]):
+                if any(isinstance(n, ast.BinOp) for n in ast.walk(line.value)):
+                    found |= words_in(line.value)
+        return frozenset(found)
+
     def _hides(self, node: ast.Call) -> bool:
         """Whether a call does what no line says, or solves a law of its own."""
         name = word(node.func)
@@ -448,11 +476,15 @@ class _File:
         return any(not self.names.meaning(name) for name in given & used)
 
     def _changes_object(self, targets: Sequence[ast.expr]) -> bool:
-        """Whether an object gets what a judged method uses and the scene has no name for."""
+        """Whether an object gets what a judged method uses and the scene has no name for.
+
+        Or that of which it keeps a value, which is stale then.
+        """
         places = [p for one in targets for p in ast.walk(one) if isinstance(p, ast.Attribute)]
         return any(
-            p.attr in self.held and word(p.value) not in ("self", "cls")
-            and not self.names.meaning(p.attr)
+            word(p.value) not in ("self", "cls")
+            and (p.attr in self.kept_of
+                 or (p.attr in self.held and not self.names.meaning(p.attr)))
             for p in places
         )  # fmt: skip
 

@@ -7,9 +7,9 @@ solve_ivp(f, span, y0, **options)       anything, where nothing here says what i
 
 import ast
 import builtins
-import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
+from mechanics.claims.code.library_names import is_library
 from mechanics.claims.code.python_form import (
     STATE_FIRST,
     TIME_FIRST,
@@ -67,16 +67,11 @@ def _of_scipy(nodes: Sequence[ast.AST]) -> set[str]:
     for one in nodes:
         if isinstance(one, ast.Import):
             known |= {
-                (a.asname or a.name).partition(".")[0] for a in one.names if _is_known(a.name)
+                (a.asname or a.name).partition(".")[0] for a in one.names if is_library(a.name)
             }
-        elif isinstance(one, ast.ImportFrom) and _is_known(one.module or ""):
+        elif isinstance(one, ast.ImportFrom) and is_library(one.module or ""):
             known |= {a.asname or a.name for a in one.names}
     return known - {n.name for n in nodes if isinstance(n, ast.ClassDef)}
-
-
-def _is_known(module: str) -> bool:
-    first = module.partition(".")[0]
-    return first in ("scipy", "numpy", "pandas") or first in sys.stdlib_module_names
 
 
 def _given_as(nodes: Sequence[ast.AST]) -> dict[str, list[ast.expr]]:

@@ -56,6 +56,7 @@ from mechanics.claims.code.formulas import (
 )
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
+from mechanics.claims.code.kept_values import refuse_stale
 from mechanics.claims.code.liveness import demands_of
 from mechanics.claims.code.local_numbers import with_local_numbers
 from mechanics.claims.code.numerical_check import doubt_when_called
@@ -135,6 +136,7 @@ def read_function(
     """
     if (symbolic := function_of(function)) is not None:
         return read_casadi(scene, symbolic.function, names, about, function, symbolic.apart)
+    refuse_stale(function)
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
     held = {*vocabulary.constants, *(names or {}), *STEPS}
