@@ -511,6 +511,7 @@ def _quoted(text: str) -> tuple[str, ...]:
     return lines_around(HEAD + text, {"rate"}, NAMING)
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize(
     "text",
     [
@@ -528,6 +529,7 @@ def test_what_may_be_another_motion_is_quoted(text: str) -> None:
     assert _quoted(text)
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize(
     "text",
     [

@@ -105,6 +105,7 @@ def beside(folder: Path, suffix: str, text: str, function: str | None = None) ->
     return found.beside
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "call",
     [
@@ -121,6 +122,7 @@ def test_a_handle_with_other_arguments_is_quoted(tmp_path: Path, call: str) -> N
     assert beside(tmp_path, ".m", f"{GIVEN}f = @(t, y) {call};{MATLAB}")
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -139,6 +141,7 @@ def test_a_loop_that_is_no_integrator_is_quoted(tmp_path: Path, lines: str) -> N
     assert beside(tmp_path, ".m", GIVEN + lines + MATLAB)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -159,6 +162,7 @@ def test_an_acceleration_that_is_used_otherwise_is_quoted(tmp_path: Path, lines:
 MADE = "prob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), {})\n"
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "text",
     [
@@ -185,6 +189,7 @@ def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
     assert beside(tmp_path, ".jl", JULIA + given + text)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("function", "text"),
     [
@@ -215,6 +220,7 @@ def test_c_plus_plus_is_quoted_though_a_function_is_named(
     assert beside(tmp_path, ".cpp", C + text, function)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -236,6 +242,7 @@ def test_matlab_is_innocent(tmp_path: Path, lines: str) -> None:
     assert not beside(tmp_path, ".m", GIVEN + lines + MATLAB)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines", [SCALARS, SOLVED.format("[y(2); accel(y(1), y(2), u, m, l, g)]"), VERLET,
               SCALARS.replace("end", "  if theta > pi\n    theta = theta - 2*pi;\n  end\nend"),
@@ -245,6 +252,7 @@ def test_an_acceleration_is_used_innocently(tmp_path: Path, lines: str) -> None:
     assert not beside(tmp_path, ".m", GIVEN + lines + ACCELERATION)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "text",
     [
@@ -264,6 +272,7 @@ def test_julia_is_innocent(tmp_path: Path, text: str) -> None:
     assert not beside(tmp_path, ".jl", JULIA + given + text)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("function", "text"),
     [
@@ -287,6 +296,7 @@ end"""
 PROBLEM = "p = (1.0, 0.5, 9.81, 0.0)\nprob = ODEProblem(rate!, [0.1, 0.0], (0.0, 1.0), p)\n"
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -319,6 +329,7 @@ def test_what_a_solver_is_given_that_is_another_law_is_quoted(tmp_path: Path, li
     assert beside(tmp_path, ".m", GIVEN + lines + MATLAB)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -339,6 +350,7 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
     assert not beside(tmp_path, ".m", GIVEN + lines + MATLAB)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -382,6 +394,7 @@ def test_a_problem_that_is_made_again_otherwise_is_quoted(tmp_path: Path, lines:
     assert beside(tmp_path, ".jl", JULIA + PROBLEM + lines + "\n")
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "line",
     [
@@ -394,6 +407,7 @@ def test_what_moves_or_is_a_step_is_no_parameter(tmp_path: Path, line: str) -> N
     assert beside(tmp_path, ".cpp", C + SMALL.format(ONE.format(line)), "accel")
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "lines",
     [
@@ -442,6 +456,7 @@ RUN = (
 )
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("suffix", "kind", "made", "turn"),
     [
@@ -461,6 +476,7 @@ def test_an_object_with_other_parameters_or_a_changed_state_is_quoted(
     assert beside(tmp_path, suffix, kind + RUN.format(made, turn))
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("suffix", "kind", "made", "turn"),
     [
@@ -476,6 +492,7 @@ def test_an_object_with_its_parameters_is_innocent(
     assert not beside(tmp_path, suffix, kind + RUN.format(made, turn))
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 def test_a_main_below_is_no_part_of_what_is_judged(tmp_path: Path, suffix: str) -> None:
     below = SMALL.format(
@@ -496,6 +513,7 @@ HANDLE = """f = @(t, y) [y(2); 3*g/(2*l)*sin(y(1)) + 3*u/(m*l^2)];
 """
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "text",
     [
@@ -525,6 +543,7 @@ def test_a_function_that_leaves_out_an_input_which_it_takes_is_wrong(tmp_path: P
     assert mechanics.check(ROD, path, blame=False).verdict is Verdict.REFUTED
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 @pytest.mark.parametrize("change", ["k = 1.0;", "double *q = &k; *q = 1.0;", "k++;"])
 def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, change: str) -> None:
@@ -550,6 +569,7 @@ def test_a_record_whose_entries_have_names_has_any_order(tmp_path: Path) -> None
     assert beside(tmp_path, ".jl", other)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(("made", "quoted"), [("o = odeset('RelTol', 1e-8);", False), ("", True)])
 def test_options_that_another_function_makes(tmp_path: Path, made: str, quoted: bool) -> None:
     solve = f"function y = solved(f)\n{made}\n[t, y] = ode45(f, [0 1], [0.1; 0], o);\nend\n"
@@ -560,6 +580,7 @@ def test_options_that_another_function_makes(tmp_path: Path, made: str, quoted: 
 AFTER = "om += h*accel(th, om, 0, 1, 1, 9.81); th += h*om; "
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("line", "quoted"),
     [
@@ -585,6 +606,7 @@ ADVANCED = "m, l, g, u = 1.0, 0.5, 9.81, 0.0\n" + LOOP.format(
 )
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("line", "quoted"),
     [
@@ -596,6 +618,7 @@ def test_what_a_formula_of_julia_sets_is_seen(tmp_path: Path, line: str, quoted:
     assert bool(beside(tmp_path, ".jl", JULIA + ADVANCED.format(line))) is quoted
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("line", "quoted"),
     [
@@ -611,6 +634,7 @@ def test_a_line_that_skips_a_part_of_a_step_is_seen(
     assert bool(beside(tmp_path, ".jl", JULIA + given + LOOP.format(lines))) is quoted
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("line", "quoted"),
     [
@@ -625,6 +649,7 @@ def test_a_jump_of_c_is_seen(tmp_path: Path, line: str, quoted: bool) -> None:
     assert bool(beside(tmp_path, ".cpp", text, "accel")) is quoted
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("line", "quoted"),
     [
@@ -648,6 +673,7 @@ JULIA_HEUN = (
 )
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("start", "line", "quoted"),
     [

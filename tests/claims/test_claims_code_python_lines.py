@@ -258,6 +258,7 @@ def _quoted(text: str) -> tuple[str, ...]:
     return lines_around(f"{FUNCTIONS}{text}\n", {"rate"}, NAMING)
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize("text", [*LAWS, *STEPS, *CHANGED, *ARGUMENTS, *PLACED])
 def test_a_law_a_wrong_step_a_changed_result_and_exchanged_arguments_are_quoted(text: str) -> None:
     quoted = _quoted(text)
@@ -265,6 +266,7 @@ def test_a_law_a_wrong_step_a_changed_result_and_exchanged_arguments_are_quoted(
     assert {*quoted} <= {" ".join(line.split())[:60] for line in text.splitlines()}
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize("text", [*NOTHING, *INNOCENT])
 def test_calls_plots_and_right_integrators_say_nothing(text: str) -> None:
     assert _quoted(text) == ()

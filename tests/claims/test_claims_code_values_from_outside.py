@@ -102,11 +102,13 @@ SILENT = (
 )
 
 
+@pytest.mark.sample(20)
 @pytest.mark.parametrize("text", QUOTED)
 def test_what_may_make_the_motion_another_is_quoted(text: str) -> None:
     assert lines_around(HEAD + text, {"rate"}, NAMING)
 
 
+@pytest.mark.sample(20)
 @pytest.mark.parametrize("text", SILENT)
 def test_what_the_scene_can_have_says_nothing(text: str) -> None:
     assert lines_around(HEAD + text, {"rate"}, NAMING) == ()

@@ -153,3 +153,26 @@ def test_a_class_of_matlab_that_changes_an_argument_is_refused(tmp_path: Path, k
     for line in ("l (1,1) double", "l {mustBePositive} = 2", "l (1,1) double {mustBePositive}"):
         path.write_text(MATLAB.format(line))
         assert mechanics.check(ROD, path).verdict in (Verdict.PROVED, Verdict.CERTIFIED)
+
+
+CLASS = """classdef Rod
+properties
+    m (1,1) double = 1
+    l (1,1) {0} = 2
+end
+methods
+function a = acc(o, theta, u, g)
+a = 3*g/(2*o.l)*sin(theta) + 3*u/(o.m*o.l^2);
+end
+end
+end
+"""
+
+
+def test_so_is_one_of_a_property(tmp_path: Path) -> None:
+    path = tmp_path / "Rod.m"
+    path.write_text(CLASS.format("int32"))
+    with pytest.raises(InputError, match="class int32 changes"):
+        mechanics.check(ROD, path)
+    path.write_text(CLASS.format("double"))
+    assert mechanics.check(ROD, path).verdict in (Verdict.PROVED, Verdict.CERTIFIED)

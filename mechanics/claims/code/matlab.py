@@ -343,8 +343,12 @@ def arguments_of(node: Any) -> list[str]:
 
 
 def conversions_of(node: Any) -> Iterator[tuple[Any, str]]:
-    """What an ``arguments`` block of a function makes into another class than double."""
+    """What the ``arguments`` of a function, or the properties of its class, make no double."""
     blocks = [c for c in node.children if c.type == "arguments_statement"]
+    around = node.parent
+    while around is not None:
+        blocks += [c for c in around.children if c.type == "properties"]
+        around = around.parent
     for one in (part for block in blocks for part in within(block, "property")):
         kinds = [words(c) for c in named(one)[1:] if c.type in ("identifier", "property_name")]
         if kinds and kinds[-1] not in ("double", "sym"):
