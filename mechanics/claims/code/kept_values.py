@@ -116,15 +116,18 @@ def _arguments(function: Any) -> Iterator[tuple[Any, ...]]:
     for kept in gc.get_referents(function):
         if type(kept) is dict and kept and kept is not getattr(function, "__dict__", None):
             for key in [*kept]:
-                yield tuple(key) if isinstance(key, tuple | list) else (key,)
+                parts = tuple(key) if isinstance(key, tuple | list) else (key,)
+                if all(type(part) is not object for part in parts):  # a mark before keywords
+                    yield parts
 
 
 def _value(call: Callable[..., Any], *arguments: Any) -> Any:
-    """What a call gives, or its error."""
+    """What a call gives."""
     try:
         return call(*arguments)
     except Exception as error:
-        return error
+        words = f"{type(error).__name__}: {error}"
+        raise InputError(f"a value that was kept cannot be computed again: {words}") from None
 
 
 def _same(kept: Any, now: Any) -> bool:
