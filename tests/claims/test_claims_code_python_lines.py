@@ -356,6 +356,13 @@ def test_a_driven_system_is_advanced_at_its_times(time: str, span: str, quoted: 
     assert bool(lines_around(code, {"rate"}, NAMING)) is quoted
 
 
+@pytest.mark.parametrize(("time", "quoted"), [("t + dt", False), ("(t + dt) % 0.01", True)])
+def test_the_time_of_a_driven_system_is_no_angle(time: str, quoted: bool) -> None:
+    step = f"for i in range(9):\n    y = y + dt*rate(t, y, *p)\n    t = {time}\n"
+    assert bool(lines_around(DRIVEN + step, {"rate"}, NAMING)) is quoted
+    assert not lines_around(FUNCTIONS + step, {"rate"}, NAMING)
+
+
 TWO = """import numpy as np
 def accel(q, qd):
     return np.linalg.solve(M(q), f(q, qd))

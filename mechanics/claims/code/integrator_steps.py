@@ -48,6 +48,7 @@ from mechanics.claims.code.run import (
     Run,
     begin,
     entries_of,
+    is_driven,
     meaning_of,
     orders,
     rate_of,
@@ -259,10 +260,12 @@ def _is_step(
 
 
 def _time_passes(run: Run, env: Mapping[str, Any]) -> bool:
-    """Whether the time of a call does not go on by a multiple of the step, or back."""
+    """Whether the time of a call goes on by the step, or by what nothing tells."""
     begun = run.memory.called[0].get(MOMENT)
     place = run.memory.initial.get(begun) if begun is not None else None
     after = _now(_later(place), env) if place is not None else None
+    if place is not None and not isinstance(after, Fraction) and is_driven(run):
+        return False  # t % 1 may be any time
     if begun is None or not isinstance(after, Fraction) or after == begun:
         return True
     shares = [(after - begun) / h for h in run.memory.scalars if h > 0 and h != begun]

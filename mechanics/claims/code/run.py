@@ -187,6 +187,11 @@ def _taken_words(run: Run) -> set[str]:
             for w in words}  # fmt: skip
 
 
+def is_driven(run: Run) -> bool:
+    """Whether a judged function that is called takes the time, and uses it."""
+    return any(one.time for one in _called(run))
+
+
 def rate_of(run: Run, word: str) -> Expr:
     """The rate of an entry of the state, as a formula of the state."""
     symbols = run.words.symbols
@@ -198,7 +203,7 @@ def rate_of(run: Run, word: str) -> Expr:
     for other in run.words.state:
         if other in taken:
             made += rational(number("rate", word, other)) * symbols[other]
-    if any(one.time for one in _called(run)):
+    if is_driven(run):
         made += rational(number("rate", word, MOMENT)) * TIME
     return made
 
