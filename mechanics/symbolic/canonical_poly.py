@@ -157,8 +157,9 @@ def reader(exprs: Iterable[sympy.Expr]) -> tuple[Reader, list[fmpq_mpoly]]:
         If a product outgrows the limits of the ring.
     """
     exprs = [sympy.sympify(expr) for expr in exprs]
-    names = sorted(set().union(*(expr.free_symbols for expr in exprs)), key=str)
-    capacity = len(names) + 2 * len(_functions(exprs)) + 8
+    parts = _all_parts(exprs)
+    names = sorted((part for part in parts if isinstance(part, sympy.Symbol)), key=str)
+    capacity = len(names) + 2 * len(_functions(parts)) + 8
     while capacity <= MOST_GENERATORS:
         result = Reader(capacity)
         try:
@@ -170,8 +171,8 @@ def reader(exprs: Iterable[sympy.Expr]) -> tuple[Reader, list[fmpq_mpoly]]:
     raise ExpressionError(f"more than {MOST_GENERATORS} different symbols and functions: split it")
 
 
-def _functions(exprs: Iterable[sympy.Expr]) -> set[sympy.Expr]:
-    """Return the functions and powers that may become generators; shared parts are visited once."""
+def _all_parts(exprs: Iterable[sympy.Expr]) -> set[sympy.Basic]:
+    """Return all parts of expressions; `free_symbols` would visit shared ones again and again."""
     seen: set[sympy.Basic] = set()
     stack: list[sympy.Basic] = list(exprs)
     while stack:
@@ -179,10 +180,15 @@ def _functions(exprs: Iterable[sympy.Expr]) -> set[sympy.Expr]:
         if node not in seen:
             seen.add(node)
             stack.extend(node.args)
+    return seen
+
+
+def _functions(parts: Iterable[sympy.Basic]) -> set[sympy.Basic]:
+    """Return the functions and powers among parts that may become generators."""
     keep = sympy.Function, sympy.NumberSymbol
     return {
         node.args[0] if isinstance(node, sympy.sin | sympy.cos) else node
-        for node in seen
+        for node in parts
         if isinstance(node, keep)
         or (isinstance(node, sympy.Pow) and not (node.exp.is_Integer and node.exp > 0))
     }
