@@ -69,7 +69,7 @@ from mechanics.scene.system import System
 
 def derived(scene: Scene) -> Equations:
     """What statements about a scene are compared with: the route that has the reactions."""
-    return derive(scene, "free_body")
+    return derive(with_positive_radii(scene)[0], "free_body")
 
 
 def check(
