@@ -1,4 +1,4 @@
-"""The length of a spring is positive, in `check` of a scene and of its equations, and in `grade`."""
+"""The length of a spring is positive: for `check` of a scene, of its equations, and for `grade`."""
 
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
