@@ -182,7 +182,7 @@ class Language:
     pointers : bool
         Whether a call may change what it is given.
     integers : bool
-        Whether 1/6 is 0.
+        Whether a quotient of two integers is one: 1/6 is 0.
     shows : frozenset of str
         Calls that only show something.
     keeps : frozenset of str or None

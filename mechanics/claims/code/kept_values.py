@@ -25,7 +25,6 @@ Cached = functools._lru_cache_wrapper
 """What `lru_cache` and `cache` make."""
 DEEPEST = 4
 """Objects in objects."""
-PRECISE = 1e-12
 
 
 def refuse_stale(function: Callable[..., Any]) -> None:
@@ -131,9 +130,11 @@ def _value(call: Callable[..., Any], *arguments: Any) -> Any:
 
 
 def _same(kept: Any, now: Any) -> bool:
-    """Whether two values agree; what is no number is left to calls of the whole function."""
+    """Whether two values are equal, as the same arithmetic makes them; what is no number is left
+    to calls of the whole function.
+    """
     try:
         a, b = np.asarray(kept, dtype=float), np.asarray(now, dtype=float)
     except (TypeError, ValueError):
         return True
-    return a.shape == b.shape and bool(np.allclose(a, b, rtol=PRECISE, atol=0, equal_nan=True))
+    return bool(np.array_equal(a, b, equal_nan=True))
