@@ -61,7 +61,11 @@ for i in range(1000):
 """
 PAGES = {".m": MATLAB, ".jl": JULIA, ".c": C, ".cpp": C, ".py": PYTHON}
 RIGHT = (("t", "t = t + h;"), ("i*h", ""))
-WRONG = (("t", "t = {}(t + h, 0.01);"), ("t", ""), ("0.0", ""), ("t", "t = t - h;"))
+WRONG = (
+    ("t", "t = {}(t + h, 0.01);"), ("t", ""), ("0.0", ""), ("t", "t = t - h;"),
+    ("t", "t = t + h*h;"), ("t", "t = 2*h;"), ("i", ""), ("i*h*h", ""), ("2*i*h", ""),
+    ("-i*h", ""), ("i*h/2", ""), ("(1000 - i)*h", ""), ("k*i", ""),
+)  # fmt: skip
 REMAINDERS = {".m": "mod", ".jl": "mod", ".c": "fmod", ".cpp": "fmod", ".py": "np.mod"}
 GRIDS = (
     "for t in np.arange(0, 1, h):\n    y = y + h*rate(t, y)\n",
@@ -102,6 +106,7 @@ def test_a_time_that_goes_on_says_nothing(
     assert not beside(pushed, tmp_path, suffix, PAGES[suffix].format(time, line))
 
 
+@pytest.mark.sample(20)
 @pytest.mark.parametrize("suffix", PAGES)
 @pytest.mark.parametrize(("time", "line"), WRONG)
 def test_a_time_that_does_not_is_quoted(
@@ -120,3 +125,32 @@ def test_times_of_a_grid_are_no_constant(pushed: Scene, tmp_path: Path, loop: st
 def test_one_time_for_all_steps_of_a_function_is_quoted(pushed: Scene, tmp_path: Path) -> None:
     text = PYTHON.partition("for i")[0] + GRIDS[-1].replace("j*h", "0.0")
     assert beside(pushed, tmp_path, ".py", text)
+
+
+COUNTED = """#include <math.h>
+double accel(double x, double t, double m, double k, double F)
+{ return (F*cos(3*t) - k*x)/m; }
+double run(double x, double v, double t, double m, double k, double F, double h, int n)
+{
+  for (int i = 0; i < n; i++) {
+    v += h*accel(x, %s, m, k, F); x += h*v;
+    %s
+  }
+  return x;
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("time", "line", "quoted"),
+    [("t", "t += h;", False), ("t + i*h", "", False), ("t", "", True), ("n*h", "", True),
+     ("t", "t *= 1.5;", True), ("t", "t += v;", True), ("x", "", True)],
+)  # fmt: skip
+def test_a_loop_whose_turns_nobody_knows(
+    pushed: Scene, tmp_path: Path, time: str, line: str, quoted: bool
+) -> None:
+    path = tmp_path / "page.c"
+    path.write_text(COUNTED % (time, line))
+    found = mechanics.check(pushed, path, function="accel", blame=False)
+    assert found.verdict is Verdict.PROVED
+    assert bool(found.beside) is quoted

@@ -103,7 +103,7 @@ def _lines(
             continue  # the function without a name that is judged
         concerned = bool(_concerned(run, one, env, made))
         if one.kind == "loop" and concerned:
-            if is_step(run, one.parts[1], env, one.name):
+            if is_step(run, one, env):
                 _keep_step(run, one)
             else:
                 forget(run, one, env)
@@ -148,7 +148,7 @@ def is_result(run: Run, line: Term) -> bool:
 
 def function_lines(run: Run, one: FileFunction, around: Mapping[str, Any]) -> list[str]:
     """Lines of one of the other functions that are not innocent."""
-    if is_step(run, one.body, dict(around), "", one):
+    if is_step(run, one.body, dict(around), one):
         _keep_step(run, one.body)
         return []
     begin(run)
@@ -230,7 +230,7 @@ def _moving(run: Run, body: Term, env: dict[str, Any]) -> frozenset[str]:
             found |= {root_of(p) for name, p in pairs if name in run.own[one.name].shared}
         if one.kind == "set" and one.parts[1].name in run.users:
             found |= {root_of(target) for target in targets_of(one.parts[0])}
-        if one.kind == "loop" and is_step(run, one.parts[1], env, one.name):
+        if one.kind == "loop" and is_step(run, one, env):
             found |= {root for root, _ in run.memory.advanced}
     return frozenset(found - {""})
 
@@ -602,11 +602,11 @@ def _returns(run: Run, one: FileFunction, functions: set[str]) -> bool:
     other = replace(run, memory=Memory())
     blocks = [
         (one.body, one),
-        *((t.parts[1], None) for t in one.body.all() if t.kind == "loop"),
+        *((t, None) for t in one.body.all() if t.kind == "loop"),
     ]
-    advanced = {root for block, whole in blocks if is_step(other, block, {}, "", whole)
+    advanced = {root for block, whole in blocks if is_step(other, block, {}, whole)
                 for root, _ in other.memory.advanced}  # fmt: skip
-    if advanced and is_step(other, one.body, {}, "", one):
+    if advanced and is_step(other, one.body, {}, one):
         return False
     made: set[str] = set()
     lines = [t for t in one.body.all() if t.kind == "set"]
@@ -641,7 +641,7 @@ def _taken(run: Run, call: Term, handed: Sequence[int], env: dict[str, Any]) -> 
         return True
     taken = Memory(taken=run.memory.taken | {call.name})
     other = replace(_with_body(run, one), memory=taken)
-    if not is_step(other, one.body, dict(given), "", one):
+    if not is_step(other, one.body, dict(given), one):
         begin(other)
         find_vectors(other, one.body, given)
         if _lines(other, one.body, dict(given), set()):

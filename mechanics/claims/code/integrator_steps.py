@@ -55,32 +55,37 @@ from mechanics.claims.code.run import (
     row_of,
 )
 
+Elapsed = Fraction | str | None
+"""Of time; `ANY` where nothing tells it, None where the time does not go on."""
+ANY = "any"
+
 MOST_TRIED = 60
 """Places that may hold what the function does not ask for."""
 
 
-def is_step(run: Run, block: Term, env: dict[str, Any], counter: str = "",
-    function: FileFunction | None = None,
-) -> bool:  # fmt: skip
-    """Whether a block advances a state as an integrator does, with the judged function.
+def is_step(run: Run, one: Term, env: dict[str, Any], function: FileFunction | None = None) -> bool:
+    """Whether a loop or a function advances a state as an integrator does, by the judged one.
 
     Parameters
     ----------
-    block : Term
+    one : Term
+        A loop, or the body of a function.
     env : dict of str to value
         What is known before.
-    counter : str
-        What the loop counts with.
     function : FileFunction, optional
         Whose body it is.
     """
     if not any(judged.gives for judged in run.judged.values()):
         return False
-    sets = _sets(block)
-    kept = [one for one in run.memory.before if root_of(one.parts[0]) in sets]
-    return _is_advanced(run, block, env, counter, function, []) or bool(
-        kept and _is_advanced(run, block, env, counter, function, kept)
+    sets = _sets(_body(one))
+    kept = [line for line in run.memory.before if root_of(line.parts[0]) in sets]
+    return _is_advanced(run, one, env, function, []) or bool(
+        kept and _is_advanced(run, one, env, function, kept)
     )
+
+
+def _body(one: Term) -> Term:
+    return one.parts[1] if one.kind == "loop" else one
 
 
 def _sets(block: Term) -> set[str]:
@@ -89,9 +94,10 @@ def _sets(block: Term) -> set[str]:
 
 
 def _known_before(
-    run: Run, block: Term, env: Mapping[str, Any], counter: str, function: FileFunction | None
+    run: Run, one: Term, env: Mapping[str, Any], function: FileFunction | None
 ) -> dict[str, Any]:
     """What is known before a block, without what it changes; the rest is random then."""
+    block, counter = _body(one), one.name if one.kind == "loop" else ""
     begin(run)
     run.memory.count += 1
     copied: dict[int, Any] = {}
@@ -108,12 +114,12 @@ def _known_before(
             del inside[name]  # another thing of the same name
     if counter:
         inside[counter] = Fraction(FAR + 7)
-    for one in block.all():
+    for part in block.all():
         apart = {*run.own, *run.language.shows, *run.judged}
-        if one.kind == "entry" or (
-            one.kind == "call" and run.language.brackets and one.name not in apart
+        if part.kind == "entry" or (
+            part.kind == "call" and run.language.brackets and part.name not in apart
         ):
-            for place in one.parts[1:] if one.kind == "entry" else one.parts:
+            for place in part.parts[1:] if part.kind == "entry" else part.parts:
                 run.memory.places |= {n.name for n in place.all() if n.kind == "name"}
     return inside
 
@@ -124,17 +130,16 @@ def _copied(value: Any) -> Any:
 
 
 def _is_advanced(
-    run: Run, block: Term, env: dict[str, Any], counter: str, function: FileFunction | None,
-    kept: Sequence[Term],
-) -> bool:  # fmt: skip
+    run: Run, one: Term, env: dict[str, Any], function: FileFunction | None, kept: Sequence[Term]
+) -> bool:
     """Whether a block is a step that leaves true what some lines before it say: a = f(y)."""
-    inside = _known_before(run, block, env, counter, function)
+    block, inside = _body(one), _known_before(run, one, env, function)
     run.memory.stepping, run.memory.depth = True, int(function is not None)
     try:
-        for one in kept:
-            execute(run, one, inside)
+        for line in kept:
+            execute(run, line, inside)
         result = execute(run, block, inside)
-        if any(value_of(run, one.parts[1], inside) != inside[one.parts[0].name] for one in kept):
+        if any(value_of(run, k.parts[1], inside) != inside[k.parts[0].name] for k in kept):
             return False
         if result is None and function is not None and function.gives:
             given = [read_name(run, n, (), inside) for n in function.gives]
@@ -146,11 +151,12 @@ def _is_advanced(
     if run.memory.misused or not run.memory.called or _parameters_change(run, block, inside):
         return False
     sets = _sets(block)
-    calls = [one for one in block.all() if one.kind == "call" and one.name in run.judged]
+    calls = [part for part in block.all() if part.kind == "call" and part.name in run.judged]
     if any(is_another(run, call, sets | {*STEPS}) for call in calls):
         return False
+    elapsed = _elapsed(run, one, inside, function)
     for places in _located(run, inside):
-        if _advances(run, places, inside, result):
+        if _advances(run, places, inside, result, elapsed):
             run.memory.advanced = tuple(places.values())
             return True
     return False
@@ -209,7 +215,9 @@ def _now(place: Place, env: Mapping[str, Any]) -> Any:
     return value.entries.get(key) if isinstance(value, Table) and key else value
 
 
-def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result: Any) -> bool:
+def _advances(
+    run: Run, places: Mapping[str, Place], env: dict[str, Any], result: Any, elapsed: Elapsed
+) -> bool:
     begun = {place: value for value, place in run.memory.initial.items()}
     if not all(place in begun for place in places.values()):
         return False
@@ -217,9 +225,9 @@ def _advances(run: Run, places: Mapping[str, Place], env: dict[str, Any], result
     after: dict[str, Any] = {}
     for word, place in places.items():
         after[word] = _now(_later(place), env)
-    if not _time_passes(run, env):
-        return False
     lasting = [h for h in run.memory.scalars if _lasts(run, h, env)]
+    if elapsed is not ANY:
+        lasting = [h for h in lasting if h == elapsed]
     choices = [after]
     returned = entries_of(run, result)
     if returned is not None and len(returned) == len(run.words.state):
@@ -259,20 +267,63 @@ def _is_step(
     return False
 
 
-def _time_passes(run: Run, env: Mapping[str, Any]) -> bool:
-    """Whether the time of a call goes on by the step, or by what nothing tells."""
+def _elapsed(run: Run, one: Term, env: Mapping[str, Any], function: FileFunction | None) -> Elapsed:
+    """The time from a turn of a loop to the next one, by which the judged function is called.
+
+    The block is run twice more from where it ended: what is before a loop need not be its time.
+    """
     begun = run.memory.called[0].get(MOMENT)
-    place = run.memory.initial.get(begun) if begun is not None else None
-    after = _now(_later(place), env) if place is not None else None
-    if begun is not None and is_driven(run):
-        if place is None and is_fixed(begun):
-            return False
-        if place is not None and after is not None and not isinstance(after, Fraction):
-            return False  # t % 1 may be any time; the next entry of a grid is None
-    if begun is None or not isinstance(after, Fraction) or after == begun:
-        return True
-    shares = [(after - begun) / h for h in run.memory.scalars if h > 0 and h != begun]
-    return 1 in shares or all(abs(s) > TURNS or s.denominator > TURNS for s in shares)
+    if begun is None or not is_driven(run):
+        return ANY
+    if function is not None:  # who calls it passes the time
+        return None if begun not in run.memory.initial and is_fixed(begun) else ANY
+    if one.kind == "loop" and _goes_through_times(run, one):
+        return ANY
+    inside = {name: _copied(value) for name, value in env.items()}
+    times, counted = [], Fraction(FAR + 7)
+    for _ in range(2):
+        if one.kind == "loop" and inside.get(one.name) == counted:
+            inside[one.name] = counted = counted + _stride(run, one, inside)
+        times.append(_time_of_turn(run, one, inside))
+    first, second = times
+    if first is None or second is None:
+        return None  # t % 1 may be any time
+    place, later = (run.memory.initial.get(time) for time in (first, second))
+    if later is not None and later[1] and later != place:  # a grid of times
+        return ANY if place is None or place[0] != later[0] or _later(place) == later else None
+    return second - first
+
+
+def _goes_through_times(run: Run, loop: Term) -> bool:
+    """Whether a loop takes the time out of a grid: for t = ts."""
+    calls = (
+        part for part in loop.parts[1].all() if part.kind == "call" and part.name in run.judged
+    )
+    given = (part for call in calls for part in call.parts)
+    whole = len(loop.parts[0].parts) == 1 and run.language.name != "Python"
+    return whole and any(part.kind == "name" and part.name == loop.name for part in given)
+
+
+def _stride(run: Run, loop: Term, env: Mapping[str, Any]) -> Fraction:
+    """By what a loop counts: for t = 0:h:9."""
+    limits = loop.parts[0].parts
+    stride = value_of(run, limits[1], dict(env)) if len(limits) == 3 else Fraction(1)
+    if not isinstance(stride, Fraction):
+        raise NotFollowedError
+    return stride
+
+
+def _time_of_turn(run: Run, one: Term, env: dict[str, Any]) -> Fraction | None:
+    """The time at the first call of a turn, which is run in `env`."""
+    before = run.memory.called, run.memory.misused, run.memory.turned, run.memory.scalars
+    run.memory.called, run.memory.turned, run.memory.scalars = [], [], {*run.memory.scalars}
+    try:
+        execute(run, _body(one), env)
+        return run.memory.called[0].get(MOMENT) if run.memory.called else None
+    except (NotFollowedError, RecursionError, ZeroDivisionError):
+        return None
+    finally:
+        run.memory.called, run.memory.misused, run.memory.turned, run.memory.scalars = before
 
 
 def is_fixed(time: Fraction) -> bool:

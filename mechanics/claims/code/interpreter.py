@@ -607,8 +607,9 @@ def _several(run: Run, targets: Sequence[Term], value: Term, env: dict[str, Any]
 def _turns(run: Run, term: Term, env: dict[str, Any]) -> None:
     limits, body = term.parts
     ends = [value_of(run, one, env) for one in limits.parts]
-    if len(ends) != 2 or not all(isinstance(e, Fraction) for e in ends) or not term.name:
-        raise NotFollowedError
+    known = all(isinstance(e, Fraction) and e.denominator == 1 for e in ends)
+    if len(ends) != 2 or not known or not term.name:
+        raise NotFollowedError  # a random number is no count of turns
     first, last = (int(e) for e in ends)
     if last - first > TURNS:
         raise NotFollowedError

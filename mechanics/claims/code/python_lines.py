@@ -348,14 +348,15 @@ class _File:
         run.memory.before = [
             *filter(partial(is_result, run), (statement(s, self.form) for s in before))
         ]
-        lines = block(body, self.form)
+        loops = (n for n in ast.walk(self.tree) if isinstance(n, ast.For | ast.While))
+        loop = next((statement(n, self.form) for n in loops if n.body is body), None)
+        lines = loop or block(body, self.form)
+        if lines.kind == "block" and loop is not None:  # while ... else
+            lines = lines.parts[0]
         apart = {*one.takes, *one.local} if one is not None else set()
-        for loop in ast.walk(self.tree):
-            if isinstance(loop, ast.For) and loop.body is body:
-                apart |= roots_in(loop.target)
         known = {name: value for name, value in self.known[0].items() if name not in apart}
         whole = one if around is not None and body is around.body else None
-        found = is_step(run, lines, known, "", whole)
+        found = is_step(run, lines, known, whole)
         return {root for root, _ in run.memory.advanced} if found else set()
 
     # what is said without a judged function
