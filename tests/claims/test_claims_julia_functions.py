@@ -253,3 +253,18 @@ def test_a_function_on_one_line_is_code(text: str, verdict: str, tmp_path: Path)
     path.write_text(text)
     found = mechanics.check(rod_pendulum.scene(), path, blame=False)
     assert found.verdict.name == verdict
+
+
+@pytest.mark.parametrize("power", ["x + 2^1^2", "x + 2.0 .^ 1 .^ 2", "2^2x^2", "x^2^3"])
+def test_a_power_of_a_power_is_not_read(power: str) -> None:
+    """The tree has them from the left, Julia from the right."""
+    with pytest.raises(Unread, match="a power of a power"):
+        value(power, x=3.0)
+
+
+@pytest.mark.parametrize(
+    ("power", "number"),
+    [("(2^1)^2x", 64), ("x*2^(1^2)", 6), ("-x^2", -9), ("2x^2", 18), ("2^2x", 64)],
+)
+def test_a_power_is_that_of_julia(power: str, number: float) -> None:
+    assert value(power, x=3.0) == number

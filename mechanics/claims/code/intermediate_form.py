@@ -220,9 +220,15 @@ def _macro(text: str) -> Term:
     return next(one.parts[1] for one in term(root).all() if one.kind == "set")
 
 
+POWERS = frozenset(("^", ".^"))
+
+
 def _arithmetic(node: Any, sign: str, parts: list[Any]) -> Term:
     """An operation; of two integers of C it is another one: 1/6 is 0, 10^2 no power."""
     of_c = node.child_by_field_name("operator") is not None
+    inner = {words(c) for c in parts[0].children} if parts[0].type == "binary_expression" else {}
+    if not of_c and sign in POWERS and POWERS & {*inner}:
+        return Term("other", "", _parts(parts))  # of Julia, whose tree has (2^1)^2 for 2^1^2
     whole = of_c and all(map(is_whole, parts))
     name = {"\u00f7": "div", "//": "/"}.get(sign, sign)
     made = Term(

@@ -62,6 +62,7 @@ OPERATIONS = {
     "/": "over", "./": "each_over", "\\": "under", "^": "power", ".^": "each_power", "⋅": "dot",
     "×": "cross", "//": "over",
 }  # fmt: skip
+POWERS = ("^", ".^")
 COMPARED = {
     "==": "==", "!=": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">=", "≤": "<=", "≥": ">=",
     "≠": "!=", "&&": "and", "||": "or",
@@ -1070,11 +1071,14 @@ def _binary(node: Any, one: Function) -> str:
                for p in (first, second) if sign not in ("&&", "||")):  # fmt: skip
             raise refuse(node)
         return f"({left} {COMPARED[sign]} {right})"
-    if sign in ("^", ".^") and first.type == "juxtaposition_expression":  # 2x^2
+    if sign in POWERS and first.type == "binary_expression" and words(named(first)[1]) in POWERS:
+        # The tree has (2^1)^2 for 2^1^2, and Julia 2^(1^2).
+        raise refuse(node, "a power of a power is not read: write brackets")
+    if sign in POWERS and first.type == "juxtaposition_expression":  # 2x^2
         factor, base = (expression(part, one) for part in named(first))
         return f"times({factor}, {OPERATIONS[sign]}({base}, {right}))"
     is_call = first.type == "call_expression" and named(first)[0].type == "operator"
-    if sign in ("^", ".^") and is_call:
+    if sign in POWERS and is_call:
         head, arguments = named(first)  # -(x)^2
         base = expression(named(arguments)[0], one)
         return f"({words(head)}{OPERATIONS[sign]}({base}, {right}))"
