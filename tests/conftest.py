@@ -12,7 +12,7 @@ import shutil
 import sys
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from hashlib import sha256
 from importlib import import_module
 from typing import Any
@@ -23,7 +23,7 @@ from hypothesis import settings
 from mechanics.cli.app import COLLECTED
 from mechanics.compiled.machine.native import find_compiler
 from mechanics.scene import Scene
-from systems import SEED
+from systems import EVERY, SEED
 
 # What is drawn is the same in every run, and a busy machine fails nothing.
 settings.register_profile("fixed", derandomize=True, deadline=None)
@@ -31,6 +31,15 @@ settings.load_profile("fixed")
 
 # As the command does.
 gc.set_threshold(COLLECTED)
+
+# Nobody changes a scene of a test: each that is built in is built once a process, and derived once
+# for statements about it, before a module of tests takes the functions.
+for _system in EVERY:
+    _once = cache(_system.scene)
+    setattr(sys.modules[_system.scene.__module__], _system.scene.__name__, _once)
+    object.__setattr__(_system, "scene", _once)
+_check = import_module("mechanics.judge.check")
+_check.derived = lru_cache(maxsize=64)(_check.derived)
 
 OF_THE_SEED = {system.name for system in SEED}
 

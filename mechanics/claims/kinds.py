@@ -4,6 +4,7 @@ theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v,
 """
 
 import re
+from functools import lru_cache
 
 from sympy import Derivative, Expr, S, Symbol, cos, sin
 from sympy.core.function import AppliedUndef
@@ -34,7 +35,8 @@ def kinds(name: str) -> frozenset[str]:
     return frozenset(said or ("angle", "length"))
 
 
-def angular(scene: Scene) -> set[Symbol]:
+@lru_cache(maxsize=64)
+def angular(scene: Scene) -> frozenset[Symbol]:
     """Coordinates that are angles: those whose sine or cosine places or turns a body.
 
     An arc s is none, which does so by s/R.
@@ -48,7 +50,7 @@ def angular(scene: Scene) -> set[Symbol]:
             for function in matrix.atoms(sin, cos):
                 (of,) = function.args
                 found |= {q for q in of.free_symbols & {*scene.q} if _is_ratio(of.diff(q))}
-    return found - rolled(scene)
+    return frozenset(found - rolled(scene))
 
 
 def _is_ratio(rate: Expr) -> bool:
@@ -60,13 +62,13 @@ def _is_ratio(rate: Expr) -> bool:
     return all(unit in ("", "1") or power == 0 for unit, power in powers.items())
 
 
-def turning(scene: Scene) -> set[Symbol]:
+def turning(scene: Scene) -> frozenset[Symbol]:
     """Angles that are the same a whole turn later; none where a load counts turns: a spring."""
     angles = angular(scene)
-    return angles if all(_is_plain(load, angles) for load in scene.loads) else set()
+    return angles if all(_is_plain(load, angles) for load in scene.loads) else frozenset()
 
 
-def _is_plain(load: object, angles: set[Symbol]) -> bool:
+def _is_plain(load: object, angles: frozenset[Symbol]) -> bool:
     """Whether a load depends on angles by their sines, cosines and rates alone."""
     if isinstance(load, Gravity):
         return True
