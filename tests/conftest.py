@@ -33,7 +33,8 @@ settings.load_profile("fixed")
 gc.set_threshold(COLLECTED)
 
 # Nobody changes a scene of a test: each that is built in is built once a process, and derived once
-# for statements about it, before a module of tests takes the functions.
+# for statements about it, before a module of tests takes the functions. A new one is made by
+# `scene.__wrapped__()`.
 for _system in EVERY:
     _once = cache(_system.scene)
     setattr(sys.modules[_system.scene.__module__], _system.scene.__name__, _once)

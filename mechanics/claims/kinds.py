@@ -4,14 +4,12 @@ theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v,
 """
 
 import re
-from functools import lru_cache
 
-from sympy import Derivative, Expr, S, Symbol, cos, sin
+from sympy import Derivative, S, Symbol, cos, sin
 from sympy.core.function import AppliedUndef
 
 from mechanics.scene import Scene
 from mechanics.scene.loads import Force, Gravity, Torque
-from mechanics.scene.units import rolled
 
 ANGLES = frozenset(
     ("theta", "phi", "psi", "alpha", "beta", "gamma", "vartheta", "varphi", "th", "ph", "ps")
@@ -35,31 +33,12 @@ def kinds(name: str) -> frozenset[str]:
     return frozenset(said or ("angle", "length"))
 
 
-@lru_cache(maxsize=64)
 def angular(scene: Scene) -> frozenset[Symbol]:
     """Coordinates that are angles: those whose sine or cosine places or turns a body.
 
     An arc s is none, which does so by s/R.
     """
-    found: set[Symbol] = set()
-    for body in scene.bodies:
-        matrices = [scene.position(body.centre)]
-        if hasattr(body, "frame"):
-            matrices.append(scene.rotation(body.frame))
-        for matrix in matrices:
-            for function in matrix.atoms(sin, cos):
-                (of,) = function.args
-                found |= {q for q in of.free_symbols & {*scene.q} if _is_ratio(of.diff(q))}
-    return frozenset(found - rolled(scene))
-
-
-def _is_ratio(rate: Expr) -> bool:
-    """Whether it is a number, or one by the units of its symbols, as r_1/r_2 of gears."""
-    powers: dict[str, Expr] = {}
-    for base, power in rate.as_powers_dict().items():
-        unit = "" if base.is_number else getattr(base, "unit", "?")
-        powers[unit] = powers.get(unit, S.Zero) + power
-    return all(unit in ("", "1") or power == 0 for unit, power in powers.items())
+    return scene.angles
 
 
 def turning(scene: Scene) -> frozenset[Symbol]:

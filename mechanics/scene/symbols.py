@@ -65,10 +65,7 @@ def plain_table(functions: Iterable[Expr]) -> dict[Expr, Symbol]:
 @lru_cache(maxsize=1024)
 def _rates(function: Expr, t: Symbol) -> tuple[Expr, ...]:
     """A function of time and its derivatives, which many tables ask for again."""
-    rates = [function]
-    for _ in range(1, len(DOTS)):
-        rates.append(rates[-1].diff(t))
-    return tuple(rates)
+    return tuple(function.diff(t, order) if order else function for order in range(len(DOTS)))
 
 
 def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:
