@@ -1,9 +1,10 @@
 """Laws with many cases: a fixed sample of them runs by default, the rest is a campaign.
 
 ``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
-the others get the marker ``campaign``. ``--cases N`` leaves a law N cases of a campaign, unless it
-has the marker ``every_case``. Both draw by a hash of the name of a case, so that every run on every
-machine has the same ones. ``--draws N`` is how many random mechanisms a campaign draws.
+the others get the marker ``campaign``. ``--cases N`` leaves a law N cases, those of its sample that
+run by default among them; all of a campaign where it has the marker ``every_case``. Both draw by a
+hash of the name of a case, so that every run on every machine has the same ones. ``--draws N`` is
+how many random mechanisms a campaign draws.
 """
 
 import gc
@@ -46,7 +47,7 @@ OF_THE_SEED = {system.name for system in SEED}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    words = "of a campaign, at most N cases of a law"
+    words = "of a law, at most N cases with those of its sample"
     parser.addoption("--cases", type=int, default=sys.maxsize, metavar="N", help=words)
     words = "mechanisms that the campaign of random ones draws"
     parser.addoption("--draws", type=int, default=8, metavar="N", help=words)
@@ -59,9 +60,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for case in drawn(case for case in cases if not is_of_the_seed(case))[most:]:
             case.add_marker("campaign")
     beyond: set[pytest.Item] = set()
-    for cases in by_law(item for item in items if item.get_closest_marker("campaign")):
-        if not cases[0].get_closest_marker("every_case"):
-            beyond.update(drawn(cases)[config.getoption("cases") :])
+    for cases in by_law(items):
+        rest = [case for case in cases if case.get_closest_marker("campaign")]
+        if rest and not rest[0].get_closest_marker("every_case"):
+            # A sample that runs by default counts; what is a campaign by its own mark is one more.
+            own = len(cases) - len(rest) if rest[0].get_closest_marker("sample") else 0
+            beyond.update(drawn(rest)[max(0, config.getoption("cases") - own) :])
     config.hook.pytest_deselected(items=list(beyond))
     items[:] = [item for item in items if item not in beyond]
 
