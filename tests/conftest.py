@@ -3,7 +3,8 @@
 ``@pytest.mark.sample(n)`` leaves a law n of its cases, and those about the systems of the seed;
 the others get the marker ``campaign``. ``--cases N`` leaves a law N cases, those of its sample that
 run by default among them; all of a campaign where it has the marker ``every_case``. Both draw by a
-hash of the name of a case, so that every run on every machine has the same ones. ``--draws N`` is
+hash of the name of a case, so that every run on every machine has the same ones; those with the
+marker ``long`` come last. ``--draws N`` is
 how many random mechanisms a campaign draws.
 """
 
@@ -80,7 +81,13 @@ def by_law(items: Iterable[pytest.Item]) -> list[list[pytest.Item]]:
 
 def drawn(cases: Iterable[pytest.Item]) -> list[pytest.Item]:
     """Cases in the order of their hashes; laws in one file draw the same systems, derived once."""
-    return sorted(cases, key=lambda case: sha256(name_of(case).encode()).digest())
+    return sorted(
+        cases,
+        key=lambda case: (
+            case.get_closest_marker("long") is not None,
+            sha256(name_of(case).encode()).digest(),
+        ),
+    )
 
 
 def name_of(case: pytest.Item) -> str:
