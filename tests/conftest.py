@@ -4,8 +4,7 @@
 the others get the marker ``campaign``. ``--cases N`` leaves a law N cases, those of its sample that
 run by default among them; all of a campaign where it has the marker ``every_case``. Both draw by a
 hash of the name of a case, so that every run on every machine has the same ones; those with the
-marker ``long`` come last. ``--draws N`` is
-how many random mechanisms a campaign draws.
+marker ``long`` come last. ``--draws N`` is how many random mechanisms a campaign draws.
 """
 
 import gc
