@@ -22,6 +22,7 @@ class Mistake(Enum):
     SYMBOL = "a wrong symbol stands here"
     POWER = "the power is wrong"
     TERM = "the term is wrong"
+    ORDER = "two outputs stand in each other's place"
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ T = ..., V = ..., L = ...    energies, where the scene has no such names
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 
 from sympy import Expr, Symbol
 from sympy.matrices import MatrixBase
@@ -224,7 +223,7 @@ class _Assembly:
         self.defined: dict[str, Value] = {}
         self.trees: dict[str, Node] = {}
         self.weights: dict[str, Weight] = {}
-        self.weight = 0
+        self.weight = self.looked = 0
         self.vague: dict[str, list[str]] = {}
         self.own: dict[str, Line] = {}
         self.lines: Sequence[Entry] = ()
@@ -246,14 +245,20 @@ class _Assembly:
         own = {id(line) for name, line in defined.items() if name not in ENERGY_NAMES}
         self.claims = any(isinstance(line, Line) and id(line) not in own for line in lines)
         if defined:
-            plain = partial(held, Builder(self.naming, {}, {}))
-            self.reached = reached(lines, defined, self.needed, plain)
+            self.reached = reached(lines, defined, self.needed, self._plainly_held)
         for name in in_order(defined):
             line = defined[name]
             try:
                 self.learnt[id(line)] = self._learn(name, line)
             except Refused as reason:
                 self.learnt[id(line)] = reason
+
+    def _plainly_held(self, sides: Sequence[Node]) -> list[str]:
+        """Names that an equation holds without definitions; all of them where it is too large."""
+        self.looked += sum(weight(side, {}).amount for side in sides)
+        if self.looked > LARGEST_WEIGHT:
+            return [name.name for side in sides for name in names(side)]
+        return held(Builder(self.naming, {}, {}), sides)
 
     def _learn(self, name: str, line: Line) -> tuple[tuple[Value, ...], Builder]:
         size = self._weighed(line)

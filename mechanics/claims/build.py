@@ -7,7 +7,7 @@ explains stays, as a symbol that the scene does not have, so that the verdict ca
 """
 
 from collections.abc import Mapping, Sequence
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import mul
 from types import MappingProxyType
 from typing import Any
@@ -58,6 +58,12 @@ def _small(base: Expr, exponent: Expr) -> bool:
         return False
     bits = max((max(abs(n.p), n.q).bit_length() for n in base.atoms(Rational)), default=1)
     return bool(bits * abs(exponent.p) <= 2 * LARGEST)
+
+
+@lru_cache(maxsize=1024)
+def _beyond(number: Expr) -> bool:
+    """Whether a function of a number is refused; a search asks for the same numbers again."""
+    return bool(number.is_finite and abs(number.n(5)) > LARGEST_NUMBER)
 
 
 def _parts(entry: Expr, counted: dict[Any, int]) -> int:
@@ -252,7 +258,7 @@ class Builder:
             return self._cross(node, *arguments)
         _, _, make = FUNCTIONS[function]
         numbers = [self._scalar(node, argument) for argument in arguments]
-        if any(n.is_number and n.is_finite and abs(n.n(5)) > LARGEST_NUMBER for n in numbers):
+        if any(n.is_number and _beyond(n) for n in numbers):
             raise Refused(node.at, f"{function} of a number that is too large")
         self.demands += of_function(function, numbers)
         return self._real(node, make(*numbers))

@@ -48,7 +48,10 @@ def with_values(reference: Reference, judged: tuple[Judged, ...]) -> tuple[Judge
         return judged
     if any(moves_more(truth.scene, row) for row in rows):
         return judged
-    if any(e.right_if or e.open or e.statement.derived for e in wrong):
+    # What is right with the values of its file is read with these; so is what stands beside it.
+    if any((e.right_if or e.open) and not e.statement.file_values for e in wrong):
+        return judged
+    if any(e.statement.derived for e in wrong):
         return judged
     for values in likely(reference, judged, rows):
         try:
@@ -66,7 +69,7 @@ def likely(
 ) -> Iterator[dict[Symbol, Integer]]:
     """Values of parameters that no statement holds: those of gravity, those of the scene, and 1.
 
-    Or those that code gives its parameters beside other numbers.
+    Or those that code gives its parameters, beside other numbers or in its file.
     """
     truth = reference.truth
     plain = [in_plain_symbols(truth.kinematics, row) for row in rows]
@@ -75,6 +78,9 @@ def likely(
     own = {s: v for e in judged for s, v in e.statement.code_values if s in held}
     if own:
         yield own
+    file = {s: v for e in judged for s, v in e.statement.file_values if s in free}
+    if file:
+        yield file
     numbers = [number * times for times in TIMES for number in numbers_in(plain)]
     units = units_in([e.statement for e in judged]) or not held & {*truth.scene.parameters}
     if not free or not (numbers or units):
@@ -95,7 +101,7 @@ def _under(reference: Reference, judged: tuple[Judged, ...], values: Values) -> 
     told = f"numbers stand for parameters: this is where {words(values)}"
     found = []
     for entry, other in zip(judged, there, strict=True):
-        if entry.blame is None:
+        if entry.blame is None or entry.right_if:
             found.append(entry)
         elif other.blame is None:
             found.append(replace(entry, blame=Blame((), ()), right_if=(words(values),)))

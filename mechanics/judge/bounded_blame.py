@@ -9,6 +9,7 @@ from dataclasses import replace
 from sympy import Expr, Symbol, preorder_traversal
 
 from mechanics.blame.blame import blame as blame_of
+from mechanics.blame.exchanged_outputs import exchanged_outputs
 from mechanics.blame.explanations import explanations
 from mechanics.blame.reference import Reference
 from mechanics.blame.result import Blame, Edit
@@ -67,9 +68,14 @@ def blamed(
         found[k] = replace(found[k], blame=replace(blame, explanations=reasons))
     blames = [found[k].blame or Blame((), ()) for k in searched]
     statements = [found[k].statement for k in searched]
-    together = shared(reference, statements, [blame.repairs for blame in blames])
+    own = [blame.repairs for blame in blames]
+    if not put:
+        own = exchanged_outputs(reference, statements, own)
+    together = shared(reference, statements, own)
     for k, blame, repairs in zip(searched, blames, together, strict=True):
-        found[k] = replace(found[k], blame=replace(blame, repairs=repairs))
+        words = blame.searched if bool(repairs) == bool(blame.repairs) else ""
+        blame = replace(blame, repairs=repairs, searched=words)
+        found[k] = replace(found[k], blame=blame)
     return named_once(found)
 
 

@@ -5,63 +5,36 @@ statements  --ledger-->  PROVED, CERTIFIED, REFUTED with a witness, UNDECIDED
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
-from itertools import chain
 from typing import Any
 
 from mechanics.blame.reference import Reference
-from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.code.callers import callers
-from mechanics.claims.code.python_lines import lines_around
-from mechanics.claims.declared_conventions import Declared, read_declared
-from mechanics.claims.names import Match, Naming, Vocabulary
-from mechanics.claims.statement import Reading, Statement
+from mechanics.claims.declared_conventions import Declared
+from mechanics.claims.statement import Reading
 from mechanics.compiled.fixed import fix
 from mechanics.crosscheck.routes import derive
 from mechanics.equations import Equations
-from mechanics.errors import InputError, wanted
+from mechanics.errors import wanted
 from mechanics.importers import as_scene
-from mechanics.judge.at_rest import at_rest
-from mechanics.judge.at_values import Values, as_identity, read_values, right_at, small_angles_at
-from mechanics.judge.at_values import words as in_words
+from mechanics.judge.at_values import Values, as_identity
 from mechanics.judge.black_box import check_box
 from mechanics.judge.blame_at_values import with_values
 from mechanics.judge.bounded_blame import blamed, declared_only
-from mechanics.judge.choice import chosen, judged_only, read_choice
-from mechanics.judge.complete import complete_residuals, determines, redundancy
+from mechanics.judge.complete import redundancy
 from mechanics.judge.converted_rows import moves_more
-from mechanics.judge.declared_convention import Answer, judge_under, only_change
-from mechanics.judge.defined_meanings import as_meant
+from mechanics.judge.declared_convention import only_change
 from mechanics.judge.definedness import at_the_bound
-from mechanics.judge.described_guesses import described_guesses
-from mechanics.judge.energy_letters import with_energy_letters
-from mechanics.judge.energy_parts import of_a_part
-from mechanics.judge.frequencies import one_root_each
-from mechanics.judge.guesses import other_guesses
+from mechanics.judge.judgement import judgement_on
 from mechanics.judge.left_potentials import left_potentials
-from mechanics.judge.letters import Settled, settle
 from mechanics.judge.linearized_blame import linearized
-from mechanics.judge.one_document import of_one_document
-from mechanics.judge.options import refuse_unused
-from mechanics.judge.other_conventions import helpful_changes
-from mechanics.judge.other_names import best_names, doubtful
-from mechanics.judge.other_reading import left_open, of_one_dimension, other_readings
+from mechanics.judge.other_names import doubtful
 from mechanics.judge.polar_radius import with_positive_radii
-from mechanics.judge.prose import Prose, as_told, limits_on, prose_of, seen_from_one_side
-from mechanics.judge.readers import read, spread
-from mechanics.judge.rounded_code import NOTES, as_rounded, code_conventions
+from mechanics.judge.question import question_of
+from mechanics.judge.rounded_code import NOTES
 from mechanics.judge.scene_laws import verify
-from mechanics.judge.single import judge
-from mechanics.judge.small_angles import as_said, right_for_small_angles
-from mechanics.judge.sources import Around, file_of, source_of
-from mechanics.judge.special_case import in_special_case
-from mechanics.judge.standard_names import with_standard_names
-from mechanics.judge.suggested_choice import suggested
-from mechanics.judge.unused_values import unused_values
-from mechanics.judge.where import Where, judge_where, read_where, right_where
-from mechanics.kernel import Finding, Verdict
+from mechanics.kernel import Verdict
 from mechanics.report.answer.check import Check
-from mechanics.report.answer.judged import Judged, differs
+from mechanics.report.answer.judged import Judged
 from mechanics.report.answer.sentences import located
 from mechanics.scene import Scene
 from mechanics.scene.system import System
@@ -152,100 +125,38 @@ def check(
     'REFUTED'
     """
     reference, untried = _reference(as_scene(scene))
-    truth, things = reference.truth, spread(equations)
-    written_out = truth.textbook is not None
-    if not written_out:
-        _plain(things, convention=convention, values=values, where=where)
-    choice = read_choice(only)
-    if (convention or where or choice) and any(isinstance(thing, BlackBox) for thing in things):
-        raise InputError("check: a black box is only called: leave out convention, where and only")
-    of_code, convention = code_conventions(convention)
-    asked = {"function": function, "notation": notation, "about": about, "values": values}
-    refuse_unused(things, notation, [*(name for name, value in asked.items() if value), *of_code])
-    boxed = [check_box(truth, thing, names) for thing in things if isinstance(thing, BlackBox)]
-    parts = [thing for thing in things if not isinstance(thing, BlackBox)]
-    readings = of_one_document(
-        parts, [_read(truth, part, names, notation, about, function) for part in parts]
-    )
-    every = [s for reading in readings for s in reading.statements]
-    statements = with_energy_letters(truth, of_one_dimension(truth, every))
-    is_chosen = chosen(choice, statements)
-    if sum(map(bool, (values, convention, where))) > 1:
-        raise InputError(
-            "--value (values=), --convention (convention=) and --where (where=) exclude each other:"
-            " give one"
-        )
-    known = [match for reading in readings for match in reading.names]
-    declared = read_declared(convention, known)
-    sources = [source for part in parts for source in source_of(part)]
-    prose = prose_of(truth.scene, statements, known, sources)
-    explicit = declared or values or where or not written_out
-    in_prose = () if explicit else prose.conventions
-    counted = (*declared, *in_prose)
-    numbers = read_values(truth.scene, values or {})
-    texts = [where] if isinstance(where, str) else where
-    region = read_where(truth, texts, known, names or {})
-    verdicts = partial(_verdicts, truth, counted=counted, values=numbers, where=region)
-    judged, remarks_of_verdicts = verdicts(statements, helps=written_out)
-    if in_prose:
-        pairs = zip(judged, statements, strict=True)
-        judged = tuple(seen_from_one_side(truth.scene, e, s, known) for e, s in pairs)
-    judged = complete_residuals(truth, one_root_each(truth, judged, statements))
-    limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
-    against = () if convention else _against(prose, written_out)
-    files = [part for part in parts if isinstance(part, Around)]
-    whole = [*sources, *(one for part in parts for one in file_of(part))]
-    against += tuple(dict.fromkeys(described_guesses(truth.scene, known, whole)))
-    without_limits = tuple(of_a_part(truth.scene, as_told(entry, against)) for entry in judged)
-    judged = tuple(
-        of_a_part(truth.scene, as_told(entry, (*against, *some)))
-        for entry, some in zip(judged, limits, strict=True)
-    )
-    tries = written_out and not (counted or region)
-    readings_beside = chain(
-        other_guesses(truth, judged, readings, statements, numbers, tries),
-        other_readings(truth, statements, not numbers),
-    )
-    judged = left_open(judged, readings_beside, lambda some: verdicts(some, helps=False)[0])
-    judged = as_meant(as_rounded(judged, of_code))
-    judged = with_standard_names(truth, judged, numbers) if tries else judged
-    if tries and not numbers:
-        judged = in_special_case(truth, judged)
-    hints = () if choice else suggested(prose, without_limits, judged)
-    judged, others = judged_only(judged, is_chosen)
-    effective = {words for some in limits for words in some}
-    aside = tuple(limit.sentence for limit in prose.limits if limit.words not in effective)
-    searched = written_out or _operations(truth) <= LARGEST_SEARCHED
+    truth = reference.truth
+    question = question_of(
+        truth, equations, names=names, notation=notation, about=about, convention=convention,
+        function=function, values=values, where=where, only=only,
+    )  # fmt: skip
+    boxed = [check_box(truth, box, names) for box in question.boxes]
+    found = judgement_on(question)
+    judged = found.judged
+    searched = question.written_out or _operations(truth) <= LARGEST_SEARCHED
     if blame and searched:
-        judged = _blamed(reference, judged, counted, numbers)
+        judged = _blamed(reference, judged, question.counted, question.values)
     judged = (*judged, *(Judged(s, f) for entries, _ in boxed for s, f in entries))
-    matched = chain(*(reading.names for reading in readings), *(some for _, some in boxed))
+    matched = (*question.names_taken, *(match for _, some in boxed for match in some))
     matches = {match.name: match for match in matched}
     remarks = (
-        *dict.fromkeys(r for reading in readings for r in reading.remarks),
-        *(f"the text says how it counts: {said.told}" for said in in_prose),
-        *_remarks_on_refuted(readings, judged, searched),
-        *(NOTES[name] for name in of_code),
-        *remarks_of_verdicts,
+        *dict.fromkeys(r for reading in question.readings for r in reading.remarks),
+        *(f"the text says how it counts: {said.told}" for said in question.by_prose),
+        *_remarks_on_refuted(question.readings, judged, searched),
+        *(NOTES[name] for name in question.of_code),
+        *found.remarks,
         *dict.fromkeys(left_potentials(truth.scene, judged)),
         *_remarks_on_motion(truth, judged),
         *untried,
-        *(words for one in files for words in callers(one.code, ".py", one.judged)),
+        *(words for one in question.files for words in callers(one.code, ".py", one.judged)),
     )
-    around = [_around(part, truth.scene, names or {}, known) for part in files]
-    beside = tuple(dict.fromkeys(chain(*(reading.beside for reading in readings), *around)))
-    unjudged = (*prose.unjudged, *_definitions(readings), *beside)
-    shown = truth if written_out else None
+    beside = question.beside
+    unjudged = (*question.prose.unjudged, *_definitions(question.readings), *beside)
+    shown = truth if question.written_out else None
     return Check(
         truth.scene, judged, tuple(matches.values()), remarks, shown, unjudged, beside,
-        (*map(located, others), *aside), hints, others,
+        (*map(located, found.others), *found.limits), found.hints, found.others,
     )  # fmt: skip
-
-
-def _against(prose: Prose, written_out: bool) -> tuple[str, ...]:
-    """What texts say otherwise than the scene has it, in words."""
-    conventions = () if written_out else prose.conventions
-    return (*(f"the text counts otherwise: {one.told}" for one in conventions), *prose.against)
 
 
 def _remarks_on_refuted(
@@ -281,31 +192,6 @@ def _reference(
     return Reference(truth), (*told, *verify(truth))
 
 
-def _plain(things: Sequence[Any], **asked: Any) -> None:
-    """Refuse what needs equations that are written out."""
-    if any(isinstance(thing, BlackBox) for thing in things):
-        raise InputError(
-            "check: equations that stay a program are not compared with a black box: pass its"
-            " formulas, or functions that can be traced"
-        )
-    for name, value in asked.items():
-        if value:
-            raise InputError(
-                f"check: equations that stay a program are judged as they stand: leave out {name}"
-            )
-
-
-def _around(
-    thing: Around, scene: Scene, names: Mapping[str, str], known: Sequence[Match]
-) -> tuple[str, ...]:
-    """What of a file of Python says something and is not judged."""
-    words = Vocabulary(scene)
-    single = {n: m for n, m in names.items() if m == "t" or words.target(m) is not None}
-    columns = (Match(n, m, "as given") for n, m in names.items() if " " in m)
-    naming = Naming(words, single, (*columns, *known))
-    return (*thing.others, *lines_around(thing.code, thing.judged, naming))
-
-
 def _definitions(readings: Sequence[Reading]) -> dict[str, None]:
     """Definitions of texts that nothing uses."""
     return dict.fromkeys(words for reading in readings for words in reading.unjudged)
@@ -322,14 +208,6 @@ def _operations(truth: Equations) -> int:
     if truth.mechanism is None or truth.rows is None:
         return LARGEST_SEARCHED + 1
     return truth.mechanism.builder.program({"rows": truth.rows.values}).count
-
-
-def _read(truth: Equations, part: Any, names: Mapping[str, str] | None, *how: Any) -> Reading:
-    """A reading under the best choice of the names that are guessed."""
-    found = read(truth.scene, part, names, *how)
-    return best_names(
-        truth, found, lambda chosen: read(truth.scene, part, {**(names or {}), **chosen}, *how)
-    )
 
 
 def _blamed(
@@ -357,79 +235,3 @@ def _blamed(
     if change is None:
         return declared_only(judged, "several conventions are possible")
     return blamed(Reference(change[1]), judged, change[0])
-
-
-def _right(truth: Equations, values: Values, apart: bool, statement: Statement) -> bool:
-    """Whether a statement is right; where more is declared than values, that is not asked."""
-    return not apart and judge(truth, statement, values).shown
-
-
-def _by_letter(entry: Judged, settled: Settled) -> Judged:
-    """The entry; refuted where the meaning of its letter has another dimension."""
-    if settled.finding is None:
-        return entry
-    return replace(entry, finding=settled.finding, right_if=(), open=False)
-
-
-def _helping(
-    truth: Equations, statements: Sequence[Statement], findings: Sequence[Finding]
-) -> tuple[tuple[str, ...], bool]:
-    """Under which conditions all statements are right, and whether these may be what is meant.
-
-    A convention may be where the statements determine the motion: any one equation can be mended.
-    Lengths that are half of the scene's, and bodies without inertia, need a word of the person's.
-    """
-    changes = helpful_changes(truth, statements)
-    if changes:
-        plain = all(c.kind not in ("size", "masses") for change in changes[:1] for c in change)
-        words = tuple(" and ".join(c.words for c in change) for change in changes)
-        return words, plain and len(changes[0]) <= 2 and determines(truth, statements)
-    if words := right_at(truth, statements):
-        return words, True
-    # What is linearized needs a word of the person's.
-    words = right_for_small_angles(truth, statements, findings)
-    return words or right_where(truth, statements, findings), False
-
-
-def _verdicts(
-    truth: Equations, statements: Sequence[Statement], *, counted: Sequence[Declared],
-    values: Values, where: Sequence[Where], helps: bool = True,
-) -> Answer:  # fmt: skip
-    """Verdicts and remarks; beside a refutation the convention that helps, if that is asked."""
-    if counted:
-        return judge_under(truth, statements, counted)
-    plain = [at_rest(truth, statement) for statement in statements]
-    settled = settle(
-        truth, plain, partial(_right, truth, values, bool(where)), dimensions=not values
-    )
-    judged, told = _judged(truth, [s.statement for s in settled], values, where, helps)
-    return tuple(map(_by_letter, judged, settled)), told
-
-
-def _judged(
-    truth: Equations, statements: Sequence[Statement], values: Values, where: Sequence[Where],
-    helps: bool,
-) -> Answer:  # fmt: skip
-    if where:
-        found = (Judged(s, judge_where(truth, s, where)) for s in statements)
-        return tuple(found), (f"judged where {' and '.join(w.words for w in where)}",)
-    findings = [judge(truth, statement, values) for statement in statements]
-    if values:
-        idle = unused_values(truth, statements, findings, values)
-        statements, findings = small_angles_at(truth, statements, findings, values)
-        told = (f"judged where {in_words(values)}", *idle)
-        return tuple(map(Judged, statements, findings)), told
-    statements, findings = as_said(truth, statements, findings)
-    if not helps or not any(map(differs, findings)):
-        return tuple(map(Judged, statements, findings)), ()
-    claimed = [
-        k for k, s in enumerate(statements)
-        if s.row is not None and not s.doubt and (findings[k].shown or differs(findings[k]))
-    ]  # fmt: skip
-    some = [statements[k] for k in claimed]
-    helping, may_be = _helping(truth, some, [findings[k] for k in claimed])
-    entries = []
-    for statement, finding in zip(statements, findings, strict=True):
-        wrong = differs(finding)
-        entries.append(Judged(statement, finding, helping if wrong else (), open=wrong and may_be))
-    return tuple(entries), ()

@@ -11,7 +11,7 @@ import casadi
 
 from mechanics.claims.code.black_box import BlackBox
 from mechanics.claims.code.cpp_functions import SUFFIXES
-from mechanics.claims.code.read_arrays import LANGUAGES, has_function
+from mechanics.claims.code.read_arrays import LANGUAGES, has_function, may_be_code
 from mechanics.claims.code.sympy_objects import is_sympy
 from mechanics.claims.declared_conventions import EXACT, HARMLESS
 from mechanics.claims.read import file_text
@@ -77,8 +77,10 @@ def _file_kind(path: Path) -> str:
     suffix = path.suffix.lower()
     if suffix in (".c", ".h", *SUFFIXES):
         return C
-    if suffix in LANGUAGES and has_function(file_text(path)):
-        return "MATLAB" if suffix == ".m" else "Julia"
+    if suffix in LANGUAGES:
+        text = file_text(path)
+        if has_function(text) or may_be_code(text, suffix):
+            return "MATLAB" if suffix == ".m" else "Julia"
     return "text"
 
 

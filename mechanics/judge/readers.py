@@ -20,7 +20,7 @@ from mechanics.claims.code.read import read_c, read_casadi, read_function
 from mechanics.claims.code.read_arrays import (
     LANGUAGES,
     has_function,
-    has_solved_handle,
+    may_be_code,
     read_arrays,
     read_cpp,
 )
@@ -138,7 +138,7 @@ def read(
         if known and has_function(text):
             found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
             return _with_rest(found, scene, thing, text, names, function)
-        if known and thing.suffix == ".m" and has_solved_handle(text):
+        if known and may_be_code(text, thing.suffix):
             with suppress(InputError):  # else a page of equations
                 found = read_arrays(scene, text, thing.suffix, function, names, about, str(thing))
                 return _with_rest(found, scene, thing, text, names, function)

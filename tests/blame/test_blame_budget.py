@@ -1,12 +1,16 @@
 """A search ends after so many steps, and says so; what is found does not depend on what is left."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pytest
 
 import mechanics
 from mechanics.blame import blame as one
+from mechanics.blame.search import candidates, function_arguments
 from mechanics.blame.search.budget import Budget
+from mechanics.blame.search.change import Change
+from mechanics.blame.search.inverse_evaluation import Sheet
+from mechanics.claims.tree import Node
 from mechanics.judge import bounded_blame as text
 from mechanics.judge.check import Check
 
@@ -47,3 +51,26 @@ def test_what_comes_after_the_steps_of_a_text_is_not_searched(
     first, second = searched(check, f"{WRONG}\n{WRONG.replace('3*k', '5*k')}")
     assert first == ""
     assert second == "not searched: those before it took 1 steps"
+
+
+def test_what_is_computed_anew_in_a_large_function_is_bounded(
+    check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    computed: list[int] = [0]
+    every, worth = candidates.Candidates.all, function_arguments.worth
+
+    def begun(self: candidates.Candidates) -> list[Change]:
+        computed.append(0)
+        return every(self)
+
+    def counted(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
+        computed[-1] += sum(1 for _ in text.walked(node))
+        return worth(sheets, node)
+
+    monkeypatch.setattr(candidates.Candidates, "all", begun)
+    monkeypatch.setattr(function_arguments, "worth", counted)
+    monkeypatch.setattr(candidates, "MOST_EVALUATED", 2000)
+    cosines = "+".join(f"cos(theta/{k})" for k in range(2, 20))
+    assert searched(check, f"x'' = cos({cosines})")
+    # An edit makes a function a little larger.
+    assert 0 < max(computed) < 2 * candidates.MOST_EVALUATED

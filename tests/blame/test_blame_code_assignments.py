@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 import mechanics
+from mechanics.blame.result import Mistake
 from mechanics.cli.load import run_file
+from mechanics.kernel import Verdict
 from systems import cartpole, rod_pendulum
 
 CART = mechanics.derive(cartpole.scene(), "free_body")
@@ -234,3 +236,19 @@ def test_an_entry_has_the_index_that_its_language_gives_it(tmp_path, file) -> No
     entry = mechanics.check(ROD, tmp_path / file).judged[1]
     (edit,) = entry.blame.repairs[0].edits
     assert (edit.definition, edit.place) == (name, "line 4")
+
+
+def test_outputs_in_each_others_place_are_named() -> None:
+    def rates(t, theta, theta_dot, m, l, g, u):  # type: ignore[no-untyped-def]
+        acceleration = 3 * g / (2 * l) * np.sin(theta) + 3 * u / (m * l**2)
+        return acceleration, theta_dot
+
+    first, second = mechanics.check(ROD, rates).judged
+    assert first.verdict is second.verdict is Verdict.REFUTED
+    for one, other in ((first, second), (second, first)):
+        assert one.blame is not None and other.blame is not None
+        (repair,) = one.blame.repairs
+        assert repair.finding.shown
+        (edit,), (back,) = repair.edits, other.blame.repairs[0].edits
+        assert (edit.written, edit.right) == (back.right, back.written)
+        assert edit.mistake is Mistake.ORDER

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from systems import rod_pendulum
-from tests.verdict_of import verdict_in
+from tests.verdict_of import NOT_READ, verdict_in
 
 SCENE = rod_pendulum.scene()
 ROD = """#include <Eigen/Dense>
@@ -125,3 +125,32 @@ def test_auto_computes_again_what_a_type_keeps(name: str, value: str, tmp_path: 
 )
 def test_a_part_by_another_name_is_not_read(text: str, tmp_path: Path) -> None:
     assert _verdict(text, tmp_path) == "not read"
+
+
+MADE = """#include <Eigen/Dense>
+#include <cmath>
+using Eigen::Vector2d;
+Vector2d rates(const Vector2d& y, double u, double m, double l, double g) {
+  %s
+}
+"""
+ACCELERATION = "3*g/(2*l)*std::sin(y.x()) + 3*u/(m*l*l)"
+
+
+@pytest.mark.parametrize(
+    ("body", "verdict"),
+    [
+        (f"Vector2d d(y.y(), {ACCELERATION}); return d;", "PROVED"),
+        (f"return Vector2d(y.y(), {ACCELERATION});", "PROVED"),
+        (f"Vector2d d = Eigen::Vector2d(y(1), {ACCELERATION}); return d;", "PROVED"),
+        (f"Vector2d d; d.x() = y.y(); d.y() = {ACCELERATION}; return d;", "PROVED"),
+        (f"Vector2d d({ACCELERATION}, y.y()); return d;", "REFUTED"),
+        (f"Vector2d d(y.y(), {ACCELERATION.replace('3*u', '2*u')}); return d;", "REFUTED"),
+        (f"Vector2d d; d.y() = y.y(); d.x() = {ACCELERATION}; return d;", "REFUTED"),
+        ("Vector2d d(y.y()); return d;", NOT_READ),
+        (f"Vector2d d(y.y(), {ACCELERATION}, 0.0); return d;", NOT_READ),
+        (f"Vector2d d(y.y(), {ACCELERATION.replace('x()', 'z()')}); return d;", NOT_READ),
+    ],
+)  # fmt: skip
+def test_a_vector_is_made_of_its_entries(body: str, verdict: str, tmp_path: Path) -> None:
+    assert _verdict(MADE % body, tmp_path) == verdict

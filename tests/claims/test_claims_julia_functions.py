@@ -236,3 +236,21 @@ def test_a_function_of_the_time_is_an_input(term: str, verdict: str, tmp_path: P
     except InputError:
         found = ""
     assert found == verdict
+
+
+ONE_LINE = "accel(theta, u, m, l, g) = 3g/(2l)*sin(theta) + 3u/(m*l^2)\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [(ONE_LINE, "PROVED"), (f"using DifferentialEquations\n{ONE_LINE}", "PROVED"),
+     (ONE_LINE.replace("3u", "2u"), "REFUTED"),
+     (ONE_LINE.replace("theta, u", "theta::Float64, u::Float64"), "PROVED"),
+     # Equations of a page stay text.
+     ("theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)\n", "PROVED")],
+)  # fmt: skip
+def test_a_function_on_one_line_is_code(text: str, verdict: str, tmp_path: Path) -> None:
+    path = tmp_path / "own.jl"
+    path.write_text(text)
+    found = mechanics.check(rod_pendulum.scene(), path, blame=False)
+    assert found.verdict.name == verdict

@@ -7,7 +7,11 @@ from mechanics.judge.check import derived
 from systems import elastic_pendulum
 
 TRUTH = derived(elastic_pendulum.scene())
+ENTRIES = "&".join(f"x+{k}" for k in range(8))
+MATRIX = r"\begin{matrix}" + r"\\".join([ENTRIES] * 8) + r"\end{matrix}"
 LONG = {
+    "products of matrices": ("latex", rf"\ddot x = {' '.join([MATRIX] * 9)}"),
+    "definitions of products": ("latex", "\n\n".join(f"{n} = {MATRIX * 3}" for n in "ABC")),
     "factors above an equals sign": ("text", f"{'x*' * 1000}\n{'x*' * 1000}= 1"),
     "values that are set anew": ("text", "x=1;" * 1000),
     "values between commas": ("text", "x," * 2000),

@@ -7,7 +7,7 @@ An edit inside of a function is worth what the function is then.
 """
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
@@ -36,6 +36,9 @@ from mechanics.claims.tree import COMPOSED, Name, Node, Number, Power, Product, 
 MOST_INSIDE = 400
 """Edits inside of functions, each of which has to be evaluated anew."""
 
+MOST_EVALUATED = 16_000
+"""Nodes of these functions together: 400 functions of 40 nodes."""
+
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
@@ -63,7 +66,16 @@ class Candidates:
                 edits = differentiated if tree.rates[index] else inside_of
                 inside += [(index, edit) for edit in edits(self.make, index)]
         inside.sort(key=lambda pair: pair[1][-1])  # the cheapest are tried
-        return [*found, *valued(self.make, inside[:MOST_INSIDE])]
+        return [*found, *valued(self.make, self._evaluated(inside[:MOST_INSIDE]))]
+
+    def _evaluated(self, inside: Sequence[tuple[int, Inner]]) -> Iterator[tuple[int, Inner]]:
+        """As many as there is time for: the functions around them are evaluated anew."""
+        left = MOST_EVALUATED
+        for index, edit in inside:
+            left -= self.make.tree.size(index)
+            if left < 0:
+                return
+            yield index, edit
 
     def _hidden(self, index: int) -> bool:
         """Whether a node stands in a function or exponent, so that its value tells nothing."""

@@ -56,9 +56,10 @@ class Maker:
 def worth(sheets: Sequence[Sheet], node: Node) -> tuple[int, ...] | None:
     """What a node is worth at each point; None where it has no value, or is a matrix."""
     try:
-        if isinstance(sheets[0].builder(node), MatrixBase):
+        value = sheets[0].builder(node)
+        if isinstance(value, MatrixBase):
             return None
-        return tuple(sheet.opaque(node) for sheet in sheets)
+        return tuple(sheet.point.value(value) for sheet in sheets)
     except (MechanicsError, Refused):
         return None
 

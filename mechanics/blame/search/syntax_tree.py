@@ -108,6 +108,10 @@ class SyntaxTree:
         self.kids[minus].append(self.add(right, minus, (other, ())))
         return self
 
+    def size(self, index: int) -> int:
+        """How many nodes a node has, itself and what is below it."""
+        return 1 + sum(map(self.size, self.kids[index]))
+
     def written(self, index: int) -> bool:
         """Whether somebody wrote the node, and may have to write it otherwise."""
         home = self.place[index][0]

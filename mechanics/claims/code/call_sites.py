@@ -15,7 +15,7 @@ from functools import partial
 from typing import Any
 
 from mechanics.claims.code.handed_values import changes_handed, statements
-from mechanics.claims.code.integrator_steps import is_step
+from mechanics.claims.code.integrator_steps import is_fixed, is_step
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.intermediate_form import Term
 from mechanics.claims.code.interpreter import (
@@ -51,6 +51,7 @@ from mechanics.claims.code.run import (
     begin,
     entries_of,
     functions_in,
+    is_driven,
     meaning_of,
     orders,
 )
@@ -114,6 +115,7 @@ def _lines(
             forget(run, one, env, UNKNOWN)
             continue
         wrong = _resets(run, one, env) or _changes(run, one, moving)
+        wrong = wrong or (one.kind == "set" and _at_one_time(run, one, env, moving))
         if concerned:
             wrong = wrong or not _innocent(run, one, env, made)
         else:
@@ -242,6 +244,18 @@ def _changes(run: Run, line: Term, moving: frozenset[str]) -> bool:
     if value.kind == "call" and value.name in run.users:
         return False
     return root in moving and bool(line.name or root in value.names())
+
+
+def _at_one_time(run: Run, line: Term, env: Mapping[str, Any], moving: frozenset[str]) -> bool:
+    """Whether a line in a loop advances a driven system always at the same time."""
+    if root_of(line.parts[0]) not in moving or not is_driven(run):
+        return False
+    saved = run.memory.called, run.memory.misused
+    run.memory.called = []
+    attempt(run, line, dict(env))
+    times = [at[MOMENT] for at in run.memory.called if MOMENT in at]
+    run.memory.called, run.memory.misused = saved
+    return any(map(is_fixed, times))
 
 
 def _resets(run: Run, line: Term, env: dict[str, Any]) -> bool:

@@ -8,7 +8,7 @@ order, and Eigen's q(1) an entry.
 """
 
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -95,6 +95,10 @@ DECOMPOSED = frozenset(
 )  # fmt: skip
 """By what it solves with a whole matrix: others read one half of it."""
 WHOLES = {"inverse": "inverse", "transpose": "transposed"}
+COORDINATES = ("x", "y", "z", "w")
+"""Methods of vectors of Eigen for their first entries."""
+VECTOR = re.compile(r"(?:const )?(?:Eigen::)?(?:Vector|Array)([234])d")
+"""Columns of doubles of Eigen that are made of their entries: Vector2d(1.0, 2.0)."""
 PARTS = {"segment": 2, "head": 1, "tail": 1}
 """Parts of a vector, and how many numbers say which."""
 
@@ -1058,6 +1062,11 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         if side := re.search(r"\bMatrix([234])[df]|, *(\d+) *>", kind):
             scope.shapes[name] = int(side[1] or side[2])
         scope.locals.add(name)
+        given = value if value is not None and value.type == "argument_list" else None
+        entries = None if given is None or array else _made_of_entries(kind, given, scope)
+        if entries is not None:
+            page.put(line, depth, f"{name} = {entries}")
+            continue
         if value is not None and value.type == "argument_list" and not _is_scalar(kind):
             sizes = named(value)
             if len(sizes) == 2 and re.fullmatch(r"0(?:\.0*)?", words(sizes[1])):
@@ -1175,7 +1184,13 @@ def _streamed(node: Any, scope: Scope) -> str:
 
 
 def _entry(node: Any, scope: Scope) -> tuple[str, list[str]]:
-    """x[1], x.at(1) and x(1) as an array and its indices."""
+    """x[1], x.at(1), x(1) and x.y() as an array and its indices."""
+    found = _method(node)
+    if found is not None and found[1] in COORDINATES and not found[2]:
+        owner = safe(words(found[0]))
+        if found[0].type != "identifier" or owner not in scope.eigen:
+            raise refuse(node)
+        return scope.aliases.get(owner, owner), [str(COORDINATES.index(found[1]))]
     if node.type == "subscript_expression":
         head, given = node.child_by_field_name("argument"), node.child_by_field_name("indices")
     elif node.type == "call_expression":
@@ -1289,12 +1304,9 @@ def _value(node: Any, scope: Scope) -> str:
             return f"({yes} if {condition} else {no})"
         case "initializer_list":
             rows = [named(part) for part in named(node) if part.type == "initializer_list"]
-            if not rows:
-                rows = [[part] for part in named(node)]
-            elif len(rows) < len(named(node)):
+            if rows and len(rows) < len(named(node)):
                 raise refuse(node)
-            entries = (joined([_value(part, scope) for part in row]) for row in rows)
-            return f"block({joined([f'({row},)' for row in entries])})"
+            return _block(rows or [[part] for part in named(node)], scope)
         case "compound_literal_expression" if is_integral(words(node.child_by_field_name("type"))):
             raise refuse(node, "what is made an integer is not read: write it as double")
         case "compound_literal_expression":
@@ -1308,6 +1320,20 @@ def _value(node: Any, scope: Scope) -> str:
         case "call_expression":
             return _call(node, scope)
     raise refuse(node)
+
+
+def _block(rows: Sequence[Sequence[Any]], scope: Scope) -> str:
+    """An array of its entries, row by row."""
+    entries = (joined([_value(part, scope) for part in row]) for row in rows)
+    return f"block({joined([f'({row},)' for row in entries])})"
+
+
+def _made_of_entries(kind: str, given: Any, scope: Scope) -> str | None:
+    """A vector of Eigen that is made of all its entries; None for what is made otherwise."""
+    size, parts = VECTOR.fullmatch(kind), named(given)
+    if size is None or len(parts) != int(size[1]):
+        return None
+    return _block([[part] for part in parts], scope)
 
 
 def _binary(node: Any, scope: Scope) -> str:
@@ -1444,6 +1470,8 @@ def _call(node: Any, scope: Scope) -> str:
         return _call_of(name, node, scope)
     if head.type == "field_expression" or head.type == "subscript_expression":
         return _place(node, scope)
+    if (entries := _made_of_entries(words(head), given, scope)) is not None:
+        return entries
     casts = ("static_cast<double>", "static_cast<float>", "double", "float")
     if (words(head).startswith(casts) or _is_type(head)) and len(named(given)) == 1:
         return _value(named(given)[0], scope)

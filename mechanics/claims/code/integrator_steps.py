@@ -264,12 +264,20 @@ def _time_passes(run: Run, env: Mapping[str, Any]) -> bool:
     begun = run.memory.called[0].get(MOMENT)
     place = run.memory.initial.get(begun) if begun is not None else None
     after = _now(_later(place), env) if place is not None else None
-    if place is not None and not isinstance(after, Fraction) and is_driven(run):
-        return False  # t % 1 may be any time
+    if begun is not None and is_driven(run):
+        if place is None and is_fixed(begun):
+            return False
+        if place is not None and after is not None and not isinstance(after, Fraction):
+            return False  # t % 1 may be any time; the next entry of a grid is None
     if begun is None or not isinstance(after, Fraction) or after == begun:
         return True
     shares = [(after - begun) / h for h in run.memory.scalars if h > 0 and h != begun]
     return 1 in shares or all(abs(s) > TURNS or s.denominator > TURNS for s in shares)
+
+
+def is_fixed(time: Fraction) -> bool:
+    """Whether a time is a number that was written: neither random nor made of a loop's counter."""
+    return abs(time) <= TURNS and time.denominator <= TURNS
 
 
 def _later(place: Place) -> Place:

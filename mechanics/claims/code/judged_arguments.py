@@ -93,12 +93,7 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
     if own != name and own in judged.takes and own:
         return False
     if isinstance(value, Table) and any(isinstance(k[0], str) for k in value.entries):
-        pairs = [(meaning_of(run, str(k[0])), v) for k, v in value.entries.items()]
-        if name in judged.places and any(
-            m and m != w for (m, _), w in zip(pairs, words, strict=False)
-        ):
-            return False
-        return all(fits_word(run, m, v) for m, v in pairs if m and m not in run.words.state)
+        return _fits_fields(run, words, value, by_place=name in judged.places)
     if not words:
         meaning = meaning_of(run, own) if own else ""
         same = own == name or meaning in ("", meaning_of(run, name))
@@ -109,37 +104,45 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
         if part.kind in ("minus", "binary"):
             return False
     made = part.kind in ("call", "binary", "minus", "other", "list")
-    if (
-        isinstance(value, Unknown)
-        and value is not OUTSIDE
-        and made
-        and any(p.names() for p in part.parts)
-    ):
+    unknown = isinstance(value, Unknown) and value is not OUTSIDE
+    if unknown and made and any(p.names() for p in part.parts):
         return False
     if len(words) > 1:
-        if isinstance(value, Unknown):
-            return True
-        if not isinstance(value, Table):
+        return isinstance(value, Unknown) or _fits_words(run, words, part, value)
+    return _fits_one(run, words[0], part, value, own)
+
+
+def _fits_fields(run: Run, words: Sequence[str], value: Table, *, by_place: bool) -> bool:
+    """Whether a record has under its names what they mean, in order where places count."""
+    pairs = [(meaning_of(run, str(k[0])), v) for k, v in value.entries.items()]
+    if by_place and any(m and m != w for (m, _), w in zip(pairs, words, strict=False)):
+        return False
+    return all(fits_word(run, m, v) for m, v in pairs if m and m not in run.words.state)
+
+
+def _fits_words(run: Run, words: Sequence[str], part: Term, value: Any) -> bool:
+    """Whether an array is the state, or has what several words stand for."""
+    if not isinstance(value, Table):
+        return False
+    if {*words} & {*run.words.state}:
+        named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
+        pairs = [*zip(words, named, strict=False)]
+        if any(p.kind == "turn" and w not in run.words.angles for w, p in pairs):
             return False
-        if {*words} & {*run.words.state}:
-            named = part.parts if part.kind == "list" and len(part.parts) == len(words) else ()
-            angles = run.words.angles
-            if any(
-                p.kind == "turn" and w not in angles for w, p in zip(words, named, strict=False)
-            ):
-                return False
-            return value.name != "parameters" and all(
-                meaning_of(run, one.name) in ("", word)
-                for word, one in zip(words, named, strict=False)
-                if one.kind in ("name", "field")
-            )
-        if not value.entries:
-            return True
-        dense = [value.entries.get((k + run.language.first,), UNKNOWN) for k in range(len(words))]
-        return (value.size or len(words)) == len(words) and all(
-            fits_word(run, w, v) for w, v in zip(words, dense, strict=True)
-        )
-    (word,) = words
+        return value.name != "parameters" and all(
+            meaning_of(run, one.name) in ("", word)
+            for word, one in pairs if one.kind in ("name", "field")
+        )  # fmt: skip
+    if not value.entries:
+        return True
+    dense = [value.entries.get((k + run.language.first,), UNKNOWN) for k in range(len(words))]
+    return (value.size or len(words)) == len(words) and all(
+        fits_word(run, w, v) for w, v in zip(words, dense, strict=True)
+    )
+
+
+def _fits_one(run: Run, word: str, part: Term, value: Any, own: str) -> bool:
+    """Whether a value is what one word stands for; `own` is the name that it is given by."""
     meaning = meaning_of(run, own) if own else ""
     if meaning and meaning != word:
         return False

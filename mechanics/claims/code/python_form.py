@@ -182,8 +182,12 @@ def _loop(node: ast.For | ast.AsyncFor | ast.While, file: PythonFile) -> Term:
             limits = (first, Term("binary", "-", (given[-1], Term("number", "1"))))
         case ast.Tuple(elts=[ast.Name(id=counter), *_]), ast.Call(func=ast.Name(id="enumerate")):
             pass
-        case ast.Name(), _:
+        case _:
             counter = ""
+    # What a loop takes from something is not what had the same name before.
+    names = {n.id for n in ast.walk(target) if isinstance(n, ast.Name)} - {counter}
+    sets = (Term("set", "", (Term("name", name), Term("other"))) for name in sorted(names))
+    body = Term("block", "", (*sets, *body.parts))
     return Term("loop", counter, (Term("list", "", limits), body))
 
 

@@ -350,6 +350,9 @@ class _File:
         ]
         lines = block(body, self.form)
         apart = {*one.takes, *one.local} if one is not None else set()
+        for loop in ast.walk(self.tree):
+            if isinstance(loop, ast.For) and loop.body is body:
+                apart |= roots_in(loop.target)
         known = {name: value for name, value in self.known[0].items() if name not in apart}
         whole = one if around is not None and body is around.body else None
         found = is_step(run, lines, known, "", whole)

@@ -31,9 +31,28 @@ PLACE = re.compile(r"\[(\d+)\]")
 """Of an entry, which Julia counts from 1 as MATLAB does: p[2] is told as p(2)."""
 
 
-def has_solved_handle(text: str) -> bool:
-    """Whether a script of MATLAB may have a handle solved: it may be text, too."""
-    return re.search(r"=\s*@\(", text) is not None and re.search(r"\bode\d+", text) is not None
+ONE_LINE = re.compile(
+    r"^[ \t]*\w+!?\(\s*[^\W\d]\w*(?:::[\w{}]+)?\s*[,;][^()=~]*\)"
+    r"(?:::\w+)?\s*=(?!=)",
+    re.MULTILINE,
+)
+"""``f(x, y) = ...`` of Julia."""
+
+
+def may_be_code(text: str, suffix: str) -> bool:
+    """Whether a file without a function of several lines may be code; it may be text, too.
+
+    A script of MATLAB that has a handle solved, or a function of Julia on one line.
+
+    Parameters
+    ----------
+    text : str
+    suffix : str
+        Of its file.
+    """
+    if suffix == ".m":
+        return re.search(r"=\s*@\(", text) is not None and re.search(r"\bode\d+", text) is not None
+    return suffix == ".jl" and ONE_LINE.search(text) is not None
 
 
 def has_function(text: str) -> bool:

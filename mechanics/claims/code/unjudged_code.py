@@ -278,6 +278,8 @@ def _seen(
         if line.kind == "set" and line.parts[0].name == name and line.parts[1].kind == "handle":
             takes = tuple(line.parts[1].name.split())
     meanings = {m.name: tuple(m.meaning.split()) for m in found.names if m.name in takes}
+    moments = [n for n, words in meanings.items() if words == ("t",)]  # the time
+    meanings = {n: words for n, words in meanings.items() if n not in moments}
     scene = naming.vocabulary.scene
     rates = dict(zip(map(str, scene.u), map(str, scene.q), strict=False))
     rates |= dict(zip(map(str, scene.ud), map(str, scene.u), strict=True))
@@ -289,7 +291,7 @@ def _seen(
     single = {m.name: m.meaning for m in found.names if m.name not in takes}
     around = {n: m for n, m in single.items() if " " not in m and name in functions}
     used = functions[name].body.names() if name in functions else ()
-    time = "t" if "t" in takes and "t" in used else ""
+    time = next((n for n in moments if n in used), "")
     places = _by_place(functions[name]) if name in functions else frozenset()
     return JudgedFunction(name, takes, meanings, filled, gives, around, time=time, places=places)
 
