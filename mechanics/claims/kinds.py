@@ -5,12 +5,11 @@ theta, phi_1    an angle    x, s_2    a displacement    q, xi    either    E, v,
 
 import re
 
-from sympy import Derivative, Expr, S, Symbol, cos, sin
+from sympy import Derivative, S, Symbol, cos, sin
 from sympy.core.function import AppliedUndef
 
 from mechanics.scene import Scene
 from mechanics.scene.loads import Force, Gravity, Torque
-from mechanics.scene.units import rolled
 
 ANGLES = frozenset(
     ("theta", "phi", "psi", "alpha", "beta", "gamma", "vartheta", "varphi", "th", "ph", "ps")
@@ -34,39 +33,21 @@ def kinds(name: str) -> frozenset[str]:
     return frozenset(said or ("angle", "length"))
 
 
-def angular(scene: Scene) -> set[Symbol]:
+def angular(scene: Scene) -> frozenset[Symbol]:
     """Coordinates that are angles: those whose sine or cosine places or turns a body.
 
     An arc s is none, which does so by s/R.
     """
-    found: set[Symbol] = set()
-    for body in scene.bodies:
-        matrices = [scene.position(body.centre)]
-        if hasattr(body, "frame"):
-            matrices.append(scene.rotation(body.frame))
-        for matrix in matrices:
-            for function in matrix.atoms(sin, cos):
-                (of,) = function.args
-                found |= {q for q in of.free_symbols & {*scene.q} if _is_ratio(of.diff(q))}
-    return found - rolled(scene)
+    return scene.angles
 
 
-def _is_ratio(rate: Expr) -> bool:
-    """Whether it is a number, or one by the units of its symbols, as r_1/r_2 of gears."""
-    powers: dict[str, Expr] = {}
-    for base, power in rate.as_powers_dict().items():
-        unit = "" if base.is_number else getattr(base, "unit", "?")
-        powers[unit] = powers.get(unit, S.Zero) + power
-    return all(unit in ("", "1") or power == 0 for unit, power in powers.items())
-
-
-def turning(scene: Scene) -> set[Symbol]:
+def turning(scene: Scene) -> frozenset[Symbol]:
     """Angles that are the same a whole turn later; none where a load counts turns: a spring."""
     angles = angular(scene)
-    return angles if all(_is_plain(load, angles) for load in scene.loads) else set()
+    return angles if all(_is_plain(load, angles) for load in scene.loads) else frozenset()
 
 
-def _is_plain(load: object, angles: set[Symbol]) -> bool:
+def _is_plain(load: object, angles: frozenset[Symbol]) -> bool:
     """Whether a load depends on angles by their sines, cosines and rates alone."""
     if isinstance(load, Gravity):
         return True

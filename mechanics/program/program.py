@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 
 from mechanics.program.operations import ARITY, CONSTANT, ENTRY, INPUT, OPERATIONS, PI, SOLVE
 
@@ -164,6 +165,7 @@ _MULTIPLIERS = tuple(
 )
 
 
+@lru_cache(maxsize=65_536)
 def _name_hash(text: str) -> int:
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:15], "big")
 

@@ -1,8 +1,12 @@
 """The scene: one mechanical system, declared once, completed and validated."""
 
 from dataclasses import dataclass
+from functools import cached_property
+
+from sympy import Symbol
 
 from mechanics.nearest import plural
+from mechanics.scene.angles import angular
 from mechanics.scene.assembly import with_joints, with_rotations
 from mechanics.scene.declaration import Declaration
 from mechanics.scene.validate import validate
@@ -82,6 +86,11 @@ class Scene(Declaration):
             for name, value in complete(self).items():
                 object.__setattr__(self, name, value)
         validate(self)
+
+    @cached_property
+    def angles(self) -> frozenset[Symbol]:
+        """Coordinates that are angles; readers of statements ask for them often."""
+        return angular(self)
 
     def __repr__(self) -> str:
         return (

@@ -6,6 +6,7 @@ what users write, and again only inside the two adapters over SymPy's own method
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 from sympy import Basic, Derivative, Expr, Symbol, sympify
@@ -56,9 +57,15 @@ def plain_table(functions: Iterable[Expr]) -> dict[Expr, Symbol]:
     t = dynamicsymbols._t
     table: dict[Expr, Symbol] = {}
     for function in functions:
-        for order in range(len(DOTS)):
-            table[function.diff(t, order) if order else function] = plain_symbol(function, order)
+        for order, rate in enumerate(_rates(function, t)):
+            table[rate] = plain_symbol(function, order)
     return table
+
+
+@lru_cache(maxsize=1024)
+def _rates(function: Expr, t: Symbol) -> tuple[Expr, ...]:
+    """A function of time and its derivatives, which many tables ask for again."""
+    return tuple(function.diff(t, order) if order else function for order in range(len(DOTS)))
 
 
 def to_plain(expression: Expr, table: Mapping[Expr, Expr], where: str) -> Expr:

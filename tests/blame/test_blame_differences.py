@@ -138,6 +138,7 @@ MOMENT = "M*L/2*x_ddot*cos(theta) + M*L**2/3*theta_ddot + M*g*L/2*sin(theta) = 0
 LINEAR, ANGULAR = "pendulum: rate of linear momentum", "pendulum: rate of angular momentum"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

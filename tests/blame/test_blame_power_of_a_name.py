@@ -30,6 +30,7 @@ NAMES = {
 }
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(("old", "new"), [("w2^2 + 2", "w2^w1 + 2"), ("w1^2", "w1^w2")])
 def test_a_power_that_is_a_name_is_refuted(tmp_path: Path, old: str, new: str) -> None:
     path = tmp_path / "acrobot.jl"

@@ -26,6 +26,7 @@ def edits(scene: str, text: str) -> tuple[Edit, ...]:
 MOMENTUM = r"p_\phi = (I_3\sin^2\theta + I_1\cos^2\theta)\dot\phi + I_3\dot\psi\cos\theta"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("scene", "text", "mistake", "right"),
     [

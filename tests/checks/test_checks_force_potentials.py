@@ -103,6 +103,7 @@ def driven() -> Scene:
     )
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [

@@ -44,6 +44,7 @@ def test_an_angle_without_whole_turns_is_the_same(wrap: str, tmp_path: Path) -> 
     assert _verdict(CART, wrong, tmp_path) == "REFUTED"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "wrap",
     ["x(1) = wrapToPi(x(1));", "x(4) = wrapToPi(x(4));", "x(3) = mod(x(3), pi);",
@@ -93,6 +94,7 @@ end
 PLAIN = "rigid_pendulums.py:plain"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["zdot", "zp", "z_dot", "dz", "dzdt"])
 def test_residuals_take_the_rates_of_their_state(name: str, tmp_path: Path) -> None:
     text = ARGUMENTS % ((name,) * 5)

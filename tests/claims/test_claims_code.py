@@ -122,6 +122,7 @@ def test_c_source(tmp_path) -> None:
     assert judged(PENDULUM, C_SOURCE.replace("/4;", "/3;"), notation="c") == ["REFUTED"] * 2
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("text", "words"),
     [

@@ -74,6 +74,7 @@ WRONG = {"struct.c": ("p->omega*p->omega", "p->omega"), "array.c": ("- g/R", "- 
          "class.cpp": ("l*l/3", "l*l/12")}  # fmt: skip
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", FILES)
 def test_files(tmp_path: Path, name: str) -> None:
     truth = HOOP if name.endswith(".c") else ROD

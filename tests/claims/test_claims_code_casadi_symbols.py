@@ -60,6 +60,7 @@ def test_formulas_in_symbols_of_its_own_are_judged(old: str, new: str, tmp_path:
     assert _verdict(MODEL.replace(old, new) if old else MODEL, tmp_path) == "PROVED"
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("old", "new"),
     [

@@ -29,6 +29,7 @@ def verdict(folder: Path, before: str = "", line: str = "pass", factor: str = "1
     return check(SCENE, things_in(path, run_python=True), blame=False).verdict
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     "condition",
     [

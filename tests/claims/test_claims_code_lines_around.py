@@ -105,7 +105,7 @@ def beside(folder: Path, suffix: str, text: str, function: str | None = None) ->
     return found.beside
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "call",
     [
@@ -189,7 +189,7 @@ def test_julia_is_quoted(tmp_path: Path, text: str) -> None:
     assert beside(tmp_path, ".jl", JULIA + given + text)
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("function", "text"),
     [
@@ -456,7 +456,7 @@ RUN = (
 )
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("suffix", "kind", "made", "turn"),
     [
@@ -543,7 +543,7 @@ def test_a_function_that_leaves_out_an_input_which_it_takes_is_wrong(tmp_path: P
     assert mechanics.check(ROD, path, blame=False).verdict is Verdict.REFUTED
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 @pytest.mark.parametrize("change", ["k = 1.0;", "double *q = &k; *q = 1.0;", "k++;"])
 def test_what_main_sets_is_no_number_of_the_file(tmp_path: Path, suffix: str, change: str) -> None:

@@ -93,6 +93,7 @@ def rate(t, y, u=0.0, m=1.0, l=1.0, g=9.81):
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("returned", "verdict"),
     [

@@ -36,6 +36,7 @@ def found_in(folder: Path, suffix: str, text: str) -> mechanics.report.answer.ch
     return mechanics.check(ROD, path, blame=False)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("suffix", "text", "named"),
     [

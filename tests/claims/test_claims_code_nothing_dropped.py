@@ -51,6 +51,7 @@ def test_what_is_right_is_shown(tmp_path: Path, suffix: str, text: str) -> None:
     assert verdict(tmp_path, suffix, page) in (Verdict.PROVED, Verdict.CERTIFIED)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("suffix", [".c", ".cpp"])
 @pytest.mark.parametrize(
     ("above", "inside", "formula"),

@@ -72,6 +72,7 @@ def model(phi1, phi2, phi1_dot, phi2_dot, m1, m2, l1, l2, g):
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("line", "mass", "verdict"),
     [

@@ -420,7 +420,7 @@ C_WRONG += [
 ]
 
 
-@pytest.mark.sample(40)
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("suffix", "function", "text", "fragment"),
     [(suffix, *case) for suffix, cases in (
@@ -540,7 +540,7 @@ C_RIGHT += [
 ]
 
 
-@pytest.mark.sample(40)
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     ("suffix", "function", "text"),
     [(suffix, *case) for suffix, cases in (

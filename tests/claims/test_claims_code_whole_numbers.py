@@ -119,6 +119,7 @@ def beside(folder: Path, suffix: str, text: str) -> tuple[str, ...]:
     return found.beside
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(("suffix", "text"), WRONG)
 def test_a_step_of_rounded_numbers_or_in_the_array_it_reads_is_quoted(
     tmp_path: Path, suffix: str, text: str
@@ -126,6 +127,7 @@ def test_a_step_of_rounded_numbers_or_in_the_array_it_reads_is_quoted(
     assert beside(tmp_path, suffix, text)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("suffix", "text"), RIGHT)
 def test_a_step_of_numbers_that_are_not_rounded_is_not(
     tmp_path: Path, suffix: str, text: str

@@ -39,6 +39,7 @@ def changed(old: str, new: str) -> list[str]:
     return [part.replace(old, new, 1) for part in (EQUATION, *PARTS)]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "column",
     [
@@ -150,6 +151,7 @@ def test_an_error_in_its_own_definition_ends_the_search_with_an_answer() -> None
     assert "nested" not in blame.searched
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "rates", [("qdd", "qd"), ("q_ddot", "q_dot"), ("ddq", "dq"), ("q''", "q'")]
 )

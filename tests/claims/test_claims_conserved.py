@@ -12,6 +12,7 @@ SPRINGS = r"E=\frac32m\dot x_1^2+m\dot x_2^2+\frac12kx_1^2+\frac12k(x_2-x_1)^2"
 MOMENTUM = r"p=(m_c+m_p)\dot x+m_pl\dot\theta\cos\theta"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("system", "text", "verdicts"),
     [

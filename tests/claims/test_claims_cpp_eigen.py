@@ -26,6 +26,7 @@ SOLVED = "dx.segment(0, 2) = M.partialPivLu().solve(f);"
 _verdict = partial(verdict_in, SCENE, "rod.cpp")
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("old", "new"),
     [
@@ -44,6 +45,7 @@ def test_what_is_right_is_proved(old: str, new: str, tmp_path: Path) -> None:
     assert _verdict(ROD.replace(old, new) if old else ROD, tmp_path) == "PROVED"
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("old", "new"),
     [

@@ -154,6 +154,7 @@ def test_a_text_says_that_an_input_has_another_name() -> None:
     assert "PROVED" not in verdicts(CART, f"$$ R = F $$ {rail.replace('= F', '= 2F')}")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("words", "formula", "short"),
     [

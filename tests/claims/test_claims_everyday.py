@@ -41,6 +41,7 @@ def test_first_derivatives(rate: str) -> None:
     assert verdicts(rf"{text} \cos\theta) + \frac23 m_p l^2 \dot\theta^2") == ["PROVED"]
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     "text",
     [

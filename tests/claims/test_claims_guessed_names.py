@@ -88,6 +88,7 @@ def test_the_first_letters_and_the_number_of_an_angle() -> None:
     assert not mechanics.check(truth, potential.replace("th1 + th2", "th2"), blame=False).ok
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [

@@ -46,6 +46,7 @@ def test_a_definition_in_prose_holds(prose: str) -> None:
                     .replace(r"+ m_p\)", r"- m_p\)")) == ["REFUTED"]  # fmt: skip
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     "formula",
     [
@@ -106,6 +107,7 @@ def test_long_documents_are_read_in_linear_time(piece: str) -> None:
     assert time.process_time() - start < 4
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "stray",
     [

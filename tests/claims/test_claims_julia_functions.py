@@ -218,6 +218,7 @@ end
 """
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("term", "verdict"),
     [("3/(m*l^2)*p(t)", "PROVED"), ("3/(m*l^2)*p(t) + 0*t", "PROVED"),

@@ -47,6 +47,7 @@ def test_what_is_right_is_proved(text: str, tmp_path: Path) -> None:
     assert _verdict(text, tmp_path) == "PROVED"
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("text", "old", "new"),
     [

@@ -182,6 +182,7 @@ G = p.g*[(p.m1*p.c1 + p.m2*p.l1)*cos(q1) + p.m2*p.c2*cos(q1 + q2); p.m2*p.c2*cos
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("sign", "change", "verdict"),
     [
@@ -339,6 +340,7 @@ SATELLITE = satellite_torque()
 MEANT = {"x": "w1 w2 w3 I1 I2 I3", "L": "M1 M2 M3"}
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("size", "more", "verdict"),
     [("length(x)", "", "PROVED"), ("numel(x)", "", "PROVED"), ("6", "dx(4) = 0;", "PROVED"),

@@ -34,6 +34,7 @@ BODIES = (
 )
 
 
+@pytest.mark.sample(4)
 @pytest.mark.skipif(shutil.which("octave") is None, reason="octave is not installed")
 @pytest.mark.parametrize("body", BODIES)
 def test_a_handle_computes_what_octave_computes(body: str, tmp_path: Path) -> None:
@@ -62,6 +63,7 @@ def test_a_handle_is_read(old: str, new: str, tmp_path: Path) -> None:
     assert _verdict(MODEL.replace(old, new) if old else MODEL, tmp_path) == "PROVED"
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("old", "new"),
     [

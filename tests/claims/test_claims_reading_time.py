@@ -21,6 +21,7 @@ LONG = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("notation", "text"), LONG.values(), ids=LONG)
 def test_the_time_of_reading_is_limited(notation: str, text: str) -> None:
     found = law.outcome(TRUTH, notation, text.encode()[:4096], blame=False)

@@ -141,6 +141,7 @@ def test_a_number_at_the_end_is_no_factor(number: str) -> None:
     assert found.judged[0].statement.tag.strip("()") in number
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("begin", "end"),
     [

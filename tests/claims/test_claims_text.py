@@ -156,6 +156,7 @@ def test_a_function_of_another_moment_is_no_coordinate(moment: Expr) -> None:
     assert not check(pendulum.scene(), Eq(angle, right.subs(T, moment)), blame=False).ok
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("sign", ["\ue000", "\ue001", "\uf8ff", "\U000f0001"])
 @pytest.mark.parametrize("name", ["", "a.tex", "a.txt", "a.m", "a.jl", "a.c", "a.cpp"])
 def test_characters_for_private_use_are_refused(sign: str, name: str, tmp_path: Path) -> None:

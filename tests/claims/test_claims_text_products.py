@@ -16,6 +16,7 @@ def verdict(truth: object, text: str) -> str:
     return mechanics.check(truth, text, notation="text", blame=False).verdict.name
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "text",
     [

@@ -97,7 +97,9 @@ def test_a_compiler_ends_with_the_process_and_leaves_nothing(
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("number", ENDS)
-@pytest.mark.parametrize("command", ["codegen", "fmu", "simulate", "verify"])
+@pytest.mark.parametrize(
+    "command", ["codegen", "fmu", "simulate", pytest.param("verify", marks=pytest.mark.long)]
+)
 def test_an_interrupted_command_leaves_nothing(
     interrupted: Callable[..., int], tmp_path: Path, command: str, number: signal.Signals
 ) -> None:

@@ -36,6 +36,7 @@ def printed(folder: Path, *arguments: str) -> tuple[str, str]:
     return ran.stdout, ran.stderr
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     "arguments",
     [

@@ -10,15 +10,14 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
-from shared_scenes import built
+from shared_scenes import WITH_FRICTION
 
 from mechanics.compiled import Model
 from mechanics.compiled.graphs import STATE
-from mechanics.scene.actions import frictions
 from systems import ALL
 
 SYSTEMS = [system.name for system in ALL]
-SMOOTH = [system.name for system in ALL if not frictions(built(system.scene))]
+SMOOTH = [system.name for system in ALL if system.name not in WITH_FRICTION]
 Modelled = Callable[[str, str], Model]
 POINTS = 3
 

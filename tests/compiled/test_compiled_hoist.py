@@ -49,6 +49,7 @@ def test_the_parts_one_after_the_other_are_the_whole(modelled, system: str, rout
             assert errors[0] <= 4 * errors[1] + rtol
 
 
+@pytest.mark.sample(3)
 @by_system
 def test_where_nothing_is_divided_by_a_parameter_the_bits_are_the_same(
     modelled, system: str, route: str

@@ -4,7 +4,7 @@ from typing import Any
 
 import casadi as ca
 import pytest
-from shared_scenes import built
+from shared_scenes import WITH_FRICTION
 from sympy import cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -28,7 +28,6 @@ from mechanics.scene import (
     torque,
     torsion_spring,
 )
-from mechanics.scene.actions import frictions
 from systems import ALL, VARIANTS, pendulum_chain
 
 pytestmark = pytest.mark.campaign
@@ -82,7 +81,7 @@ def certified(model: Any, graph: ca.Function | None = None) -> Verdict:
     return prove_graph("forward_dynamics", model.casadi, graph, try_normal=False).verdict
 
 
-SMOOTH = [system for system in (*ALL, *VARIANTS) if not frictions(built(system.scene))]
+SMOOTH = [system for system in (*ALL, *VARIANTS) if system.name not in WITH_FRICTION]
 
 
 @pytest.mark.sample(2)

@@ -65,7 +65,6 @@ def grades(found: Group) -> dict[str, object]:
     return {one.name: one for one in found.grades}
 
 
-@pytest.mark.campaign
 def test_verdicts_and_scores(found: Group) -> None:
     told = {name: (one.verdict, one.score) for name, one in grades(found).items()}
     assert told == {
@@ -80,7 +79,6 @@ def test_verdicts_and_scores(found: Group) -> None:
     }
 
 
-@pytest.mark.campaign
 def test_the_change_is_named_and_the_hint_is_no_answer(found: Group) -> None:
     slip = grades(found)["slip.tex"]
     assert slip.change == "write 3 for 12"

@@ -77,6 +77,7 @@ def graded(folder: Path, *cells: tuple[str, str], run_python: bool = True) -> Gr
     return grade(KEY, "a", things_in(path, run_python=run_python), options={"blame": False})
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("first", [("markdown", TRUE), ("code", FUNCTION)])
 @pytest.mark.parametrize("other", OTHERS)
 def test_a_wrong_cell_beside_a_right_one_is_seen(

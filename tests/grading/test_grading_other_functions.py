@@ -44,6 +44,7 @@ def _named(folder: Path, text: str) -> list[str]:
     return [*lines, *(one.part for one in things if isinstance(one, NotRead))]
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("text", NAMED)
 def test_what_is_neither_judged_nor_called_is_named(tmp_path: Path, text: str) -> None:
     assert _named(tmp_path, text)

@@ -148,7 +148,9 @@ def test_motion_is_that_of_pinocchio(name):
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", ["scara", "panda", "quadruped"])
+@pytest.mark.parametrize(
+    "name", ["scara", *(pytest.param(n, marks=pytest.mark.long) for n in ("panda", "quadruped"))]
+)
 def test_routes_agree(name):
     scene = mechanics.from_urdf(MODELS / f"{name}.urdf", ROOTS[name])
     assert mechanics.crosscheck(scene).ok

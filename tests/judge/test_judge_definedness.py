@@ -141,6 +141,7 @@ SILENT = {
 }
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", SILENT)
 def test_realistic_right_code_passes_in_silence(name):
     found = SILENT[name]()

@@ -56,6 +56,7 @@ SAID = [
 ]
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(("system", "said", "formula", "verdict"), SAID)
 def test_what_a_name_is_said_to_denote_counts(system, said, formula, verdict):  # type: ignore[no-untyped-def]
     answer = check(system.scene(), f"{said} ${formula}$", blame=False)
@@ -75,6 +76,7 @@ def test_more_ways_to_call_an_equation_wrong(before: str, behind: str) -> None:
     assert answer.verdict is Verdict.UNDECIDED
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("name", "unit", "verdict"),
     [
@@ -118,6 +120,7 @@ end P;
 """
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("before", "after", "words"),
     [
@@ -153,6 +156,7 @@ def test_what_a_model_declares_is_in_a_table_or_not_read(
     assert words in last.finding.evidence
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [

@@ -253,6 +253,7 @@ LONG = {
 """Scenes that take seconds to derive."""
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=pytest.mark.campaign) if n in LONG else n for n in CASES]
 )

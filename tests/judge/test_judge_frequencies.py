@@ -21,6 +21,7 @@ def rolling() -> Equations:
     return derived(cylinder_in_cylinder.scene())
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
@@ -88,6 +89,7 @@ def chain() -> Equations:
     return derived(two_mass_chain.scene())
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
@@ -160,6 +162,7 @@ def hung() -> Equations:
     )  # fmt: skip
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
@@ -191,6 +194,7 @@ def damped() -> Equations:
 NATURAL, OF_MOTION, RESONANT = r"\sqrt{k/m}", r"\sqrt{k/m - c^2/(4m^2)}", r"\sqrt{k/m - c^2/(2m^2)}"
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
@@ -236,6 +240,7 @@ def test_a_name_of_a_rate_is_no_frequency(other: str) -> None:
 LENGTH = r"$\omega = \sqrt{g/l}$"
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("words", "verdict"),
     [

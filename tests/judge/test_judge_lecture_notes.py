@@ -12,6 +12,7 @@ def verdict(text: str, name: str = "pendulum") -> str:
     return judged(name, text).verdict.name
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     "words",
     [

@@ -26,6 +26,7 @@ V2 = - m2 g [l1 cos(φ1) + l2 cos(φ2)]
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("system", "text", "right", "wrong"),
     [
@@ -52,6 +53,7 @@ def test_a_rate_is_spelled_before_its_number() -> None:
 RIGHT = "3*g/(2*l)*sin(theta) + 3*u/(m*l^2)"
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("rate", ["d^2 theta/dt^2", "d²θ/dt²", "d^2(theta)/dt^2", "theta''"])
 @pytest.mark.parametrize(
     "before", ["", "The equation of motion is ", "Equation of motion: ", "We thus obtain: "]

@@ -31,6 +31,7 @@ def in_text(equation: Eq) -> str:
     return f"{equation.lhs} = {equation.rhs}"
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("form", [lambda equation: equation, in_text], ids=["objects", "texts"])
 @pytest.mark.parametrize(
     ("one", "other", "verdict"),

@@ -101,6 +101,7 @@ HALF = r"\ddot\theta = \frac{3g}{4l}\sin\theta + \frac{3u}{4ml^2}"
 DRIVEN = r"\ddot\theta = \frac{3g}{2l}\sin\theta - \frac{3u}{ml^2}"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("said", "right", "wrong"),
     [

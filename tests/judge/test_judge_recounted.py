@@ -22,6 +22,7 @@ def verdict(system: str, text: str, convention: str) -> str:
     return entry.verdict.name
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("system", "convention", "right", "wrong"),
     [

@@ -26,6 +26,7 @@ def _checked(body: str, ending: str, folder: Path, before: str = "", **how: obje
     return check(SCENE, path, blame=False, **how)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("ending", ["c", "cpp"])
 @pytest.mark.parametrize("body", BODIES)
 def test_what_is_right_in_exact_numbers_is_right_if_these_count(
@@ -39,6 +40,7 @@ def test_what_is_right_in_exact_numbers_is_right_if_these_count(
     assert "convention: single precision counts as exact" in str(declared)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("ending", ["c", "cpp"])
 @pytest.mark.parametrize("body", BODIES)
 def test_what_is_wrong_by_more_than_roundings_is_refuted(
@@ -83,6 +85,7 @@ def test_what_a_rounding_may_make_another_one_is_not_read(
         _checked(body, ending, tmp_path, before, convention=EXACT)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("before", "body", "endings"),
     [

@@ -177,6 +177,7 @@ MARKS = [
 ]  # fmt: skip
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("suffix", "marks"), MARKS)
 def test_words_in_code_of_any_language_are_of_the_classes_of_a_text(
     truths: dict[str, Equations],
@@ -357,6 +358,7 @@ def test_what_is_neither_compared_nor_denies_is_quoted(
     assert check_json(answer)["unjudged"] == [words]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("system", "said"), dict(QUOTED).items())
 def test_what_is_quoted_is_counted_on_the_page(
     truths: dict[str, Equations], system: str, said: str

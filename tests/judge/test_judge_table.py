@@ -108,6 +108,7 @@ NOWHERE = [
 ]  # fmt: skip
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("found", "expected"), rows(THIN))
 def test_thin_sets(found, expected):
     assert outcome(found()) == expected
@@ -118,6 +119,7 @@ def test_open_sets(found, expected):
     assert outcome(found()) == expected
 
 
+@pytest.mark.sample(4)
 @pytest.mark.filterwarnings("ignore:invalid value")
 @pytest.mark.parametrize(("found", "words"), rows(OPEN_AT_REST + NOWHERE))
 def test_what_has_no_value_where_it_must(found, words):
@@ -290,6 +292,7 @@ PRINCIPAL = [
 ]  # fmt: skip
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("found", "expected"), rows(PRINCIPAL))
 def test_what_differs_beyond_the_range_of_its_own_wraps_is_right_within(found, expected):
     assert outcome(found()) == expected
@@ -367,6 +370,7 @@ def test_branches_are_reached_at_all_scales(name):
     assert of_python(more=lambda x: 1 if condition(x) else 0).verdict.name == "REFUTED"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", EMPTY)
 def test_branches_that_no_state_takes_are_shown_empty(name):
     assert outcome(of_python(more=undefined_where(EMPTY[name]))) == SILENT

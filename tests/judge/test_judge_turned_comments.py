@@ -15,6 +15,7 @@ def quoted(tmp_path, comment: str) -> int:
     return len(mechanics.check(SCENE, file, blame=False).unjudged)
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     "said",
     ["theta = pi - theta", "l = l/2", "u = -u", "l = 0.5", "theta'' = g/l*sin(theta)",

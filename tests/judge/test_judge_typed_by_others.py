@@ -58,6 +58,7 @@ end
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("name", "text", "old", "new", "notation"),
     [

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 from linkages import LINKAGES
-from shared_scenes import built
+from shared_scenes import CONSTRAINED
 
 import systems
 from mechanics.checks import laws, reactions
@@ -25,7 +25,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     **{system.name: system.scene for system in systems.EVERY},
     **LINKAGES,
 }
-CONSTRAINED = [name for name, scene in SCENES.items() if built(scene).constraints]
+WITH_MULTIPLIERS = [name for name in SCENES if name in CONSTRAINED or name in LINKAGES]
 
 
 @cache
@@ -107,7 +107,7 @@ def test_reactions_by_two_ways(name: str) -> None:
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("name", CONSTRAINED)
+@pytest.mark.parametrize("name", WITH_MULTIPLIERS)
 def test_multipliers_agree(name: str) -> None:
     programs = programs_of(name)
     kane = programs.route("kane")

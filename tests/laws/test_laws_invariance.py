@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import pytest
-from shared_scenes import built
+from shared_scenes import CONSTRAINED
 from sympy import Expr, Matrix, Rational, Symbol, eye, pi
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -184,7 +184,7 @@ def scale(unit: str) -> Expr:
     return factor
 
 
-FREE = [system for system in systems.ALL if not built(system.scene).constraints]
+FREE = [system for system in systems.ALL if system.name not in CONSTRAINED]
 """Multipliers of Lagrange's method have units of their own."""
 
 

@@ -78,6 +78,7 @@ LONG = {"pin", "pin about any axis", "universal", "ball", "ball, quaternion", "f
     kind for kind in JOINTS if kind.startswith("roll")
 }
 QUICK = [pytest.param(kind, marks=[pytest.mark.campaign] * (kind in LONG)) for kind in JOINTS]
+LAST = [pytest.param(kind, marks=[pytest.mark.long] * (kind in LONG)) for kind in JOINTS]
 
 
 def two_bodies(joint: Joint) -> Scene:
@@ -200,6 +201,6 @@ def test_everything_is_shown_of_what_a_closed_loop_holds(kind: str) -> None:
 
 @pytest.mark.campaign
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("kind", JOINTS)
+@pytest.mark.parametrize("kind", LAST)
 def test_everything_of_the_cross_check_is_shown(kind: str) -> None:
     assert crosscheck(two_bodies(JOINTS[kind][1](None))).ok

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from shared_scenes import built
+import shared_scenes
 
 import mechanics
 from mechanics.checks.admissible import check_scene
@@ -25,8 +25,8 @@ from mechanics.routes import kane
 from mechanics.routes.rows import acceleration_forms, coefficients, remainder, velocity_forms
 from systems import EVERY, four_bar_chain
 
-CONSTRAINED = {s.name: s for s in EVERY if built(s.scene).constraints}
-QUICK = {"four_bar_chain"}
+CONSTRAINED = {s.name: s for s in EVERY if s.name in shared_scenes.CONSTRAINED}
+LONG = {"andrews", "bicycle"}
 BITS = 300
 EPS = float(np.finfo(float).eps)
 OFFSETS = (0.0, 1e-12, 1e-9, 1e-6, 1e-3)
@@ -81,7 +81,7 @@ def system(mechanism: Mechanism) -> Program:
 @pytest.mark.campaign
 @pytest.mark.parametrize(
     "name",
-    [n if n in QUICK else pytest.param(n, marks=pytest.mark.campaign) for n in CONSTRAINED],
+    [pytest.param(n, marks=pytest.mark.long) if n in LONG else n for n in CONSTRAINED],
 )
 def test_accelerations_keep_their_digits_at_every_regular_state(name: str) -> None:
     scene = CONSTRAINED[name].scene()

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from shared_scenes import built
 from sympy import Symbol, cos, sin
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -82,4 +81,4 @@ def test_c_is_written_with_some_outputs_and_fixed_parameters(route: str, tmp_pat
 def test_a_scene_without_time_has_no_such_input() -> None:
     scene = hoop()
     assert scene.explicit_time and Symbol("t") not in scene.parameters
-    assert not any(built(system.scene).explicit_time for system in ALL)
+    assert not any(system.scene().explicit_time for system in ALL)

@@ -53,6 +53,7 @@ def says_the_same(scene: Scene, row: Published) -> bool:
     )
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(("system", "row"), TYPED)
 def test_what_is_typed_is_what_the_row_states(system, row) -> None:
     made = system.scene()

@@ -185,6 +185,7 @@ def test_damping_that_a_mode_escapes_does_not_end_it(damper: str) -> None:
     assert stability(linearize(by_route("kane", scene), {"x": 0, "y": 0})) is expected
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("cart", "rod", "expected", "words"),
     [

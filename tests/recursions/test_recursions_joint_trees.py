@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
-from shared_scenes import built
 from whipple_bicycle import whipple_bicycle
 
 from benchmarks.space import scenes
@@ -72,7 +71,7 @@ def assert_recursions_agree(mechanism: Mechanism, masses, *, derivatives: bool) 
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
+@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_every_system_that_is_a_tree_of_joints(system, masses) -> None:
     mechanism = lower(system.scene(), Builder())

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
-from shared_scenes import built
 
 from benchmarks.space import scenes
 from benchmarks.space.counting import count
@@ -31,7 +30,7 @@ MOMENTS = (moments, grouped)
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: built(system.scene).name)
+@pytest.mark.parametrize("system", [*ALL, *VARIANTS], ids=lambda system: system.name)
 @pytest.mark.parametrize("masses", MOMENTS)
 def test_the_rows_are_kanes(system, masses) -> None:
     mechanism = lower(system.scene(), Builder())

@@ -99,6 +99,7 @@ REFUSED = (
 )
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("options", "words"), REFUSED)
 def test_bad_input_is_refused_by_name(options: dict, words: str) -> None:
     with pytest.raises((InputError, ValueMissingError), match=words):

@@ -1,7 +1,6 @@
 """A page says which bodies roll, from the geometry and the constraints."""
 
 import pytest
-from shared_scenes import built
 
 from mechanics.report.contacts import rolling_words
 from systems import bicycle, cartpole, cylinder_in_cylinder, four_bar, rocker, rolling_disc
@@ -19,7 +18,7 @@ from systems import bicycle, cartpole, cylinder_in_cylinder, four_bar, rocker, r
     ],
 )
 def test_bodies_roll_whose_point_at_the_contact_is_at_rest(system, rolling: list[str]) -> None:
-    sentences = [s for s in rolling_words(built(system.scene)).split(". ") if s]
+    sentences = [s for s in rolling_words(system.scene()).split(". ") if s]
     assert [sentence.split(" rolls")[0] for sentence in sentences] == rolling
     assert all("without slip" in sentence for sentence in sentences)
 

@@ -5,12 +5,11 @@ import importlib
 import pkgutil
 import re
 import xml.etree.ElementTree as ElementTree
-from functools import cache
+from collections.abc import Callable
 from types import ModuleType
 
 import numpy as np
 import pytest
-from shared_scenes import built
 from sympy import Symbol, cos
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols, inertia
 
@@ -42,27 +41,27 @@ from mechanics.scene.loads import Spring
 from systems import gyroscope, half_car, humanoid, quadrotor
 
 
-@cache
-def scenes() -> dict[str, Scene]:
+def scenes() -> dict[str, Callable[[], Scene]]:
     found = {}
     for module in pkgutil.iter_modules(systems.__path__):
         scene = getattr(importlib.import_module(f"systems.{module.name}"), "scene", None)
         if scene is not None and scene.__module__ == f"systems.{module.name}":
-            found[module.name] = built(scene)
+            found[module.name] = scene
     return found
 
 
+SCENES = scenes()
 LARGE = ("andrews", "arm_puma560", "arm_seven_joints", "bicycle", "humanoid")
 NAMES = [
     pytest.param(name, marks=pytest.mark.campaign) if name in LARGE else name
-    for name in sorted(scenes())
+    for name in sorted(SCENES)
 ]
 
 
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
-    scene = scenes()[name]
+    scene = SCENES[name]()
     text = drawing(scene, scene.example)
     root = ElementTree.fromstring(text)
     assert root.get("role") == "img"
@@ -88,7 +87,7 @@ def test_every_system_is_drawn_inside_its_frame(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_words_name_the_bodies_whose_shape_is_that_of_their_inertia(name: str) -> None:
     """With another inertia they are drawn in another shape, and no others are."""
-    scene = scenes()[name]
+    scene = SCENES[name]()
     view = View(scene, closed(scene, scene.example))
     words = shape_words(scene)
     for body in scene.bodies:
@@ -113,19 +112,19 @@ def test_a_scene_that_holds_the_time_is_drawn_at_its_start() -> None:
 
 
 def test_a_rod_and_a_rolling_body_have_their_size() -> None:
-    pendulum = scenes()["elastic_pendulum"]
+    pendulum = SCENES["elastic_pendulum"]()
     view = View(pendulum, {"theta": 0.0})
     ends = outline(view, pendulum.body("pendulum"))
     assert np.allclose(ends[0], (0, 0)) or np.allclose(ends[-1], (0, 0))
     assert np.isclose(np.hypot(*(ends[0] - ends[-1])), 1.0)
-    rocker = scenes()["rocker"]
+    rocker = SCENES["rocker"]()
     lowest = min(p[1] for p in outline(View(rocker, {}), rocker.body("rocker")))
     assert abs(lowest) < 1e-9
 
 
 def test_the_rocker_is_one_shape_that_stays_the_same_as_it_rolls() -> None:
     """Two half discs with a rectangle between them, 3 R long and 2 R wide."""
-    rocker = scenes()["rocker"]
+    rocker = SCENES["rocker"]()
     for theta in (0.0, 0.7, 1.5):
         view = View(rocker, {"theta": theta})
         corners = np.array(outline(view, rocker.body("rocker")))
@@ -136,7 +135,7 @@ def test_the_rocker_is_one_shape_that_stays_the_same_as_it_rolls() -> None:
 
 
 def test_a_disc_in_space_is_seen_with_its_radius() -> None:
-    scene = scenes()["rolling_disc"]
+    scene = SCENES["rolling_disc"]()
     edge = outline(View(scene, {}), scene.body("disc"))
     centre = View(scene, {}).point(scene.body("disc").centre)
     # Isometric lengths along the axes are sqrt(2/3) of the true ones; z is among them here.
@@ -217,7 +216,7 @@ def test_a_spring_and_a_damper_stand_side_by_side_and_end_at_what_they_hold() ->
 @pytest.mark.parametrize("name", NAMES)
 def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
     drawn, corner, _ = re.split(
-        r'<g transform="translate\(([\d ]+)\)">', drawing(scenes()[name], scenes()[name].example)
+        r'<g transform="translate\(([\d ]+)\)">', drawing(SCENES[name](), SCENES[name]().example)
     )
     low = np.array(corner.split(), dtype=float)
     found = strokes(drawn, "(?:line|body|rod|rim|motion|force)")
@@ -226,7 +225,7 @@ def test_axes_and_gravity_stand_where_nothing_else_is(name: str) -> None:
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_friction_points_against_the_sliding(side: int) -> None:
-    text = drawing(scenes()["cartpole_friction"], {"x_dot": side, "theta": 0.1})
+    text = drawing(SCENES["cartpole_friction"](), {"x_dot": side, "theta": 0.1})
     # Gravity is vertical; the arrow of the friction is the one that is 40 pixels long.
     arrows = [line for line in strokes(text, "force") if len(line) == 2]
     (arrow,) = (line for line in arrows if abs(abs(line[1, 0] - line[0, 0]) - 40) < 0.2)
@@ -321,7 +320,7 @@ def test_particles_in_space_are_dots_and_a_plane_does_not_hide_what_is_below_it(
         assert text.count('class="mass"') == 2
         assert 'class="body"' not in text
         assert text.count('class="plane open"') == 1
-    assert 'class="plane"' in drawing(scenes()["rolling_disc"], scenes()["rolling_disc"].example)
+    assert 'class="plane"' in drawing(SCENES["rolling_disc"](), SCENES["rolling_disc"]().example)
 
 
 def test_the_way_of_a_particle_is_as_smooth_as_its_motion() -> None:

@@ -52,7 +52,7 @@ def test_names_in_a_drawing_can_be_read(name: str) -> None:
         assert names_can_be_read(svg)
 
 
-@pytest.mark.sample(12)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_every_arrow_of_a_free_body_has_a_name_that_can_be_read(name: str) -> None:
     scene = scene_of(name)

@@ -6,7 +6,6 @@ the kernel's verdicts on them are tests of `mechanics.checks`.
 
 import pytest
 from linkages import slider_crank
-from shared_scenes import built
 from spatial_joints import door, telescope, universal_joint
 
 from benchmarks.faults.scenes import trammel
@@ -32,9 +31,9 @@ from mechanics.scene.system import System
 from systems import ALL, VARIANTS, pendulum_chain
 
 ROUTES = (free_body, moving_point, kane, lagrange)
-SCENES = [system.scene for system in (*ALL, *VARIANTS)]
-SCENES += [lambda: pendulum_chain.scene(12), trammel, door, universal_joint]
-SCENES += [lambda: telescope(oblique=True)]
+SCENES = {system.name: system.scene for system in (*ALL, *VARIANTS)}
+SCENES |= {"a chain of 12": lambda: pendulum_chain.scene(12), "trammel": trammel, "door": door}
+SCENES |= {"universal joint": universal_joint, "telescope": lambda: telescope(oblique=True)}
 
 
 def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[int, ...]:
@@ -52,7 +51,7 @@ def accelerations(mechanism: Mechanism, rows: Rows, filter_: Residues) -> tuple[
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("scene", SCENES, ids=lambda make: built(make).name)
+@pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_all_routes_give_the_same_accelerations(scene) -> None:
     built: Scene = scene()
     mechanism = lower(built, Builder())
@@ -65,7 +64,7 @@ def test_all_routes_give_the_same_accelerations(scene) -> None:
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("scene", SCENES, ids=lambda make: built(make).name)
+@pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_kane_and_lagrange_have_the_same_rows(scene) -> None:
     """Both are power-conjugate to u, so that not only their solutions agree."""
     mechanism = lower(scene(), Builder())

@@ -49,6 +49,7 @@ def on_the_motion(scene: Scene) -> dict[Symbol, Expr]:
     return table | {symbol: e.xreplace(table) for symbol, e in bodies.reactions}
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
 @pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
 def test_every_equation_of_a_derivation_holds_along_every_motion(route, make) -> None:
@@ -142,6 +143,7 @@ def test_what_loads_do_is_a_product_before_it_is_multiplied_out(route, make) -> 
     assert len(pairs) == (make is not two_mass_chain.scene)  # which has no moments
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
 @pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
 def test_a_reference_leads_back(route, make) -> None:
@@ -156,6 +158,7 @@ def test_a_reference_leads_back(route, make) -> None:
     assert said - {line.number for line in steps[-1].lines} <= before
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("make", SMALL, ids=lambda make: make().name)
 @pytest.mark.parametrize("route", ROUTES, ids=lambda route: route.name)
 def test_no_letter_stands_for_two_things(route, make) -> None:

@@ -33,7 +33,7 @@ def with_unwrapped_angles(scene: Scene, outputs: Outputs) -> Outputs:
     return replace(outputs, values=values, notes=(*outputs.notes, f"{names} {NOTE}"))
 
 
-def _unwrapped(entry: Expr, angles: set[Symbol]) -> Expr | None:
+def _unwrapped(entry: Expr, angles: frozenset[Symbol]) -> Expr | None:
     """The entry without whole turns, 2 pi floor(...), where it is an angle before the step."""
     turns = [part for part in Add.make_args(entry) if _is_turns(part)]
     angle = entry - Add(*turns)
