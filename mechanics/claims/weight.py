@@ -2,7 +2,7 @@
 
     sum, product, function   1 + sum of weights        power    weight * |exponent|
     rate                     weight * (1 + depth)      once for every dot
-    A B of matrices          columns(B) weight(A) + rows(A) weight(B), PRODUCT for two entries
+    A B of matrices          columns(B) weight(A) + rows(A) weight(B)
 
 A derivative has a term for each name, with everything on the way to that name beside it.
 """
@@ -30,10 +30,6 @@ HEAVIEST = 1 << 60
 
 INVERSE = 30
 """Factors of the inverse of a matrix of three rows, for each of its own."""
-
-
-PRODUCT = 20
-"""What one entry times another costs, in nodes: each is made anew and sorted into a sum."""
 
 
 @dataclass(frozen=True)
@@ -102,8 +98,7 @@ def _times(left: Weight, right: Weight) -> Weight:
     # A number stands in every entry.
     rows, inner = left.shape or (right.shape or (1, 1))[:1] * 2
     _, columns = right.shape or (inner, inner)
-    products = 0 if left.shape is None or right.shape is None else rows * inner * columns
-    amount = columns * left.amount + rows * right.amount + PRODUCT * products
+    amount = columns * left.amount + rows * right.amount
     return Weight(min(amount, HEAVIEST), depth + 1, (rows, columns))
 
 
