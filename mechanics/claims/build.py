@@ -7,7 +7,7 @@ explains stays, as a symbol that the scene does not have, so that the verdict ca
 """
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache, reduce
+from functools import lru_cache, partial, reduce
 from operator import mul
 from types import MappingProxyType
 from typing import Any
@@ -21,6 +21,7 @@ from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.independent import partial_derivative
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused
+from mechanics.claims.total_derivative import total_derivative
 from mechanics.claims.tree import (
     COMPOSED,
     ENTRY,
@@ -36,10 +37,11 @@ from mechanics.claims.tree import (
     Rate,
     Sum,
     Table,
+    Total,
     constant,
 )
 from mechanics.scene.rates import rate
-from mechanics.scene.symbols import by_name
+from mechanics.scene.symbols import TIME, by_name
 
 LARGEST_NUMBER = 1000
 """What a function may be taken of, where that is a number."""
@@ -137,7 +139,7 @@ class Builder:
             case Call(function="pi"):
                 return S.Pi
             case Call(function="partial", arguments=(of, by)):
-                return self._derived(partial_derivative(self, of, by, node.at))
+                return self._derived(self._by_a_name(node, of, by))
             case Call(function=function, arguments=(of, index)) if function == ENTRY:
                 return self._entry(node, self.value(of), int(constant(index) or 0) - 1)
             case Call(function=function, arguments=arguments):
@@ -148,9 +150,22 @@ class Builder:
                 return Matrix([[self._scalar(node, self.value(c)) for c in row] for row in rows])
         raise Refused(node.at, "this is not supported")
 
+    def _by_a_name(self, node: Call, of: Node, by: Node) -> Any:
+        """A derivative by a name: partial, or along the motion."""
+        if isinstance(node, Total):
+            value, below = self.value(of), self.value(by)
+            along = partial(self._rate, order=1, at=node.at)
+            if (found := total_derivative(self.naming, node, value, below, along)) is not None:
+                self.demands.append(Demand("divide", (S.One, along(below))))
+                return found
+        return partial_derivative(self, of, by, node.at)
+
     def _name(self, node: Name) -> Any:
         if node.name in self.defined:
             value: Any = self.defined[node.name]
+            if node.primes and self._of_place(value):
+                told = f"the derivative of {node.name} by time, or by what it depends on"
+                raise Refused(node.at, f"a prime may be {told}: write \\dot, or {node.name}'(x)")
             self.unknown += self.vague.get(node.name, ())
             self.demands += self.demanded.get(node.name, ())
             return self._derived(self._rate(value, node.order, node.at)) if node.order else value
@@ -163,6 +178,12 @@ class Builder:
             dots = "'" * node.order
             return Symbol(node.name + dots, real=True)
         return self.put.get(symbol, symbol)
+
+    def _of_place(self, value: Any) -> bool:
+        """Whether a value moves with coordinates, and not with their rates."""
+        scene = self.naming.vocabulary.scene
+        held = value.free_symbols
+        return bool(held & {*scene.q}) and not held & {*scene.qd, *scene.u, TIME}
 
     def _without_root(self, node: Power) -> Power | None:
         """A power of a name that stands for a root: of w^2, where w = sqrt(k/m), that of k/m."""

@@ -11,6 +11,7 @@ from fractions import Fraction
 from mechanics.claims.definitions import definitions, gathers
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import COORDINATES, Naming, column
+from mechanics.claims.place import Refused
 from mechanics.claims.spelled_rates import bases, key
 from mechanics.claims.text.elements import ELEMENT
 from mechanics.claims.tree import Call, Name, Node, Number, Product, Sum, Table, names, parts
@@ -183,6 +184,25 @@ def dependent(naming: Naming, name: Name, arguments: Sequence[Node]) -> Name | N
         return name
     told = ", ".join(a.name + "'" * a.order for a in inside)
     return Name(name.at, f"{name.name}({told})", name.order)
+
+
+def derived_by(naming: Naming, name: Name, arguments: Sequence[Node]) -> Name | None:
+    """The coordinate by which the primes of ``V'(x)`` differentiate; None where they are dots.
+
+    Raises
+    ------
+    Refused
+        Where the name is one of the scene's.
+    """
+    by = arguments[0] if len(arguments) == 1 else None
+    if not name.primes or not isinstance(by, Name) or by.order or by.name == "t":
+        return None
+    if not naming.is_function(by.name):
+        return None
+    if naming.is_function(name.name) is not None:
+        told = f"{name.name}'({by.name}) is a derivative by {by.name}, and {name.name} the scene's"
+        raise Refused(name.at, f"{told}: write it out")
+    return by
 
 
 TRANSPOSED = ("T", "top", "intercal")

@@ -69,12 +69,14 @@ class Name(Node):
     """A name, without its dots; `order` is the number of dots.
 
     `bracket` says that ``(t)`` stood behind it, and `given` what else it is said to depend on.
+    `primes` are those of its dots that are written as primes, and need not be by time.
     """
 
     name: str
     order: int = 0
     bracket: bool = False
     given: tuple[str, ...] = field(default=(), compare=False)
+    primes: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True)
@@ -128,6 +130,10 @@ class Call(Node):
 
     def __post_init__(self) -> None:
         self._limit(sum(part.size for part in self.arguments), self.arguments)
+
+
+class Total(Call):
+    """A derivative by a name with an upright d, ``dT/dx``: partial, or along the motion."""
 
 
 @dataclass(frozen=True)

@@ -277,8 +277,12 @@ def _unit(facts: SceneFacts, said: Said) -> Found:
     return f"the text says {said['all'] or _name(said)} in {bare(said['unit'])}"
 
 
+RATES = "the text says that dots are derivatives by"
+"""Nothing with dots is read as it is meant there."""
+
+
 def _dots(facts: SceneFacts, said: Said) -> Found:
-    return f"the text says that dots are derivatives by {bare(said['by'])}"
+    return f"{RATES} {bare(said['by'])}"
 
 
 def _of_name(facts: SceneFacts, said: Said) -> Found:

@@ -135,7 +135,7 @@ ON_BODY = phrase(r"NAMEIS THE(?:\w+ ){0,2}force (?:\w+ ){0,1}(?:on|to) (?:the )?
 DOTS = phrase(
     r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by) (?:the )?"
     r"(?P<by>(?:dimensionless|non-?dimensional|scaled|normali[sz]ed|rescaled|proper) time"
-    r"|⟨(?!t⟩|=)[^⟩]*⟩)"
+    r"|⟨(?!t⟩|=)[^⟩]*⟩|(?<=with respect to )⟨= (?!t\b)\\?\w+ ?=[^⟩]*⟩)"
 )
 NO_MASS = (
     phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),
@@ -322,13 +322,13 @@ PART_OF_DOCUMENT = re.compile(
 )
 """What names a part of a document."""
 GIVEN = re.compile(
-    r"(?:^|\\\[|[\n,;:$({]|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
+    r"(?:^|\\\[|[\n,;:$({&]|\\q?quad\b|\\\\|\\begin\{\w+\*?\}|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
     r"|Real|[A-Z]\w*(?:\.[A-Z]\w*)+)\b)[ \t]*(?:\w+\.)*\\?(?P<name>[A-Za-z]\w*)"
-    r"(?:[ \t]*\([^()\n]*=[^()\n]*\))?[ \t]*=[ \t]*"
+    r"(?:[ \t]*\([^()\n]*=[^()\n]*\))?[ \t]*&?=[ \t]*"
     r"(?:\\(?:SI|qty|num)\s?\{)?[ \t]*"
     r"(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)[fF]?"
     r"(?:(?=(?:\\[,;:! ]|~|\s)*\\(?:mathrm|text|textrm|rm|unit|si|mathsf|operatorname)\b)"
-    r"|(?![ \t]*[\w*^/(\\.+-]))"
+    r"|(?=[ \t\n]*\\(?:[\])\\]|end\b|q?quad\b))|(?![ \t]*[\w*^/(\\.+-]))"
 )
 """A parameter that is a number, as it is or in a unit."""
 DENIAL = re.compile(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.judge.comparison import compared, senses
+from mechanics.judge.comparison import RATES, compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
@@ -170,11 +170,17 @@ def limits_on(
 def as_told(entry: Judged, contradictions: Sequence[str]) -> Judged:
     """The entry; what is shown is not where the text says otherwise, or denies or limits it.
 
+    Nor is what is refuted where its dots are no derivatives by time.
+
     Parameters
     ----------
     contradictions : sequence of str
         What the text says against it, in words.
     """
+    if entry.finding.verdict is Verdict.REFUTED:
+        rates = [words for words in contradictions if words.startswith(RATES)]
+        told = f"it is wrong as it is read here, but {'; '.join(rates)}"
+        return replace(entry, finding=undecided(entry.finding.subject, told)) if rates else entry
     if not entry.finding.shown or not contradictions:
         return entry
     words = f"it is right as the scene has it, but {'; '.join(contradictions)}"

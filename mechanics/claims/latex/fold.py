@@ -8,11 +8,18 @@ function: \sin^2 2 \theta \cos \theta         what stands side by side and has n
 from fractions import Fraction
 
 from mechanics.claims.arguments import at_one_time, told
-from mechanics.claims.columns import DIAGONAL, crossed, dependent, diagonal, stacked
+from mechanics.claims.columns import (
+    DIAGONAL,
+    crossed,
+    dependent,
+    derived_by,
+    diagonal,
+    stacked,
+)
 from mechanics.claims.dimension import OF_ANY, arguments, first_with_name
 from mechanics.claims.functions import FUNCTIONS, INVERSES
 from mechanics.claims.latex.item import DETERMINANT, Item, rate_of
-from mechanics.claims.latex.vectors import CROSS, DEPENDS, is_time, vectors
+from mechanics.claims.latex.vectors import BY_ARGUMENT, CROSS, DEPENDS, is_time, vectors
 from mechanics.claims.names import Naming
 from mechanics.claims.partials import partial_of
 from mechanics.claims.place import Refused
@@ -226,6 +233,9 @@ class Fold:
         if node.name == DIAGONAL and len(bracket.arguments) > 1 and bracket.power is None:
             del queue[0]
             return ended(diagonal(node.at, bracket.arguments), bracket.end)
+        if (by := derived_by(self.naming, node, bracket.arguments)) is not None:
+            del queue[0]
+            return self._derivative(node, by, bracket)
         named = dependent(self.naming, node, bracket.arguments)
         if named is None and node.name in self.naming.applied:
             named = node
@@ -239,6 +249,15 @@ class Fold:
         if bracket.power is None:
             return whole
         return ended(Power(node.at, whole, bracket.power), bracket.end)
+
+    def _derivative(self, node: Name, by: Name, bracket: Item) -> Node:
+        """``V'(x)``, which is dV/dx."""
+        found: Node = Name(node.at, node.name, node.order - node.primes, given=node.given)
+        for _ in range(node.primes):
+            found = partial_of(self.naming, found, by, node.at)
+        self.notes.append(BY_ARGUMENT.format(name=node.name, by=by.name))
+        found = ended(found, bracket.end)
+        return found if bracket.power is None else Power(node.at, found, bracket.power)
 
     def _function(self, item: Item, queue: list[Item]) -> Node:
         """A function, its power and its argument."""

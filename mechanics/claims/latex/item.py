@@ -131,7 +131,7 @@ def letter_of(command: str) -> str:
 def rate_of(node: Node, order: int, at: int) -> Node:
     """The time derivative of a node; a name gets dots."""
     if isinstance(node, Name):
-        return Name(at, node.name, node.order + order, given=node.given)
+        return Name(at, node.name, node.order + order, given=node.given, primes=node.primes)
     return Rate(at, node, order)
 
 

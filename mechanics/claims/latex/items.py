@@ -39,6 +39,7 @@ from mechanics.claims.tree import (
     Power,
     Rate,
     Table,
+    Total,
     constant,
     ended,
     inverse,
@@ -47,6 +48,7 @@ from mechanics.claims.tree import (
 
 Fold = Callable[[list[Item], int], Node]
 
+DOTTED = re.compile(r"\\d+ot(?![A-Za-z])")
 BARS = ("|", "vert", OPENING)
 DEEPEST_BRACKETS = 40
 MOST_ENTRIES = 50
@@ -85,7 +87,17 @@ class Items:
                 found.append(Item(kind, piece.start_pos, text=text))
             elif inside(piece, "braces") != []:  # {} only holds a place
                 found += self._scripted(piece)
-        return summed(found)
+        return summed(self._with_primes(found))
+
+    def _with_primes(self, found: list[Item]) -> list[Item]:
+        """The items; where nothing has dots, primes are by time, but for ``V'(x)``."""
+        if DOTTED.search(self.text):
+            return found
+        for k, item in enumerate(found):
+            before_bracket = k + 1 < len(found) and found[k + 1].kind == "bracket"
+            if isinstance(item.node, Name) and item.node.primes and not before_bracket:
+                found[k] = replace(item, node=replace(item.node, primes=0))
+        return found
 
     def group(self, tree: Tree, at: int) -> Node:
         """What stands in a bracket or argument, as one node."""
@@ -135,7 +147,10 @@ class Items:
         if primes:
             if not (isinstance(last.node, Name) or (last.kind == "bracket" and last.node)):
                 raise Refused(at, "a prime belongs behind a name or bracket")
-            last = Item("node", at, ended(rate_of(last.node, primes, at), end_of(base, scripts)))
+            rate = rate_of(last.node, primes, at)
+            if isinstance(rate, Name):
+                rate = Name(at, rate.name, rate.order, given=rate.given, primes=primes)
+            last = Item("node", at, ended(rate, end_of(base, scripts)))
         end = int(tree.meta.end_pos)
         if power is not None:
             last = self._raised(last, power)
@@ -296,7 +311,8 @@ class Items:
         plain = isinstance(of, Name) and self.naming.lookup(of.name) is None and len(below) < 3
         if of is None or not isinstance(by, Name) or not plain:
             raise Refused(at, "a derivative by something other than time is not supported")
-        return Item("node", at, partial_of(self.naming, of, by, at))
+        found = partial_of(self.naming, of, by, at)
+        return Item("node", at, Total(at, found.function, found.arguments))
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:
         """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""

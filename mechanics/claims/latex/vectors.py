@@ -13,6 +13,7 @@ from mechanics.claims.names import COORDINATES, Naming
 from mechanics.claims.tree import Name, Node, Table, names
 
 CROSS = r"\times"
+BY_ARGUMENT = "{name}'({by}) is read as the derivative of {name} by {by}"
 DEPENDS = "{name}(...) is read as {name}, which depends on what is in brackets"
 
 
