@@ -14,7 +14,7 @@ from typing import Any
 
 import casadi
 
-from mechanics.claims.code.file_names import globals_of
+from mechanics.claims.code.python.file_names import globals_of
 
 
 def names_of_results(code: str, names: dict[str, Any], judged: Collection[str]) -> set[str]:

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from types import FunctionType
 from typing import Any
 
-from mechanics.claims.code.file_names import globals_of
+from mechanics.claims.code.python.file_names import globals_of
 from mechanics.errors import InputError
 
 LIBRARIES = ("builtins", "math", "cmath", "operator", "functools", "numpy", "scipy", "mechanics")

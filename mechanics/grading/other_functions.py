@@ -9,10 +9,10 @@ is given, and an integrator that is given a function, claim nothing.
 import ast
 from collections.abc import Iterator, Set
 
-from mechanics.claims.code.python_form import DEFINED, word
-from mechanics.claims.code.python_functions import Defined, words_in
-from mechanics.claims.code.python_laws import ARITHMETIC
-from mechanics.claims.code.python_lines import integrators, reached
+from mechanics.claims.code.around.python_form import DEFINED, word
+from mechanics.claims.code.around.python_functions import Defined, words_in
+from mechanics.claims.code.around.python_laws import ARITHMETIC
+from mechanics.claims.code.around.python_lines import integrators, reached
 
 PLAIN = (ast.Lambda, ast.arguments, ast.arg, ast.Name, ast.Attribute, ast.Subscript, ast.Constant,
          ast.Load)  # fmt: skip

@@ -22,10 +22,10 @@ import sympy
 from sympy import Basic, Eq
 from sympy.matrices import MatrixBase
 
+from mechanics.claims.code.around.python_lines import integrators, reached
 from mechanics.claims.code.comments import comments
-from mechanics.claims.code.file_names import unsettled
-from mechanics.claims.code.python_call import Unsaid
-from mechanics.claims.code.python_lines import integrators, reached
+from mechanics.claims.code.python.file_names import unsettled
+from mechanics.claims.code.python.python_call import Unsaid
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 from mechanics.grading.absent_modules import FOLDER, standing_in

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from mechanics.blame.reference import Reference
-from mechanics.claims.code.callers import callers
+from mechanics.claims.code.around.callers import callers
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.statement import Reading
 from mechanics.compiled.fixed import fix

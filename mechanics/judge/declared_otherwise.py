@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from sympy import Pow, Symbol
 
-from mechanics.claims.code.cpp_functions import with_plain_types
+from mechanics.claims.code.translation.cpp_functions import with_plain_types
 from mechanics.claims.statement import Statement
 from mechanics.judge.modelica import is_model, model_otherwise
 from mechanics.judge.phrases import GIVEN

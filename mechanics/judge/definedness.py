@@ -16,7 +16,7 @@ from sympy import Add, And, Basic, Expr, Mul, Not, Or, Pow, Symbol, sympify
 from sympy.core.relational import Relational
 
 from mechanics.checks.equilibria import exact
-from mechanics.claims.code.numerical_check import UNCALLED
+from mechanics.claims.code.trace.numerical_check import UNCALLED
 from mechanics.claims.demands import RAISED, Demand, Demands, within
 from mechanics.claims.statement import Statement
 from mechanics.closure import with_both_roots

@@ -10,9 +10,9 @@ from typing import Any
 import casadi
 
 from mechanics.claims.code.black_box import BlackBox
-from mechanics.claims.code.cpp_functions import SUFFIXES
-from mechanics.claims.code.read_arrays import LANGUAGES, has_function, may_be_code
 from mechanics.claims.code.sympy_objects import is_sympy
+from mechanics.claims.code.translation.cpp_functions import SUFFIXES
+from mechanics.claims.code.translation.read_arrays import LANGUAGES, has_function, may_be_code
 from mechanics.claims.declared_conventions import EXACT, HARMLESS
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError

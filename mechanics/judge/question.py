@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.code.black_box import BlackBox
-from mechanics.claims.code.python_lines import lines_around
 from mechanics.claims.declared_conventions import Declared, read_declared
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.statement import Reading, Statement

@@ -14,19 +14,19 @@ from sympy import Eq, Expr, SympifyError, sympify
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.arguments import UnexplainedError
-from mechanics.claims.code.callers import callers
-from mechanics.claims.code.cpp_functions import SUFFIXES, without_users
+from mechanics.claims.code.around.callers import callers
+from mechanics.claims.code.around.unjudged_code import unjudged_code
 from mechanics.claims.code.read import read_c, read_casadi, read_function
-from mechanics.claims.code.read_arrays import (
+from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
+from mechanics.claims.code.trace.tracing import OtherKindError
+from mechanics.claims.code.translation.cpp_functions import SUFFIXES, without_users
+from mechanics.claims.code.translation.read_arrays import (
     LANGUAGES,
     has_function,
     may_be_code,
     read_arrays,
     read_cpp,
 )
-from mechanics.claims.code.sympy_objects import is_sympy, read_sympy, sides_of
-from mechanics.claims.code.tracing import OtherKindError
-from mechanics.claims.code.unjudged_code import unjudged_code
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.read import decoded, file_text, read_file, read_source
 from mechanics.claims.statement import Statement

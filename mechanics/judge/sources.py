@@ -13,11 +13,11 @@ from pathlib import Path
 from types import FunctionType, MethodType
 from typing import Any
 
-from mechanics.claims.code.closure_numbers import held
 from mechanics.claims.code.comments import EQUATION, SENTENCE, comments, without_comments
-from mechanics.claims.code.containers import library
-from mechanics.claims.code.objects import methods_used, names_in
-from mechanics.claims.code.wrappers import unwrapped
+from mechanics.claims.code.python.closure_numbers import held
+from mechanics.claims.code.python.containers import library
+from mechanics.claims.code.python.objects import methods_used, names_in
+from mechanics.claims.code.python.wrappers import unwrapped
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
 

@@ -10,8 +10,8 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Edit, Mistake
-from mechanics.claims.code.formulas import MOST_NODES, Known, added, leaf, multiplied
 from mechanics.claims.code.read import read_c, read_function
+from mechanics.claims.code.trace.formulas import MOST_NODES, Known, added, leaf, multiplied
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.cli.app import app
 from systems import cartpole, rod_pendulum

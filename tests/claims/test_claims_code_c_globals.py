@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from mechanics import check
-from mechanics.claims.code.c_globals import with_globals
+from mechanics.claims.code.c.globals import with_globals
 from mechanics.errors import InputError
 from mechanics.report.answer.check import Check
 from systems import rod_pendulum

@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 import mechanics
-from mechanics.claims.code.numerical_check import doubt_when_called
-from mechanics.claims.code.tracing import trace
+from mechanics.claims.code.trace.numerical_check import doubt_when_called
+from mechanics.claims.code.trace.tracing import trace
 from mechanics.errors import InputError
 from mechanics.judge.check import derived
 from systems import rod_pendulum

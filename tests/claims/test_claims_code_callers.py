@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from mechanics import check
-from mechanics.claims.code.callers import callers
+from mechanics.claims.code.around.callers import callers
 from systems import bead_on_hoop
 
 C = "double rate(double x) { return x; }\n\n/* rate\n of it */\nint main(void) {\n  rate(1);\n}\n"

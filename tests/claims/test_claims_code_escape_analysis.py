@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from mechanics.claims.code.file_names import unsettled
+from mechanics.claims.code.python.file_names import unsettled
 
 DEFINED = """
 from collections import deque

@@ -10,7 +10,7 @@ import sympy
 from sympy import Expr, Symbol, pi, sqrt
 
 from mechanics.claims.code.constants import constant_of
-from mechanics.claims.code.tracing import trace
+from mechanics.claims.code.trace.tracing import trace
 from mechanics.cli.program_listing import program_python
 from mechanics.crosscheck import derive
 from mechanics.judge.check import check

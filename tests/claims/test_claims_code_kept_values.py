@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from mechanics import check
-from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict

@@ -6,7 +6,7 @@ import pytest
 from typer.testing import CliRunner
 
 from mechanics.blame.reference import Reference
-from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.cli.app import app
 from mechanics.grading.grade import grade

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.names import Match, Naming, Vocabulary
 from systems import rod_pendulum
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import mechanics
-from mechanics.claims.code.cpp_functions import in_python
-from mechanics.claims.code.python_page import Unread
+from mechanics.claims.code.translation.cpp_functions import in_python
+from mechanics.claims.code.translation.python_page import Unread
 from mechanics.errors import InputError
 from systems import rod_pendulum
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechanics.claims.code.cpp_functions import in_python
-from mechanics.claims.code.python_page import Unread
+from mechanics.claims.code.translation.cpp_functions import in_python
+from mechanics.claims.code.translation.python_page import Unread
 
 
 def value(before: str, inside: str, formula: str, origin: str = "page.cpp") -> float:

@@ -8,8 +8,8 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import mechanics
 from benchmarks.corpus.builders import P, pendulum
-from mechanics.claims.code.julia import in_python
-from mechanics.claims.code.python_page import Unread
+from mechanics.claims.code.translation.julia import in_python
+from mechanics.claims.code.translation.python_page import Unread
 from mechanics.errors import InputError
 from systems import rod_pendulum
 

@@ -11,7 +11,7 @@ import mechanics
 from benchmarks.corpus.builders import P, pendulum, two_link_arm
 from benchmarks.corpus.scenes.arms_chasers_discs import feder
 from benchmarks.corpus.scenes.satellites_and_springs import satellite_torque
-from mechanics.claims.code.matlab import Unread, in_python
+from mechanics.claims.code.translation.matlab import Unread, in_python
 from mechanics.cli.load import load
 from mechanics.errors import InputError
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechanics.claims.code.matlab import Unread, in_python
+from mechanics.claims.code.translation.matlab import Unread, in_python
 from systems import rod_pendulum
 from tests.verdict_of import verdict_in
 

@@ -6,7 +6,7 @@ import sympy
 from sympy import Dummy, Eq, Symbol
 
 import mechanics
-from mechanics.claims.code.matlab import Unread, in_python
+from mechanics.claims.code.translation.matlab import Unread, in_python
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
 from systems import double_pendulum, rod_pendulum

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from mechanics.claims.code.python_lines import lines_around
+from mechanics.claims.code.around.python_lines import lines_around
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.grading.submission import things_in
 from mechanics.judge.sources import Around, NotRead

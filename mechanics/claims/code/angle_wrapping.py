@@ -8,7 +8,7 @@ from dataclasses import replace
 from sympy import Add, Expr, Symbol, floor, pi
 
 from mechanics.claims.code.integrators import STEP
-from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.kinds import turning
 from mechanics.scene import Scene
 

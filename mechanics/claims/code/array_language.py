@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mechanics.claims.code.python_page import EXACT, LONGEST
+from mechanics.claims.code.translation.python_page import EXACT, LONGEST
 
 ALL = slice(None)
 LARGEST = 4096

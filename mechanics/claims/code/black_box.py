@@ -14,7 +14,7 @@ from sympy import Dummy, Expr, Matrix
 
 from mechanics.claims.code.arguments import Arguments, arguments_of
 from mechanics.claims.code.outputs import Claim, claims
-from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.guess import guess
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.tree import Name

@@ -16,7 +16,7 @@ from typing import Any
 
 import casadi
 
-from mechanics.claims.code.objects import names_in
+from mechanics.claims.code.python.objects import names_in
 from mechanics.claims.code.unpacking import Apart
 from mechanics.errors import InputError
 

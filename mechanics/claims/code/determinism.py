@@ -10,8 +10,8 @@ from typing import Any
 
 from sympy import Dummy, Expr
 
-from mechanics.claims.code.closure_numbers import held
-from mechanics.claims.code.tracing import Given, Outputs, trace
+from mechanics.claims.code.python.closure_numbers import held
+from mechanics.claims.code.trace.tracing import Given, Outputs, trace
 from mechanics.errors import InputError
 
 

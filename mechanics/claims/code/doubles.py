@@ -16,8 +16,8 @@ from math import isfinite
 import casadi
 from sympy import Expr
 
-from mechanics.claims.code.numerical_check import at_states, program_of, symbols_in, value_of
-from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.code.trace.numerical_check import at_states, program_of, symbols_in, value_of
+from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.errors import ExpressionError
 from mechanics.program.casadi_reader import Instruction
 

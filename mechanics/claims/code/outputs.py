@@ -16,9 +16,9 @@ from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import QUANTITIES, named_quantity
-from mechanics.claims.code.assignments import written_of
 from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
-from mechanics.claims.code.tracing import Outputs
+from mechanics.claims.code.trace.assignments import written_of
+from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.demands import Demands
 from mechanics.claims.kind import kind_of
 from mechanics.claims.names import Naming

@@ -27,39 +27,25 @@ from mechanics.claims.code.arguments import (
     named_entries,
     vectors_of_motion,
 )
-from mechanics.claims.code.c_constants import with_constants
-from mechanics.claims.code.c_flat import flat
-from mechanics.claims.code.c_globals import with_globals
-from mechanics.claims.code.c_library import with_library
-from mechanics.claims.code.c_macros import without_macros
-from mechanics.claims.code.c_parameters import with_parameters
-from mechanics.claims.code.c_person import defaults, known_meaning, of_the_header, without_comments
-from mechanics.claims.code.c_place import placed
-from mechanics.claims.code.c_plain import plain
-from mechanics.claims.code.c_target import Instructions
-from mechanics.claims.code.c_untyped import with_types
-from mechanics.claims.code.c_whole import refuse_integer_quotients
-from mechanics.claims.code.c_wrapper import WRAPPER, wrapped
+from mechanics.claims.code.c.constants import with_constants
+from mechanics.claims.code.c.flat import flat
+from mechanics.claims.code.c.globals import with_globals
+from mechanics.claims.code.c.library import with_library
+from mechanics.claims.code.c.macros import without_macros
+from mechanics.claims.code.c.parameters import with_parameters
+from mechanics.claims.code.c.person import defaults, known_meaning, of_the_header, without_comments
+from mechanics.claims.code.c.place import placed
+from mechanics.claims.code.c.plain import plain
+from mechanics.claims.code.c.target import Instructions
+from mechanics.claims.code.c.untyped import with_types
+from mechanics.claims.code.c.whole import refuse_integer_quotients
+from mechanics.claims.code.c.wrapper import WRAPPER, wrapped
 from mechanics.claims.code.casadi_symbols import function_of
 from mechanics.claims.code.column_arguments import with_column_arguments
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
-from mechanics.claims.code.execution_paths import ways_of
-from mechanics.claims.code.file_names import refuse_unsettled
-from mechanics.claims.code.formulas import (
-    Assignment,
-    Assignments,
-    Authored,
-    Formula,
-    Formulas,
-    of_graph,
-)
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
-from mechanics.claims.code.kept_values import refuse_stale
-from mechanics.claims.code.liveness import demands_of
-from mechanics.claims.code.local_numbers import with_local_numbers
-from mechanics.claims.code.numerical_check import doubt_when_called
 from mechanics.claims.code.out_arguments import returning
 from mechanics.claims.code.outputs import (
     MOST_ORDERED,
@@ -72,11 +58,25 @@ from mechanics.claims.code.outputs import (
     statement,
     taken_otherwise,
 )
-from mechanics.claims.code.python_call import beside, signature_of
-from mechanics.claims.code.sympy_expressions import Constants, expressions
-from mechanics.claims.code.tracing import Outputs, trace
+from mechanics.claims.code.python.file_names import refuse_unsettled
+from mechanics.claims.code.python.kept_values import refuse_stale
+from mechanics.claims.code.python.local_numbers import with_local_numbers
+from mechanics.claims.code.python.python_call import beside, signature_of
+from mechanics.claims.code.python.wrappers import unwrapped
+from mechanics.claims.code.trace.execution_paths import ways_of
+from mechanics.claims.code.trace.formulas import (
+    Assignment,
+    Assignments,
+    Authored,
+    Formula,
+    Formulas,
+    of_graph,
+)
+from mechanics.claims.code.trace.liveness import demands_of
+from mechanics.claims.code.trace.numerical_check import doubt_when_called
+from mechanics.claims.code.trace.sympy_expressions import Constants, expressions
+from mechanics.claims.code.trace.tracing import Outputs, trace
 from mechanics.claims.code.unpacking import Apart, in_c, in_python
-from mechanics.claims.code.wrappers import unwrapped
 from mechanics.claims.demands import Demand
 from mechanics.claims.guess import at_one_step, guess
 from mechanics.claims.kinds import angular

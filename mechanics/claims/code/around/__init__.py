@@ -1,0 +1,1 @@
+"""Lines around judged functions: what they do with what the functions return."""

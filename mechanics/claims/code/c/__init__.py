@@ -1,0 +1,1 @@
+"""Functions of C: what a person's file needs before it is read as a program."""

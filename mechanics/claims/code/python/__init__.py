@@ -1,0 +1,1 @@
+"""What a Python function takes from around itself: numbers, objects, what was kept."""
