@@ -74,8 +74,8 @@ class Entrywise:
                 cells = self(only)
                 return cells if isinstance(cells, Node) else tuple(zip(*cells, strict=True))
             case Call(at=at, function="partial", arguments=(of, by)):
-                inner = self._number(of)
-                return _each(self(by), lambda cell: Call(at, "partial", (inner, cell)))
+                inner, kind = self._number(of), type(node)
+                return _each(self(by), lambda cell: kind(at, "partial", (inner, cell)))
             case Call(function=function, arguments=(of, index)) if function == ENTRY:
                 cells = self(of)
                 if isinstance(cells, Node):

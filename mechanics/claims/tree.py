@@ -209,7 +209,7 @@ def with_parts(node: Node, new: tuple[Node, ...]) -> Node:
         case Power():
             return Power(node.at, *new)
         case Call(function=function):
-            return Call(node.at, function, new)
+            return type(node)(node.at, function, new)
         case Rate(order=order):
             return Rate(node.at, new[0], order)
         case Table(rows=rows):

@@ -2,6 +2,7 @@ r"""Derivatives of an author's own names: ``V'(x)``, and with an upright d along
 
 import pytest
 
+from mechanics.claims.tree import Call, Name, Total, with_parts
 from mechanics.judge.check import derived
 from systems import bead_on_hoop, rocker, rod_pendulum
 from tests.verdict_of import NOT_READ, verdict_of
@@ -96,3 +97,10 @@ def test_what_the_scene_cannot_have_is_no_value_beside_it(value: str, beside: st
     assert verdict_of(ROD, text) == "UNDECIDED"
     assert verdict_of(ROD, text.replace("-9.81", "9.81").replace("=-1", "=1")
                       .replace("l=0", "l=2")) == "PROVED"  # fmt: skip
+
+
+def test_a_rebuilt_tree_keeps_what_its_derivatives_are() -> None:
+    names = (Name(0, "w"), Name(0, "theta"))
+    for kind in (Call, Total):
+        rebuilt = with_parts(kind(0, "partial", names), names[::-1])
+        assert type(rebuilt) is kind and rebuilt.arguments == names[::-1]

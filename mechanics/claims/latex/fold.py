@@ -245,7 +245,9 @@ class Fold:
         del queue[0]
         self.notes.append(DEPENDS.format(name=node.name))
         given = told(self.naming, node.name, bracket.arguments)
-        whole = ended(Name(named.at, named.name, named.order, given=given), bracket.end)
+        primes = named.primes
+        name = Name(named.at, named.name, named.order, given=given, primes=primes)
+        whole = ended(name, bracket.end)
         if bracket.power is None:
             return whole
         return ended(Power(node.at, whole, bracket.power), bracket.end)

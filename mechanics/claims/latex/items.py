@@ -96,7 +96,8 @@ class Items:
         for k, item in enumerate(found):
             before_bracket = k + 1 < len(found) and found[k + 1].kind == "bracket"
             if isinstance(item.node, Name) and item.node.primes and not before_bracket:
-                found[k] = replace(item, node=replace(item.node, primes=0))
+                plain = ended(replace(item.node, primes=0), item.node.end)
+                found[k] = replace(item, node=plain)
         return found
 
     def group(self, tree: Tree, at: int) -> Node:
@@ -238,7 +239,7 @@ class Items:
                 items = [self._bracket(base, at)]
                 node = items[0].node
                 if sub and base.data == "braces" and isinstance(node, Name):
-                    name = Name(at, f"{node.name}_{sub}", node.order, given=node.given)
+                    name = replace(node, at=at, name=f"{node.name}_{sub}")
                     return [Item("node", at, name)]
         if sub:
             raise Refused(at, f"the subscript {sub} belongs behind a name")

@@ -44,7 +44,7 @@ def applied(items: list[Item], naming: Naming, notes: list[str]) -> list[Item]:
         return items
     notes.append(DEPENDS.format(name=name.name))
     given = told(naming, name.name, inside)
-    return [replace(items[0], node=Name(name.at, name.name, name.order, given=given))]
+    return [replace(items[0], node=replace(name, given=given))]
 
 
 def is_time(item: Item) -> bool:
