@@ -27,6 +27,7 @@ from mechanics.judge.at_values import (
 )
 from mechanics.judge.bounded_blame import blamed
 from mechanics.judge.converted_rows import in_plain_symbols, moves_more
+from mechanics.judge.tries import may_be_tried
 from mechanics.kernel import Verdict
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.published import Published
@@ -50,6 +51,8 @@ def with_values(reference: Reference, judged: tuple[Judged, ...]) -> tuple[Judge
         return judged
     # What is right with the values of its file is read with these; so is what stands beside it.
     if any((e.right_if or e.open) and not e.statement.file_values for e in wrong):
+        return judged
+    if not may_be_tried([e.statement for e in judged]):
         return judged
     if any(e.statement.derived for e in wrong):
         return judged

@@ -32,6 +32,7 @@ from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.special_case import in_special_case
 from mechanics.judge.standard_names import with_standard_names
 from mechanics.judge.suggested_choice import suggested
+from mechanics.judge.tries import may_be_tried
 from mechanics.judge.unused_values import unused_values
 from mechanics.judge.where import Where, judge_where, right_where
 from mechanics.kernel import Finding
@@ -169,7 +170,7 @@ def _judged(
         told = (f"judged where {in_words(values)}", *idle)
         return tuple(map(Judged, statements, findings)), told
     statements, findings = as_said(truth, statements, findings)
-    if not helps or not any(map(differs, findings)):
+    if not (helps and any(map(differs, findings)) and may_be_tried(statements)):
         return tuple(map(Judged, statements, findings)), ()
     claimed = [
         k for k, s in enumerate(statements)

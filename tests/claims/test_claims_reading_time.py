@@ -9,9 +9,11 @@ from systems import elastic_pendulum
 TRUTH = derived(elastic_pendulum.scene())
 ENTRIES = "&".join(f"x+{k}" for k in range(8))
 MATRIX = r"\begin{matrix}" + r"\\".join([ENTRIES] * 8) + r"\end{matrix}"
+FRACTION = r"\frac{\frac{L}{2}\cos\theta + 3}"
 LONG = {
     "products of matrices": ("latex", rf"\ddot x = {' '.join([MATRIX] * 9)}"),
     "definitions of products": ("latex", "\n\n".join(f"{n} = {MATRIX * 3}" for n in "ABC")),
+    "fractions of fractions": ("latex", f"V = {FRACTION * 60}{{2}}"),
     "factors above an equals sign": ("text", f"{'x*' * 1000}\n{'x*' * 1000}= 1"),
     "values that are set anew": ("text", "x=1;" * 1000),
     "values between commas": ("text", "x," * 2000),

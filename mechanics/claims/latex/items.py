@@ -72,6 +72,7 @@ class Items:
         self.text, self.naming, self.fold, self.notes = text, naming, fold, notes
         self.depth = 0
         self.known: dict[int, tuple[Tree, list[Item]]] = {}
+        self.taken: dict[int, tuple[Tree, list[Tree | Token]]] = {}
 
     def of(self, pieces: list[Tree | Token]) -> list[Item]:
         """The items of pieces that stand side by side."""
@@ -88,6 +89,12 @@ class Items:
             elif inside(piece, "braces") != []:  # {} only holds a place
                 found += self._scripted(piece)
         return summed(self._with_primes(found))
+
+    def _pieces(self, tree: Tree) -> list[Tree | Token]:
+        """What stands in an argument or bracket, taken apart once, so that it is read once."""
+        if id(tree) not in self.taken:
+            self.taken[id(tree)] = tree, pieces_of(tree)
+        return self.taken[id(tree)][1]
 
     def _with_primes(self, found: list[Item]) -> list[Item]:
         """The items; where nothing has dots, primes are by time, but for ``V'(x)``."""
@@ -111,7 +118,7 @@ class Items:
         if self.depth > DEEPEST_BRACKETS:
             raise Refused(at, f"brackets nested too deeply: {DEEPEST_BRACKETS} are the limit")
         parts: list[list[Tree | Token]] = [[]]
-        for piece in pieces_of(tree):
+        for piece in self._pieces(tree):
             if isinstance(piece, Token) and piece.type == "COMMA" and len(parts) < most:
                 parts.append([])
             else:
@@ -220,7 +227,7 @@ class Items:
             case "accent" | "short_accent":
                 return [self._accent(base, sub, at)]
             case "style":
-                inside = self.of(pieces_of(base.children[1]))
+                inside = self.of(self._pieces(base.children[1]))
                 script = "cal" in str(base.children[0]) or "scr" in str(base.children[0])
                 node = inside[0].node if len(inside) == 1 else None
                 length = self.naming.is_function("L") is False
@@ -250,7 +257,7 @@ class Items:
         left = base.children[0]
         if isinstance(left, Token) and left.type == "LEFT" and left.value.endswith(BARS):
             return Item("node", at, Call(at, "abs", (self.group(inner, at),)))
-        pieces = pieces_of(inner)
+        pieces = self._pieces(inner)
         nodes = self._separated(inner, at)
         node = nodes[0]
         kind = "bracket" if base.data == "leftright" else "node"
@@ -291,8 +298,8 @@ class Items:
                 return rate
         if (pieces := partial(above, below)) is not None:
             return self._partial(*pieces, at)
-        if differential(self.of(pieces_of(above)), self.of(pieces_of(below)), self.naming):
-            return self._by_a_name(self.of(pieces_of(above)), self.of(pieces_of(below)), at)
+        if differential(self.of(self._pieces(above)), self.of(self._pieces(below)), self.naming):
+            return self._by_a_name(self.of(self._pieces(above)), self.of(self._pieces(below)), at)
         parts = [self.group(above, at), inverse(self.group(below, at))]
         return Item("node", at, product(at, parts))
 
@@ -317,7 +324,7 @@ class Items:
 
     def _rate(self, above: Tree, order: int, at: int) -> Item | None:
         """d/dt, d^2/dt^2, or dx/dt; None for a fraction whose numerator has no d."""
-        items = self.of(pieces_of(above))
+        items = self.of(self._pieces(above))
         if not items:
             return None
         first, *rest = items
