@@ -36,10 +36,10 @@ def named(
     beside : sequence of (int, str)
         What is no part of the formulas, as comments.
     """
-    lines = _lines(read, naming)
+    lines = _lines(read, naming, text)
     if functions := applied(lines, naming):
         naming = replace(naming, applied=functions)
-        lines = _lines(read, naming)
+        lines = _lines(read, naming, text)
     lines, entries = with_states(lines, naming)
     naming = replace(naming, guessed=entries)
     lines = without_laws(lines, naming)
@@ -52,12 +52,12 @@ def named(
     if guessed or trees:
         plain = replace(naming, guessed=(), own=trees)
         naming = replace(naming, guessed=(*entries, *guessed), own=trees)
-        lines, _ = with_states(_lines(read, naming), plain)
+        lines, _ = with_states(_lines(read, naming, text), plain)
         lines = without_laws(lines, naming)
     return naming, lines
 
 
-def _lines(read: Read, naming: Naming) -> list[Entry]:
+def _lines(read: Read, naming: Naming, text: str) -> list[Entry]:
     whole = [
         _without_determinant(line) if isinstance(line, Line) else line
         for line in read(naming)
@@ -70,7 +70,7 @@ def _lines(read: Read, naming: Naming) -> list[Entry]:
         if isinstance(line, Line) else line
         for line in lines
     ]  # fmt: skip
-    return with_columns(with_sines(lines, naming), naming)
+    return with_columns(with_sines(lines, naming, text), naming)
 
 
 def _once(sides: list[Node]) -> tuple[Node, ...]:

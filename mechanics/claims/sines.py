@@ -40,8 +40,48 @@ LINKS = frozenset(("N*s/m", "N/m", "N*m*s/rad", "N*m*s", "N*m/rad", "N*m", "kg/s
 """Units of dampers and springs, which people name c, too."""
 
 
-def with_sines(lines: Sequence[Entry], naming: Naming) -> list[Entry]:
+INDEX = r"_?\s*\{?\s*\\?(?P<of>[A-Za-z]+)\s*\}?"
+DEFINES = r"\s*(?:&?\s*=(?!=)|:=|\\equiv\b|\\coloneqq\b|\\triangleq\b|\u2261|\u2254)"
+GENERAL = re.compile(
+    rf"(?<![A-Za-z\\])(?P<letter>[sScC])(?=_){INDEX}(?P<more>[^=$\n;:]{{0,40}}?){DEFINES}"
+    r"(?P<right>[^,;.$\n=]{0,60})"
+)
+"""A short name with a letter for a number, and what it is short for."""
+ANY = re.compile(r"[ijklmn]{1,3}$|bullet$|cdot$|ast$|star$")
+"""What stands for a number."""
+ANGLE = r"\(?(?:q|(?:var)?(?:theta|phi|alpha|beta|gamma|psi))_?"
+
+
+def defined_otherwise(text: str) -> bool:
+    r"""Whether a text says of s_i, c_{ij} or c_\alpha that they are something else.
+
+    Parameters
+    ----------
+    text : str
+        The whole text, prose and formulas.
+    """
+    found = (
+        said for said in GENERAL.finditer(text) if said["of"] in ANGLES or ANY.match(said["of"])
+    )
+    return not all(map(_as_usual, found))
+
+
+def _as_usual(said: re.Match[str]) -> bool:
+    r"""Whether it is c_i = \cos\theta_i, c_{ij} = \cos(\theta_i + \theta_j), ...: as people do."""
+    function, of = LETTERS[said["letter"]], said["of"]
+    right = re.sub(r"\\left|\\right|\\[,;:! ]|[\s{}\\\])]", "", said["right"])
+    if said["more"].strip(" }\\,"):
+        return False
+    if of in ANGLES:
+        return right in (f"{function}{of}", f"{function}({of}")
+    angles = r"\+".join(rf"{ANGLE}{one}" for one in of)
+    return re.fullmatch(rf"{function}\(?{angles}", right) is not None
+
+
+def with_sines(lines: Sequence[Entry], naming: Naming, text: str) -> list[Entry]:
     r"""The lines with sines and cosines in place of short names, and of ``s\theta``."""
+    if defined_otherwise(text):
+        return list(lines)
     own = definitions(lines, naming)
     sides = [side for line in lines if isinstance(line, Line) for side in line.sides]
     every = [name for side in sides for name in names(side)]
