@@ -370,6 +370,11 @@ def test_options_that_leave_the_law_are_innocent(tmp_path: Path, lines: str) -> 
         "kw = (callback=cb,)\nsol = solve(prob, Tsit5(); kw...)",
         "sol = solve(prob, Tsit5(); options...)",
         "cb = bounce()\nsol = solve(prob; callback=cb)",
+        "cb = DiscreteCallback((u, t, i) -> true, i -> (i.u[2] *= 0.5))\n"
+        "sol = solve(prob, Tsit5(); callback=cb)",
+        "hit!(i) = (i.u[2] = -i.u[2])\ncb = ContinuousCallback((u, t, i) -> u[1], hit!)\n"
+        "sol = solve(prob; callback=CallbackSet(cb))",
+        "cb = PresetTimeCallback([1.0], i -> set_u!(i, [0, 0]))\nsol = solve(prob; callback=cb)",
         "sol = solve(prob, FunctionMap(), dt=0.1)",
         "alg = FunctionMap()\nsol = solve(prob, alg)",
         "reverse!(prob.p)",

@@ -111,7 +111,9 @@ def is_option(run: Run, one: Term) -> bool:
 def _is_known_callback(run: Run, value: Term) -> bool:
     """Whether the file says what a callback does: functions of it are looked at themselves."""
     if value.kind == "name":
-        if value.name in run.own or value.name in ("nothing", "terminate"):
+        if value.name in run.own:
+            return not _changes_motion(run.own[value.name].body)
+        if value.name in ("nothing", "terminate"):
             return True
         lines = run.definitions.get(value.name, ())
         return bool(lines) and all(
@@ -123,7 +125,26 @@ def _is_known_callback(run: Run, value: Term) -> bool:
         return bool(known) and all(_is_known_callback(run, p) for p in given_by_place(value))
     if value.kind == "list":
         return all(_is_known_callback(run, part) for part in value.parts)
-    return value.kind in ("number", "handle", "minus", "range")
+    return value.kind in ("number", "minus", "range") or (
+        value.kind == "handle" and not _changes_motion(value)
+    )
+
+
+SETTERS = frozenset(
+    ("set_u", "set_t", "set_p", "set_ut", "reinit", "copyto", "fill", "setindex", "setproperty")
+)
+
+
+def _changes_motion(body: Term) -> bool:
+    """Whether a callback sets what a solver integrates: i.u[2] *= -1, set_u!(i, u)."""
+    parts = [*body.all()]
+    targets = [one.parts[0] for one in parts if one.kind == "set"]
+    held = {
+        part.name.rpartition(".")[2] for target in targets if target.kind != "name"
+        for part in target.all() if part.kind in ("field", "name")
+    }  # fmt: skip
+    calls = {one.name.rstrip("!") for one in parts if one.kind == "call"}
+    return bool({"u", "p", "t"} & held) or bool(SETTERS & calls)
 
 
 def _is_plain(run: Run, part: Term) -> bool:
