@@ -30,6 +30,7 @@ from mechanics.claims.code.arguments import (
 from mechanics.claims.code.c.constants import with_constants
 from mechanics.claims.code.c.flat import flat
 from mechanics.claims.code.c.globals import with_globals
+from mechanics.claims.code.c.integers import refuse_integer_quotients
 from mechanics.claims.code.c.library import with_library
 from mechanics.claims.code.c.macros import without_macros
 from mechanics.claims.code.c.parameters import with_parameters
@@ -38,7 +39,6 @@ from mechanics.claims.code.c.place import placed
 from mechanics.claims.code.c.plain import plain
 from mechanics.claims.code.c.target import Instructions
 from mechanics.claims.code.c.untyped import with_types
-from mechanics.claims.code.c.whole import refuse_integer_quotients
 from mechanics.claims.code.c.wrapper import WRAPPER, wrapped
 from mechanics.claims.code.casadi_symbols import function_of
 from mechanics.claims.code.column_arguments import with_column_arguments
