@@ -506,6 +506,44 @@ RIGHT_ATTACKS = (
     "l = torch.tensor(0.5)\nprint(accel(th, w, m, l, g, u))\n",
 )
 
+OBJECT = """class Rod:
+    def __init__(self, m, l, g, u):
+        self.p = {}
+    def rhs(self, t, y):
+        return rate(t, y, *self.p)
+    def run(self):
+        return solve_ivp(rate, (0, 1), [0.1, 0], args=self.p)
+"""
+OUTSIDE = """class Rod:
+    def __init__(self, m, l, g, u):
+        self.p = {}
+rod = Rod(m, l, g, u)
+solve_ivp(rate, (0, 1), [0.1, 0], args=rod.p)
+"""
+SPREAD = """class Rod:
+    def __init__(self, m, l, g, u):
+        self.p = {}
+    def rhs(self, t, y):
+        return rate(t, y, *self.p)
+"""
+CLOSURE = """def law(m, l, g, u):
+    numbers = {}
+    def f(t, y):
+        return rate(t, y, *numbers)
+    return f
+solve_ivp(law(m, l, g, u), (0, 1), [0.1, 0])
+"""
+MADE_OTHERS = ("(l, m, g, u)", "(m, l, -g, u)", "[m, 2*l, g, u]", "np.array([m, l, u, g])",
+               "tuple([m, l, g, -u])")  # fmt: skip
+MADE_SAME = ("(m, l, g, u)", "[m, l, 9.81, u]", "np.array([m, l, g, 0.0])", "tuple([m, l, g, u])",
+             "(1.0, 0.5, g, u)")  # fmt: skip
+
+
+@pytest.mark.parametrize("file", [OBJECT, OUTSIDE, SPREAD, CLOSURE])
+def test_parameters_that_an_object_or_closure_holds_have_their_order(file: str) -> None:
+    assert [made for made in MADE_OTHERS if not _quoted(file.format(made))] == []
+    assert [made for made in MADE_SAME if _quoted(file.format(made))] == []
+
 
 def _quoted(text: str) -> tuple[str, ...]:
     return lines_around(HEAD + text, {"rate"}, NAMING)

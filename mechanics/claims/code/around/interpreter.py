@@ -305,7 +305,9 @@ def read_name(run: Run, root: str, key: tuple[Any, ...], env: dict[str, Any]) ->
         word = meaning_of(run, root)
         if not key and (root in run.judged or root in run.own):
             return Handle((), None, {"": root})
-        if key or root in run.memory.vectors:
+        if (made := run.lists.get(root)) is not None and not word:
+            env[root] = value_of(run, made, {})
+        elif key or root in run.memory.vectors:
             env[root] = Table(root, size=run.memory.sizes.get(root))
         elif root.rpartition(".")[2] in ("pi", "M_PI"):
             env[root] = PI

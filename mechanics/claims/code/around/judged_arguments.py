@@ -98,6 +98,8 @@ def accepted(run: Run, judged: JudgedFunction, name: str, part: Term, value: Any
         meaning = meaning_of(run, own) if own else ""
         same = own == name or meaning in ("", meaning_of(run, name))
         return same and not isinstance(value, Handle)
+    if len(words) == 1 and words[0] in run.words.inputs and part.kind == "item":
+        return fits_word(run, words[0], value) or _is_made(run, words[0], part.kind, value)
     if len(words) == 1 and words[0] in run.words.inputs and part.parts:
         if words[0] not in {meaning_of(run, one) for one in part.names()}:
             return True  # -K*y, what a controller makes

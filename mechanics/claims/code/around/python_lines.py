@@ -281,7 +281,30 @@ class _File:
 
     def run(self, judged: Mapping[str, JudgedFunction]) -> Run:
         """What stands around some functions."""
-        return Run(judged, self.functions, self.users, self.names, PYTHON, self.block)
+        return Run(judged, self.functions, self.users, self.names, PYTHON, self.block, self.made)
+
+    @cached_property
+    def made(self) -> dict[str, Term]:
+        """Lists that attributes and names of functions hold, of those that get no other value."""
+        values: dict[str, list[ast.AST]] = {}
+        for line in assigned(ast.walk(self.tree)):
+            for root in line.targets:
+                values.setdefault(root, []).append(line.value)
+        apart = {root for line in assigned(within(self.top)) for root in line.targets}
+        apart |= {n.arg for n in ast.walk(self.tree) if isinstance(n, ast.arg)}
+        lists = {
+            name: expression(one, self.form) for name, (one, *more) in values.items()
+            if isinstance(one, ast.expr) and not more and name not in apart
+        }  # fmt: skip
+        kinds = {kind.name for kind in self.kinds}
+        objects = {name for name, (one, *_) in values.items()
+                   if isinstance(one, ast.Call) and word(one.func) in kinds}  # fmt: skip
+        return {
+            f"{base}{dot}{last}": one
+            for name, one in lists.items() if one.kind == "list" and name not in one.names()
+            for owner, dot, last in (name.rpartition("."),)
+            for base in ({owner} if owner != "self" else {owner, *objects})
+        }  # fmt: skip
 
     @cached_property
     def block(self) -> Term:

@@ -116,6 +116,8 @@ class Run:
     language : Language
     block : Term
         All lines that are looked at together.
+    lists : mapping of str to Term
+        Lists that names of other functions, and attributes, hold from where they are made on.
     memory : Memory
     """
 
@@ -125,6 +127,7 @@ class Run:
     words: SceneNames
     language: Language
     block: Term = field(default_factory=lambda: Term("block"))
+    lists: Mapping[str, Term] = field(default_factory=dict)
     memory: Memory = field(default_factory=Memory)
 
     @cached_property

@@ -175,7 +175,7 @@ def spans_of_functions(text: str, suffix: str) -> dict[str, tuple[int, int]]:
 def _root(text: str, suffix: str) -> Any:
     language, _ = LANGUAGES.get(suffix, (cpp_functions.language, str))
     grammar = {".m": "tree-sitter-matlab", ".jl": "tree-sitter-julia"}.get(suffix)
-    return tree(language, text, grammar or "tree-sitter-cpp")
+    return tree(language, text, grammar) if grammar else cpp_functions.parsed(text)
 
 
 def _macros(root: Any, judged: Collection[str]) -> list[str]:

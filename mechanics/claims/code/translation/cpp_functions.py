@@ -100,6 +100,8 @@ COORDINATES = ("x", "y", "z", "w")
 VECTOR = re.compile(r"(?:const )?(?:Eigen::)?(?:Vector|Array)([234])d")
 """Columns of doubles of Eigen that are made of their entries: Vector2d(1.0, 2.0)."""
 PARTS = {"segment": 2, "head": 1, "tail": 1}
+TEMPLATED = re.compile(r"\.(segment|head|tail)(?=<\w+>\()")
+"""Eigen's y.segment<2>(2), which the grammar takes for two comparisons."""
 """Parts of a vector, and how many numbers say which."""
 
 
@@ -206,7 +208,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     Unread
         For what is not read, by line and column.
     """
-    root = _tree(text)
+    root = parsed(text)
     nodes, twice = functions_of(root)
     if origin.endswith(SMALL) and not wanted and nodes.keys() > SKETCH:
         others = [name for name in nodes if name not in SKETCH]
@@ -278,13 +280,14 @@ def absent_headers(text: str) -> list[str]:
     ----------
     text : str
     """
-    paths = (one.child_by_field_name("path") for one in within(_tree(text), "preproc_include"))
+    paths = (one.child_by_field_name("path") for one in within(parsed(text), "preproc_include"))
     own = [words(path) for path in paths if path is not None and path.type != "system_lib_string"]
     return [path for path in own if not LIBRARIES.match(path)]
 
 
-def _tree(text: str) -> Any:
+def parsed(text: str) -> Any:
     """The tree of a file, where ``(a[1]) - (b)`` is no cast to a type a[1]."""
+    text = TEMPLATED.sub(r".template \1", text)
     root = tree(language, text, "tree-sitter-cpp")
     data = bytearray(text.encode())
     for node in within(root, "cast_expression"):
@@ -293,7 +296,7 @@ def _tree(text: str) -> Any:
         signed = name and "*" not in words(kind) and words(value)[0] in "+-*&"
         if signed and not INTEGERS.search(words(name[0])):
             data[node.start_byte] = data[kind.end_byte] = ord(" ")
-    return _tree(data.decode()) if data != text.encode() else root
+    return parsed(data.decode()) if data != text.encode() else root
 
 
 def without_users(text: str, function: str | None = None, *, c: bool = False) -> str:
@@ -1407,6 +1410,8 @@ def _method(node: Any) -> tuple[Any, str, list[Any]] | None:
         return None
     field_of = head.child_by_field_name("field")
     given = named(node.child_by_field_name("arguments"))
+    if field_of.type == "dependent_name":
+        (field_of,) = named(field_of)
     if field_of.type == "template_method":
         name, *kinds = named(field_of)
         given = [*given, *(part for kind in kinds for part in named(kind))]
