@@ -246,6 +246,8 @@ ONE_LINE = "accel(theta, u, m, l, g) = 3g/(2l)*sin(theta) + 3u/(m*l^2)\n"
     [(ONE_LINE, "PROVED"), (f"using DifferentialEquations\n{ONE_LINE}", "PROVED"),
      (ONE_LINE.replace("3u", "2u"), "REFUTED"),
      (ONE_LINE.replace("theta, u", "theta::Float64, u::Float64"), "PROVED"),
+     (f"@inline {ONE_LINE}", "PROVED"),
+     (f"@inline @fastmath {ONE_LINE}".replace("3u", "2u"), "REFUTED"),
      # Equations of a page stay text.
      ("theta'' = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2)\n", "PROVED")],
 )  # fmt: skip
@@ -254,6 +256,17 @@ def test_a_function_on_one_line_is_code(text: str, verdict: str, tmp_path: Path)
     path.write_text(text)
     found = mechanics.check(rod_pendulum.scene(), path, blame=False)
     assert found.verdict.name == verdict
+
+
+@pytest.mark.parametrize("macro", ["@doc", "@time", "@inbounds @simd"])
+def test_nothing_behind_a_macro_is_lost(macro: str) -> None:
+    """The grammar splits what is assigned there at 3u."""
+    text = f"{macro} f(x) = sin(x) + 3x/(x + 1)\nfunction g(x)\n f(x)\nend"
+    try:
+        (one,) = functions(text)
+    except Unread:
+        return
+    assert one(2.0) == pytest.approx(np.sin(2.0) + 2.0)
 
 
 @pytest.mark.parametrize("power", ["x + 2^1^2", "x + 2.0 .^ 1 .^ 2", "2^2x^2", "x^2^3"])

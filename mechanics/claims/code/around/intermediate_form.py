@@ -13,7 +13,7 @@ from typing import Any
 
 from mechanics.claims.code.around.whole_arithmetic import is_whole, limits_of, type_of
 from mechanics.claims.code.translation import cpp_functions, matlab
-from mechanics.claims.code.translation.python_page import named, tree, within, words
+from mechanics.claims.code.translation.python_page import named, within, words
 
 BLOCKS = ("block", "compound_statement", "expression_statement", "source_file", "else_clause",
           "elseif_clause", "macro_argument_list", "let_statement", "argument",
@@ -177,7 +177,7 @@ def _term(node: Any, text: str) -> Term:
             return _set(node, parts)
         case "command" if (found := COMMAND.fullmatch(words(node))) is not None:
             name, sign, value = found.groups()
-            root = tree(matlab.language, f"{name} = {name} {sign} ({value});", "tree-sitter-matlab")
+            root = matlab.parsed(f"{name} = {name} {sign} ({value});")
             return term(named(root)[0])
         case "update_expression":
             sign = "+" if "++" in text else "-"
@@ -216,7 +216,7 @@ def _macro(text: str) -> Term:
     """The value of a macro, as far as it is a formula of numbers."""
     if not NUMBERS.fullmatch(text):
         return Term("number", text)
-    root = tree(cpp_functions.language, f"auto macro = {text.rstrip(';')};", "tree-sitter-cpp")
+    root = cpp_functions.parsed(f"auto macro = {text.rstrip(';')};")
     return next(one.parts[1] for one in term(root).all() if one.kind == "set")
 
 

@@ -35,7 +35,7 @@ from mechanics.claims.code.around.state_changes import changes_elsewhere, state_
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.code.translation import cpp_functions, julia, matlab
 from mechanics.claims.code.translation.manipulator_parts import parts_of
-from mechanics.claims.code.translation.python_page import named, safe, tree, within, words
+from mechanics.claims.code.translation.python_page import named, safe, within, words
 from mechanics.claims.names import Naming
 from mechanics.errors import InputError
 from mechanics.scene.symbols import plain_symbol
@@ -91,7 +91,7 @@ def unjudged_code(
         Whether somebody said which function is meant: others that do not use it are left alone.
     """
     judged = {s.source.partition(":")[0] for s in found.statements}
-    _, title = LANGUAGES.get(suffix, (cpp_functions.language, str))
+    _, title = LANGUAGES.get(suffix, (cpp_functions.parsed, str))
     root = _root(text, suffix)
     functions = dict(_functions(root, suffix))
     every = {**dict(_idle(root, suffix)), **functions}
@@ -173,9 +173,8 @@ def spans_of_functions(text: str, suffix: str) -> dict[str, tuple[int, int]]:
 
 
 def _root(text: str, suffix: str) -> Any:
-    language, _ = LANGUAGES.get(suffix, (cpp_functions.language, str))
-    grammar = {".m": "tree-sitter-matlab", ".jl": "tree-sitter-julia"}.get(suffix)
-    return tree(language, text, grammar) if grammar else cpp_functions.parsed(text)
+    parsed, _ = LANGUAGES.get(suffix, (cpp_functions.parsed, str))
+    return parsed(text)
 
 
 def _macros(root: Any, judged: Collection[str]) -> list[str]:
@@ -197,10 +196,10 @@ def _plain(text: str) -> str:
     return safe(letters + julia.DOTS.get(order, "")) if letters.isidentifier() else text
 
 
-LANGUAGES: dict[str, tuple[Callable[[], object], Callable[[str], str]]] = {
-    ".m": (matlab.language, safe), ".jl": (julia.language, _plain),
+LANGUAGES: dict[str, tuple[Callable[[str], Any], Callable[[str], str]]] = {
+    ".m": (matlab.parsed, safe), ".jl": (julia.parsed, _plain),
 }  # fmt: skip
-"""Grammars of languages in which lines of a file are statements, and names as Python has them."""
+"""Trees of languages in which lines of a file are statements, and names as Python has them."""
 
 
 def _functions(root: Any, suffix: str) -> Iterator[tuple[str, Any]]:

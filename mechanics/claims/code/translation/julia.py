@@ -85,6 +85,11 @@ SOLVES = re.compile(r"ode", re.IGNORECASE)
 """In the name of what solves equations: ODEProblem, ode78, CoupledODEs."""
 BRACKET = re.compile(r"(?<=\d)([-+*/\\^]|\.[-+*/\\^])\(")
 """The grammar takes 2*(x) for 2 times a call of *, but not 2* (x)."""
+SILENT = re.compile(
+    r"^[ \t]*(?:@(?:inline|noinline|propagate_inbounds|inbounds|fastmath|views)[ \t]+)+",
+    re.MULTILINE,
+)
+"""Macros that leave a statement as it is. The grammar splits a + 3u behind a macro in two."""
 ASSIGNED = ("assignment", "compound_assignment_expression")
 TUPLES = ("open_tuple", "tuple_expression")
 NUMBERS = ("integer_literal", "float_literal")
@@ -149,6 +154,17 @@ class Function:
     passed: set[int] = field(default_factory=set)
 
 
+def parsed(text: str) -> Any:
+    """The tree of a file.
+
+    Parameters
+    ----------
+    text : str
+    """
+    plain_text = SILENT.sub(lambda found: " " * len(found[0]), text)
+    return tree(language, BRACKET.sub(r"\1 (", plain_text), "tree-sitter-julia")
+
+
 def in_python(
     text: str, origin: str, known: Callable[[str], bool], chosen: str | None = None
 ) -> Translated:
@@ -167,7 +183,7 @@ def in_python(
     Unread
         For what is not read, by line and column.
     """
-    root = tree(language, BRACKET.sub(r"\1 (", text), "tree-sitter-julia")
+    root = parsed(text)
     functions: dict[str, Function] = {}
     twice: set[str] = set()
     for one in functions_of(root):
@@ -270,6 +286,8 @@ def functions_of(root: Any) -> Iterator[Function]:
         first = named(head)[0] if head.type == "call_expression" else None
         if first is None or not (first.type == "identifier" or _of_objects(first)):
             continue
+        if node.parent.type == "macro_argument_list" and node != named(node.parent)[-1]:
+            raise refuse(node.parent, "what stands behind a function in a macro is not read")
         body = parts[1:] if node.type == "function_definition" else parts[-1:]
         if _makes(body) and not ours & {words(i) for i in within(named(head)[1], "identifier")}:
             continue  # of values for the one inside, which has their names

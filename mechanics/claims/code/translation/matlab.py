@@ -110,6 +110,16 @@ class Translated:
     assumed: tuple[str, ...] = ()
 
 
+def parsed(text: str) -> Any:
+    """The tree of a file.
+
+    Parameters
+    ----------
+    text : str
+    """
+    return tree(language, text, "tree-sitter-matlab")
+
+
 def in_python(
     text: str, origin: str, known: Callable[[str], bool], chosen: str | None = None
 ) -> Translated:
@@ -129,7 +139,7 @@ def in_python(
         For what is not read, by line and column.
     """
     text = as_it_makes(OCTAVE.sub(lambda m: "end".ljust(len(m[0])), text))
-    root = tree(language, text, "tree-sitter-matlab")
+    root = parsed(text)
     _refuse_comments(root, text)
     nodes = {safe(words(_name(node))): node for node in within(root, "function_definition")}
     if not nodes and chosen is None:
