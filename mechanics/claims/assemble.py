@@ -279,6 +279,8 @@ class _Assembly:
         if isinstance(line, Aside):
             self.remarks.append(f"line {number}: {line.words}")
             return
+        if isinstance(line, Line):
+            self.unjudged += line.unjudged
         place = f"{self.origin}, line {number}"
         tag = line.tag or str(len(self.statements) + 1)
         if isinstance(line, Unread):

@@ -258,8 +258,16 @@ def without_unknown_rates(lines: Sequence[Entry], naming: Naming) -> list[Entry]
                 found.append(Aside(words, line.at))
                 continue
             if 1 < len(kept) < len(line.sides):
-                note = "a side with names that the scene does not have is what the others are"
-                line = replace(line, sides=kept, notes=(*line.notes, note))
+                left = [side for side in line.sides if side not in kept]
+                own = dict.fromkeys(
+                    n.name
+                    for side in left
+                    for n in names(side)
+                    if naming.target(n.name) is None and not _energy(n.name)
+                )
+                words = f"the side that says what {', '.join(own)} is in {line.source}"
+                quoted = (words,) if own else ()  # T - V is what L is by its law
+                line = replace(line, sides=kept, unjudged=(*line.unjudged, *quoted))
         found.append(line)
     return found
 

@@ -112,9 +112,10 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     apart = _at_different_steps(naming, used, every)
     first = {n for n in still if FIRST.search(n) and f"{n[:-1]}1" not in still | moving}
     first = {m.name for m in every if m.name in first and m.meaning in vocabulary.functions}
-    unlike = {key(name) for name in apart | first}
+    numbered = {match.name for match in every if _numbered_otherwise(match, taken)}
+    unlike = {key(name) for name in apart | first | numbered}
     every = tuple(match for match in every if key(match.name) not in unlike)
-    left_over = (moving | still) - {match.name for match in every} - apart - first
+    left_over = (moving | still) - {match.name for match in every} - apart - first - numbered
     return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
 
 
@@ -161,6 +162,19 @@ def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> l
         if len(fits := moving or letters) == 1:
             found.append(Match(name, fits[0], TWIN))
     return found
+
+
+def _numbered_otherwise(match: Match, taken: Iterable[str]) -> bool:
+    """Whether l_3 is taken for l2 where another l is called as the scene calls it: a slip."""
+    (stem, number), (other, end) = (_stem(name) for name in (match.name, match.meaning))
+    alike = stem == other and number and end and number != end
+    return bool(alike) and any(_stem(name)[0] == stem for name in taken)
+
+
+def _stem(name: str) -> tuple[str, str]:
+    """A name without the number at its end, and that."""
+    found = NUMBER.search(name)
+    return (key(name[: found.start()]), found[1]) if found else (key(name), "")
 
 
 def equilibrium_of(naming: Naming, name: str) -> str | None:

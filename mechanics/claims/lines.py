@@ -41,6 +41,7 @@ class Line:
     source: str
     notes: tuple[str, ...] = ()
     others: tuple[tuple[str, tuple[Node, ...]], ...] = ()
+    unjudged: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,6 @@ from mechanics.claims.tree import Name, Node
 from mechanics.claims.unread_names import unread_names
 from mechanics.scene.symbols import DOTS
 
-DETERMINED = "a side that is a determinant is what the others are"
 Read = Callable[[Naming], Sequence[Entry]]
 """Makes lines, given how names are to be understood."""
 
@@ -86,7 +85,8 @@ def _without_determinant(line: Line) -> Line:
     kept = tuple(s for s in line.sides if not (isinstance(s, Name) and s.name.startswith("det(")))
     if len(kept) < 2 or len(kept) == len(line.sides):
         return line
-    return replace(line, sides=kept, notes=(*line.notes, DETERMINED))
+    words = f"the side that is a determinant in {line.source}"
+    return replace(line, sides=kept, unjudged=(*line.unjudged, words))
 
 
 def _left(line: Entry) -> str:

@@ -56,7 +56,7 @@ def words(text: str) -> frozenset[str]:
 
 DIRECTIONS = (
     phrase(
-        r"NAMEIS (?:(?:the )?angle (?:of (?:the )?\w+ )?)?(?:COUNTED )?SENSEfrom THE"
+        r"NAMEIS (?:(?:the )?angle,? (?:of (?:the )?\w+,? )?)?(?:COUNTED )?SENSEfrom THE"
         r"(?P<way>VERTICAL|upright|hanging|horizontal)\b"
     ),
     phrase(

@@ -5,6 +5,7 @@ where $\theta$ is measured from the downward vertical     a declared convention
 The springs are made of steel.                           quoted beside the verdict
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -24,6 +25,9 @@ from mechanics.judge.sources import Source
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
+
+TURNING = re.compile(r"\b(?:(?:counter|anti)-?)?clockwise\b|\bto the (?:left|right)\b", re.I)
+"""Words that say which way something counts."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +98,15 @@ def prose_of(
     against: dict[str, None] = {}
     limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
+    turned, unread = False, ""
     for sentence in every:
         if sentence.unread:
             unjudged[sentence.words] = None
             continue
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
+        turned |= senses(facts, sentence.marked)
+        unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
         if sentence.comment:
             words = "a comment says that it counts otherwise"
             against |= dict.fromkeys(f"{words}: {one.told}" for one in found.conventions)
@@ -111,6 +118,8 @@ def prose_of(
             limits[Limit(words, sentence.words)] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
+    if turned and unread:  # one of two signs alone turns what is right with both
+        against[f"the text says more of '{unread}' than is read"] = None
     for text, notation in written.items():
         hidden = list(unread_markup(marked(text))) if notation == "latex" else []
         # What a formula continues with on a new line is no quotation.

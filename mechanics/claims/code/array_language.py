@@ -48,8 +48,20 @@ def exact(a: Any) -> Any:
     return a
 
 
+def each_one(*values: Any) -> None:
+    """Refuse several values where a formula has one.
+
+    Raises
+    ------
+    ValueError
+    """
+    if any(isinstance(value, tuple | list) for value in values):
+        raise ValueError("several values stand where a formula has one")
+
+
 def times(a: Any, b: Any) -> Any:
     """a*b"""
+    each_one(a, b)
     if not (isinstance(a, np.ndarray) and isinstance(b, np.ndarray)):
         return exact(a * b)
     return exact(tidy(table(a) @ table(b)))
@@ -57,6 +69,7 @@ def times(a: Any, b: Any) -> Any:
 
 def same_shape(a: Any, b: Any) -> tuple[Any, Any]:
     """Two things that are added, or combined entry by entry."""
+    each_one(a, b)
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and a.shape != b.shape:
         raise ValueError(f"arrays of shapes {table(a).shape} and {table(b).shape} are combined")
     return a, b
@@ -329,6 +342,7 @@ def whole(value: Any) -> Any:
 
 def over(a: Any, b: Any) -> Any:
     """a/b"""
+    each_one(a, b)
     if isinstance(b, np.ndarray):
         return transposed(under(transposed(b), transposed(a)))
     return a / b
@@ -336,6 +350,7 @@ def over(a: Any, b: Any) -> Any:
 
 def under(a: Any, b: Any) -> Any:
     r"""a\b"""
+    each_one(a, b)
     return tidy(np.linalg.solve(numbers(a), numbers(b))) if isinstance(a, np.ndarray) else b / a
 
 
@@ -352,6 +367,7 @@ def inverse(a: Any) -> Any:
 
 def power(a: Any, b: Any) -> Any:
     """a^b"""
+    each_one(a, b)
     if isinstance(b, int | float) and abs(b) > LARGEST:
         raise ValueError(f"an exponent of {b}: {LARGEST} at most")
     if isinstance(b, np.ndarray):

@@ -189,7 +189,6 @@ MIXED = re.compile(
     r"|(?P<c>\d+)\s*\\over\s*(?P<d>\d+))"
 )
 """3\\tfrac12, a mixed number in print."""
-SUMMED = f"a side with {SUM} is what the others are"
 FRAMED = re.compile(r"\\(?:under|over)brace\s*$")
 BEGINNING = re.compile(r"\(\s?(?:0|t_0|t_\{0\})\s?\)\s?=")
 SET = "an acceleration or reaction is given a value in the text, which is not judged: display it"
@@ -320,8 +319,9 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         else:
             sides[-1].append(piece)
     notes = ["conditions in the text are not used"] if unlike else []
+    unjudged: tuple[str, ...] = ()
     if len(sides) > 2 and len(kept := [side for side in sides if not _summed(side)]) > 1:
-        notes += [SUMMED] if len(kept) < len(sides) else []
+        unjudged = (f"the side with {SUM} in {source}",) if len(kept) < len(sides) else ()
         sides = kept
     fold = Fold(naming, notes)
     nodes = _sides(sides, text, end, fold)
@@ -332,7 +332,7 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
     for tree in (*nodes, *(node for _, other in others for node in other)):
         move(tree, offset)
     unique = tuple(dict.fromkeys(notes))
-    return Line(nodes, tag, offset + start, source, unique, others)
+    return Line(nodes, tag, offset + start, source, unique, others, unjudged)
 
 
 def _without_number(pieces: Pieces, text: str) -> Pieces:

@@ -91,6 +91,7 @@ SILENT = re.compile(
 )
 """Macros that leave a statement as it is. The grammar splits a + 3u behind a macro in two."""
 ASSIGNED = ("assignment", "compound_assignment_expression")
+OPERATED = ("binary_expression", "unary_expression", "juxtaposition_expression")
 TUPLES = ("open_tuple", "tuple_expression")
 NUMBERS = ("integer_literal", "float_literal")
 CLAUSES = {"elseif_clause": "elif", "else_clause": "else"}
@@ -341,6 +342,9 @@ def _own_names(root: Any, nodes: list[Any]) -> None:
     for call in within(root, "call_expression"):
         if words(named(call)[0]).rpartition(".")[2] in EVALUATES:
             raise refuse(call, "what is run as code from a text may give names another meaning")
+    for one in within(root, "assignment"):
+        if named(one)[0].type in OPERATED:
+            raise refuse(one, "an operator has another meaning here")
     known = {*FUNCTIONS, *OWN, *KINDS, *RECIPROCAL, *CONSTANTS, *MAKES, "sincos", "abs2"}
     _refuse_imports(root, known)
     for node in within(root, "function_definition", "assignment"):

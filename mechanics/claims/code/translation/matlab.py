@@ -40,6 +40,12 @@ ELEMENTWISE = {
 RECIPROCAL = {"sec": "cos", "csc": "sin", "cot": "tan"}
 INVERSES = ("inv", "pinv")
 ARRAYS = ("zeros", "ones", "eye", "diag", "sum", "dot", "cross", "norm")
+LISTED = re.compile(
+    r"\[[\w\s,~]*\]\s*=\s*(?:deal\(\s*)?\w+\{:\}(?:\s*\))?"
+    r"|(?P<name>\w+)\s*=\s*sym\(\s*(['\"])(?P=name)\2(?:\s*,\s*['\"]\w+['\"])*\s*\)"
+)
+TRUTHS = ("comparison_operator", "boolean_operator", "not_operator", "boolean", "parenthesis")
+"""What is true or false by itself."""
 CONSTANTS = {"pi": "np.pi", "true": "True", "false": "False"}
 OPERATIONS = {
     "+": "plus", "-": "minus", "*": "times", ".*": "each_times", "./": "each_over",
@@ -65,7 +71,9 @@ class Scope:
 
     Attributes
     ----------
-    arguments, locals, functions, constants : set of str
+    arguments, locals, constants : set of str
+    functions : dict of str to int
+        Those of the file, and how many outputs each has.
     outputs : list of str
     main : bool
         Whether it is the function that is judged: it is called with all of its arguments.
@@ -79,7 +87,7 @@ class Scope:
 
     arguments: list[str]
     locals: set[str]
-    functions: set[str]
+    functions: dict[str, int]
     constants: dict[str, str]
     outputs: list[str]
     scalar: Callable[[str], bool]
@@ -160,7 +168,8 @@ def in_python(
     _refuse_shared({name: nodes[name] for name in wanted})
     page = Page()
     flags: dict[str, None] = {}
-    scopes = {name: _scope(nodes[name], {*nodes}, known) for name in wanted}
+    counts = {name: len(outputs_of(node)) for name, node in nodes.items()}
+    scopes = {name: _scope(nodes[name], counts, known) for name in wanted}
     bodies = [(name, node) for name, node in nodes.items() if name in wanted]
     for name, node in bodies:
         caller = next((n for n in nodes if name in solved and name in calls[n]), "")
@@ -244,7 +253,7 @@ def _solved_handle(root: Any, origin: str, known: Callable[[str], bool]) -> Tran
         raise refuse(wrong)
     given = next((c for c in node.children if c.type == "arguments"), None)
     arguments = [safe(words(one)) for one in within(given, "identifier")] if given else []
-    scope = Scope(arguments, set(), set(), {}, [], known)
+    scope = Scope(arguments, set(), {}, {}, [], known)
     value = expression(node.child_by_field_name("expression"), scope)
     before: list[str] = []
     todo, done = list(scope.free), set(arguments)
@@ -378,7 +387,7 @@ def _targets(node: Any) -> Iterator[tuple[Any, Any]]:
 
 def _is_list(node: Any) -> bool:
     """[m, g] = p{:} and m = sym('m'), which say nothing but that m is a name."""
-    return re.search(r"=\s*(?:(?:deal\()?\w+\{:\}|sym\()", words(node)) is not None
+    return LISTED.fullmatch(words(node)) is not None
 
 
 def _base(target: Any) -> str:
@@ -388,7 +397,7 @@ def _base(target: Any) -> str:
     return safe(words(first))
 
 
-def _scope(node: Any, functions: set[str], known: Callable[[str], bool]) -> Scope:
+def _scope(node: Any, functions: dict[str, int], known: Callable[[str], bool]) -> Scope:
     arguments, outputs = arguments_of(node), outputs_of(node)
     targets = list(_targets(node))
     names = [_base(target) for target, _ in targets]
@@ -651,7 +660,12 @@ def _condition(node: Any, scope: Scope) -> str:
     if node.type == "comparison_operator":
         left, right = named(node)
         if "true" in (words(left), words(right)) and "==" in words(node):
-            return _condition(left if words(right) == "true" else right, scope)
+            asked = left if words(right) == "true" else right
+            if asked.type not in TRUTHS and scope.scalar(safe(words(asked))):
+                raise refuse(node, "a number that is compared with true is compared with 1")
+            if asked.type not in (*TRUTHS, "identifier"):
+                raise refuse(node)
+            return _condition(asked, scope)
     return expression(node, scope)
 
 
@@ -772,7 +786,7 @@ def _variable(node: Any, scope: Scope) -> str:
     if name in scope.locals or name in scope.arguments or name in scope.constants:
         return name
     if name in scope.functions:
-        return f"{name}()"
+        return f"{name}(){_first_outputs(node, scope.functions[name])}"
     if name in CONSTANTS:
         return CONSTANTS[name]
     if name == "nargin" and scope.main:
@@ -819,6 +833,8 @@ def _call(node: Any, scope: Scope) -> str:
     if head.type == "field_expression":
         return _entry(node, _field(head, scope), scope)
     name = safe(words(head))
+    if name in scope.constants:
+        raise refuse(node, f"{name} is a number here: leave out what stands in brackets behind it")
     if (name in scope.locals or name in scope.arguments) and name not in scope.handles:
         return _entry(node, name, scope)
     arguments = [c for c in node.children if c.type == "arguments"]
@@ -826,7 +842,7 @@ def _call(node: Any, scope: Scope) -> str:
     if name in scope.handles:
         return f"{name}({joined(given)})"
     if name in scope.functions:
-        return f"{name}({joined(given)})"
+        return f"{name}({joined(given)}){_first_outputs(node, scope.functions[name])}"
     if name in ELEMENTWISE:
         return f"np.{ELEMENTWISE[name]}({joined(given)})"
     if name in RECIPROCAL:
@@ -847,6 +863,18 @@ def _call(node: Any, scope: Scope) -> str:
         return f"({given[0]}*np.pi/180)" if name == "deg2rad" else given[0]
     scope.free[name] = None
     return _entry(node, name, scope)
+
+
+def _first_outputs(call: Any, count: int) -> str:
+    """Which of the outputs of a function are used: of several that nothing asks for, the first."""
+    parent = call.parent
+    asked = 1
+    if parent.type == "assignment" and parent.child_by_field_name("right") == call:
+        left = parent.child_by_field_name("left")
+        asked = len(named(left)) if left.type == "multioutput_variable" else 1
+    if count < 2 or asked == count:
+        return ""
+    return "[0]" if asked == 1 else f"[:{asked}]"
 
 
 def _entry(node: Any, name: str, scope: Scope) -> str:

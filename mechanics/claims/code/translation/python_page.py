@@ -7,14 +7,16 @@ page is compiled under the name of the author's file, so that what is said of a 
 import ast
 import keyword
 import linecache
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from mechanics.errors import InputError
 
+Result = TypeVar("Result")
 WIDTH = 4
 LONGEST = 64
 """Turns of a loop."""
@@ -24,6 +26,43 @@ EXACT = 2**53
 
 class Unread(InputError):
     """What a grammar knows and its printer does not."""
+
+
+class NamesTaken(Unread):
+    """Names of a person that the page has functions of its own for.
+
+    Attributes
+    ----------
+    names : tuple of str
+    """
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self.names = tuple(names)
+        super().__init__(f"the name {names[0]} is not read here: rename it")
+
+
+def renamed(
+    translate: Callable[[str, str | None], Result], text: str, function: str | None
+) -> Result:
+    """What a text is in Python; a name that a page has itself gets an underscore.
+
+    Parameters
+    ----------
+    translate : callable
+        Takes the text and the name of the function that is asked for.
+    text : str
+    function : str, optional
+
+    Raises
+    ------
+    Unread
+    """
+    try:
+        return translate(text, function)
+    except NamesTaken as error:
+        taken = re.compile(rf"(?<![\w@\\])({'|'.join(error.names)})\b")
+        asked = None if function is None else taken.sub(r"\1_", function)
+        return translate(taken.sub(r"\1_", text), asked)
 
 
 def counted(*parts: int) -> range:
@@ -107,6 +146,8 @@ class Page:
         except SyntaxError as error:
             what = (error.text or "").strip()
             raise Unread(f"line {error.lineno}: {what!r} is not read") from None
+        if taken := sorted(_given_names(parsed) & {*BUILTINS, "np", *names}):
+            raise NamesTaken(taken)
         for one in ast.walk(parsed):
             number = one.value if isinstance(one, ast.Constant) else None
             if isinstance(number, int) and number > EXACT:
@@ -116,6 +157,14 @@ class Page:
         except ValueError as error:
             raise Unread(str(error)) from None
         return space
+
+
+def _given_names(page: ast.AST) -> set[str]:
+    """Names of functions, arguments and values that a page has of a person."""
+    nodes = [*ast.walk(page)]
+    found = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+    found |= {n.name for n in nodes if isinstance(n, ast.FunctionDef)}
+    return found | {n.arg for n in nodes if isinstance(n, ast.arg)}
 
 
 def tree(language: Callable[[], object], text: str, package: str) -> Any:

@@ -14,7 +14,7 @@ from mechanics.claims.code.c.plain import in_doubles
 from mechanics.claims.code.read import read_function
 from mechanics.claims.code.translation import cpp_functions, julia, matlab
 from mechanics.claims.code.translation.manipulator_parts import together
-from mechanics.claims.code.translation.python_page import Unread
+from mechanics.claims.code.translation.python_page import Unread, renamed
 from mechanics.claims.lines import NOT_USED
 from mechanics.claims.names import Naming, Vocabulary
 from mechanics.scene import Scene
@@ -83,7 +83,10 @@ def read_arrays(
         Where one is not read.
     """
     with located(origin):
-        translated = LANGUAGES[suffix](text, origin, Naming(Vocabulary(scene)).knows, function)
+        known = Naming(Vocabulary(scene)).knows
+        translated = renamed(
+            lambda code, name: LANGUAGES[suffix](code, origin, known, name), text, function
+        )
     told = PLACE.sub(r"(\1)", text) if suffix == ".jl" else text
     functions = together(translated.functions, origin, scene)
     readings = [read_function(scene, one, names, about, told) for one in functions]
@@ -103,7 +106,10 @@ def read_cpp(
     """Statements of the functions of a file of C++, as code; as `read_arrays`."""
     keeps_keywords(text, origin)
     with located(origin):
-        translated = cpp_functions.in_python(cpp_functions.with_plain_types(text), origin, function)
+        translated = renamed(
+            lambda code, name: cpp_functions.in_python(code, origin, name),
+            cpp_functions.with_plain_types(text), function,
+        )  # fmt: skip
     functions = together(translated.functions, origin, scene)
     readings = [read_function(scene, one, names, about, text) for one in functions]
     found = _together(readings).rounded(translated.rounded)
