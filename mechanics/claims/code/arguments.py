@@ -174,7 +174,26 @@ def arguments_of(
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     if unexplained:
         raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
+    _refuse_twice(values, given)
     return Arguments(values, state, tuple(matches))
+
+
+def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
+    """Refuse two arguments that are taken for one number: accel(s, r) of two states.
+
+    Raises
+    ------
+    InputError
+    """
+    owner: dict[Expr, str] = {}
+    for name, value in values.items():
+        for entry in (value,) if isinstance(value, Expr) else tuple(value):
+            other = owner.setdefault(entry, name)
+            if other != name and entry not in (TIME, STEP) and not (name in given and other in given):
+                raise InputError(
+                    f"the arguments {other} and {name} are both read as {entry}: say what they"
+                    f" are, --name '{name}=...' (names={{'{name}': ...}})"
+                )
 
 
 RATE = re.compile(r"(?P<of>\w+?)(?:_?dot|p|_?prime)|d(?P<after>[A-Za-z]+?)(?:_?dt)?")

@@ -317,6 +317,12 @@ def vector(a: Any) -> Any:
     return a.ravel() if isinstance(a, np.ndarray) and 1 in a.shape else a
 
 
+def record(values: Any, *names: str) -> Any:
+    """What a structure of C++ has, by the names of its fields; other things as they are."""
+    plain = isinstance(values, tuple | list | np.ndarray) and len(values) == len(names) > 1
+    return dict(zip(names, values, strict=True)) if plain else values
+
+
 def array(entries: list[Any]) -> Any:
     """Julia's [a, b], of numbers."""
     if any(isinstance(entry, np.ndarray) for entry in entries):

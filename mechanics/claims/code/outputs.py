@@ -22,6 +22,7 @@ from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.demands import Demands
 from mechanics.claims.kind import kind_of
 from mechanics.claims.names import Naming
+from mechanics.claims.spelled_rates import bases
 from mechanics.claims.statement import Statement
 from mechanics.errors import InputError
 from mechanics.scene import Scene
@@ -96,7 +97,9 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
     if len(names) != len(found) or any(rate not in [*of_rates] for _, rate in pairs):
         return
     own = [(meant[name], rate) for name, rate in pairs if meant[name] is not None]
-    if len(names) > 1 and own and all(symbol == of_rates[rate] for symbol, rate in own):
+    said = any(meant[name] is None and any(bases(name)) for name in names)  # wdot
+    states = all(symbol == of_rates[rate] for symbol, rate in own)
+    if len(names) > 1 and own and states and not said:
         return  # by what they are the rates of
     moving = {*scene.q, *of_rates, *scene.input_symbols}
     for name, rate in pairs:

@@ -15,7 +15,7 @@ from typing import Any
 
 from pycparser import c_ast
 
-from mechanics.claims.code.c.pointers import use_of
+from mechanics.claims.code.c.pointers import refuse_vain, use_of
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.parse import Source
 from mechanics.program.c.types import declared, parameters
@@ -110,6 +110,7 @@ def wrapped(source: Source, text: str, name: str | None) -> Call:
             arguments.append(declaration.name)
         else:
             entries = kind.size or _written(text, declaration.name)
+            refuse_vain(function.body, declaration.name)
             entries = max(entries, *_passed(source, function.body, declaration.name), 1)
             if use_of(function.body, declaration.name).read_first:
                 inputs[declaration.name] = entries

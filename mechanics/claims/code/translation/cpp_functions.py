@@ -89,6 +89,8 @@ EIGEN = re.compile(r"\bEigen::|^(?:Row)?(?:Vector|Matrix)(?:[1-9]|X)[df]$")
 """Types of Eigen."""
 SECOND = re.compile(r"\b(?:Ref|Map|Block|VectorBlock)\s*<")
 """Types whose objects are parts of others, or these by another name."""
+ENTRYWISE = re.compile(r"\bArray(?:<[^<>,]*,[^<>,]*,(?!\s*1\s*>)|\d\d|XX|\dX|X\d)")
+"""Types of Eigen whose product is that of entries, but for columns."""
 DECOMPOSED = frozenset(
     ("householderQr", "colPivHouseholderQr", "fullPivHouseholderQr", "partialPivLu", "fullPivLu",
      "lu", "completeOrthogonalDecomposition")
@@ -135,6 +137,8 @@ class Scope:
         Functions that are not here, and are called last: they may change what it has set.
     blank : tuple of str
         Matrices of its object of which it sets some entries, and others nowhere.
+    record : tuple of str
+        Fields of the structure that it returns, where it is the one that is judged.
     """
 
     arguments: list[str]
@@ -164,6 +168,7 @@ class Scope:
     lazy: dict[str, set[str]] = field(default_factory=dict)
     granted: dict[str, None] = field(default_factory=dict)
     blank: tuple[str, ...] = ()
+    record: tuple[str, ...] = ()
 
 
 def language() -> object:
@@ -249,7 +254,10 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
         if shared := {*scope.outputs} & scope.constants.keys():
             raise refuse(nodes[name], f"{joined(sorted(shared))} of the file is changed: pass it")
         scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
+        kind = words(nodes[name].child_by_field_name("type") or nodes[name])
+        scope.record = tuple(_fields(structs[kind])) if kind in structs and name in chosen else ()
         bodies[name] = Page()
+        _set_once(nodes[name], scope.outputs)
         for one in named(nodes[name].child_by_field_name("body")):
             _statement(bodies[name], one, 1, scope)
         _learn_kind(nodes[name], scope)
@@ -413,6 +421,16 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
     for node in within(root, "function_definition"):
         if node.child_by_field_name("type") is not None or words(node).startswith("operator"):
             continue
+        for call in within(node, "call_expression"):
+            head, given = (call.child_by_field_name(f) for f in ("function", "arguments"))
+            own = head.type == "identifier" and not named(given) or words(head).startswith("this")
+            inside = {words(part) for part in within(given, *parts)}
+            if call.parent.type == "expression_statement" and (own or inside & members & used):
+                raise refuse(call, "what an object begins with may be changed by it")
+        for one in within(node, *CHANGES):
+            sign = words(one.child_by_field_name("operator"))
+            if sign != "=" and {words(part) for part in within(one, *parts)} & used & members:
+                raise refuse(one, "a member of an object is not what is passed by that name")
         for one in within(node, "field_initializer", "assignment_expression"):
             first, *_, last = named(one)
             member = words(within(first, *parts)[-1]) if within(first, *parts) else ""
@@ -768,6 +786,9 @@ def _scope(
             outputs.append(arguments[-1])
             if declarator.type == "reference_declarator" and kind in ("double", "float"):
                 references.add(arguments[-1])
+    parts = [*arguments, *(part for own in fields.values() for part in own)]
+    if twice := [n for k, n in enumerate(parts) if n in parts[:k]]:
+        raise refuse(node, f"{twice[0]} is the name of two numbers that it takes: rename one")
     scope = Scope(arguments, fields, functions, printed, kinds=kinds, bits=bits)
     scope.references, scope.eigen = references, eigen
     scope.open, scope.pointers, scope.defaults = open_ones, pointers, defaults
@@ -926,6 +947,36 @@ def _function(page: Page, node: Any, name: str, scope: Scope, body: Page, main: 
     page.compound = True
 
 
+def _set_once(node: Any, outputs: Iterable[str]) -> None:
+    """Refuse an entry of what is filled that is set twice in one block, the first time in vain.
+
+    Raises
+    ------
+    Unread
+    """
+    for block in within(node, "compound_statement"):
+        done: set[str] = set()
+        for line in named(block):
+            inner = named(line)[:1] if line.type == "expression_statement" else []
+            plain = inner and inner[0].type == "assignment_expression" and (
+                words(inner[0].child_by_field_name("operator")) == "="
+            )  # fmt: skip
+            left, right = (
+                (inner[0].child_by_field_name(f) for f in ("left", "right"))
+                if plain
+                else (None, line)
+            )
+            used = {safe(words(i)) for i in (right, *within(right, "identifier"))} & {*outputs}
+            done -= {key for key in done if key.partition("[")[0] in used}
+            if within(line, "return_statement"):
+                done = set()
+            if left is not None and left.type == "subscript_expression" and _root(left) in outputs:
+                key = "".join(words(left).split())
+                if key in done:
+                    raise refuse(left, f"{key} is set twice: leave one")
+                done.add(key)
+
+
 def _end(scope: Scope) -> str:
     """What a function that returns no number ends with: what it has written."""
     whole = [f"{n} = vector({n})" for n in scope.outputs if n not in scope.references]
@@ -956,9 +1007,11 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                 value = _value(given, scope)
                 if scope.whole:
                     value = _held(node, value, "what is returned", scope.whole, _kind(given, scope))
-                page.put(
-                    line, depth, f"return {f'vector({value})' if value in scope.filled else value}"
-                )
+                if value in scope.filled:
+                    value = f"vector({value})"
+                if scope.record:
+                    value = f"record({joined([value, *map(repr, scope.record)])})"
+                page.put(line, depth, f"return {value}")
             else:
                 called = [_called(c.child_by_field_name("function"))
                           for c in within(node, "call_expression")]  # fmt: skip
@@ -967,7 +1020,10 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
                     raise refuse(node, f"{known[0]} is called where nothing is returned")
                 page.put(line, depth, _end(scope))
         case "if_statement":
-            condition = node.child_by_field_name("condition").child_by_field_name("value")
+            clause = node.child_by_field_name("condition")
+            if clause.child_by_field_name("initializer") is not None:
+                raise refuse(clause, "put what is done before the condition into a line above")
+            condition = clause.child_by_field_name("value")
             page.put(line, depth, f"if {_value(condition, scope)}:", opens=True)
             _statement(page, node.child_by_field_name("consequence"), depth + 1, scope)
             other = node.child_by_field_name("alternative")
@@ -1037,6 +1093,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         made = value is not None and _eigen(value, scope) is not None
         if SECOND.search(kind):
             raise refuse(one, "a second name of a variable is not read")
+        if ENTRYWISE.search(kind):
+            raise refuse(one, "an Array of rows and columns multiplies entries: use a Matrix")
         lazy = _lazy(value, scope) if kind == "auto" and value is not None else set()
         lazy |= inner_names if made and kind == "auto" else set()
         if lazy and _changes_later(one, {name, *lazy}):
@@ -1054,6 +1112,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         array = declarator.type == "array_declarator"
         inner = named(value) if value is not None and value.type == "initializer_list" else []
         number = inner[0] if len(inner) == 1 and _is_scalar(kind) and not array else value
+        if any(name in parts for parts in scope.fields.values()) and value is None:
+            raise refuse(one, f"{name} is a field of what it takes, too: rename one")
         if number is not None and number.type == "number_literal" and name not in scope.locals:
             text = _number(number)
             if is_integral(kind):
@@ -1091,11 +1151,17 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         else:
             if value.type == "initializer_list" and _is_scalar(kind) and not array:
                 text = _value(inner[0], scope) if inner else "0" if is_integral(kind) else "0.0"
+            elif array and inner and all(n.type != "initializer_list" for n in inner) and (
+                declarator.child_by_field_name("declarator").type == "array_declarator"
+            ):  # fmt: skip
+                raise refuse(one, "put each row of a matrix into brackets of its own")
             else:
                 nested = len(inner) == 1 and inner[0].type == "initializer_list"
                 text = _value(inner[0] if nested and "array<" in kind else value, scope)
             if is_integral(kind) and not _compared(value):
                 text = _held(one, text, name, scope.kinds[name], _kind(value, scope))
+            if text != name and any(name in parts for parts in scope.fields.values()):
+                raise refuse(one, f"{name} is a field of what it takes, too: rename one")
             page.put(line, depth, f"{name} = {text}")
 
 
@@ -1196,6 +1262,8 @@ def _entry(node: Any, scope: Scope) -> tuple[str, list[str]]:
         return scope.aliases.get(owner, owner), [str(COORDINATES.index(found[1]))]
     if node.type == "subscript_expression":
         head, given = node.child_by_field_name("argument"), node.child_by_field_name("indices")
+        if len(named(given)) != 1:
+            raise refuse(node, "a[i, j] is a[j], by the operator with a comma: write a[i][j]")
     elif node.type == "call_expression":
         head, given = (node.child_by_field_name(f) for f in ("function", "arguments"))
         if head.type == "field_expression" and words(head).endswith(".at"):

@@ -485,6 +485,7 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
         if alone and is_number and whole.parent in blocks:
             one.constants[name] = _number(value)
     one.locals = {*names, *map(name_of, counted)}.difference(one.constants)
+    _refuse_captured(one)
     entries = {
         name_of(_base(t)) for t, _, w in targets if t.type == "index_expression" or _fills(w)
     }
@@ -500,6 +501,23 @@ def _learn(one: Function, known: Callable[[str], bool], others: frozenset[str]) 
             alike = _same(named(whole)[-1] if value is None else value)
             if alike & entries or (name_of(target) in entries and alike):
                 raise refuse(whole, f"{joined(sorted(alike))} may be one array with it: copy it")
+
+
+def _refuse_captured(one: Function) -> None:
+    """Refuse a function inside that gives a variable of the one around it a value.
+
+    Raises
+    ------
+    Unread
+    """
+    for inner in within(one.node, "function_definition", "arrow_function_expression"):
+        if inner == one.node:
+            continue
+        for target, _, whole in _assigned(inner):
+            name = name_of(_base(target))
+            held = name in one.locals or name in one.arguments or name in one.constants
+            if held and _around(whole) != one.node:
+                raise refuse(whole, f"{name} is a variable of the function around it: rename it")
 
 
 def _is_outside(counter: Any, function: Any) -> bool:

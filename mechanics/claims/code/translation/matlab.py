@@ -83,6 +83,8 @@ class Scope:
         Arguments that are asked whether they are true.
     handles : frozenset of str
         Its names of anonymous functions, which are nothing else.
+    anew : frozenset of str
+        Names that it gives a value which is no field of that name.
     """
 
     arguments: list[str]
@@ -95,6 +97,7 @@ class Scope:
     free: dict[str, str | None] = field(default_factory=dict)
     flags: set[str] = field(default_factory=set)
     handles: frozenset[str] = frozenset()
+    anew: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -317,7 +320,7 @@ def _before(caller: Any, node: Any, scope: Scope, known: Callable[[str], bool]) 
         if t.type == "identifier" and t.parent.type == "assignment"
     }  # fmt: skip
     found: dict[str, Any] = {}
-    todo = [a for a in scope.arguments if a in table]
+    todo = [a for a in scope.arguments if a in table and _is_passed(caller, node, a)]
     if caller == _around(node):
         used = {safe(words(one)) for one in within(node, "identifier")} - scope.locals
         todo = [name for name in table if name in used - {*scope.arguments}]
@@ -330,6 +333,24 @@ def _before(caller: Any, node: Any, scope: Scope, known: Callable[[str], bool]) 
     scope.constants |= outer.constants
     scope.locals |= found.keys()
     return sorted(found.values(), key=lambda one: int(one.start_byte))
+
+
+def _is_passed(caller: Any, function: Any, argument: str) -> bool:
+    """Whether a function hands its own variable of this name to another one, wherever it does.
+
+    A solver does so with what stands behind its options: ode45(@rate, span, x0, [], m).
+    """
+    place, name = arguments_of(function).index(argument), words(_name(function))
+    given = []
+    for call in within(caller, "function_call"):
+        parts = [p for c in call.children if c.type == "arguments" for p in named(c)]
+        if words(_name(call)) == name:
+            given.append(parts)
+        elif parts and words(parts[0]) == f"@{name}":
+            given.append([*parts[:1], *parts[:1], *parts[4:]])
+    return bool(given) and all(
+        len(parts) > place and safe(words(parts[place])) == argument for parts in given
+    )
 
 
 def _calls(node: Any, functions: dict[str, Any]) -> list[str]:
@@ -415,9 +436,14 @@ def _scope(node: Any, functions: dict[str, int], known: Callable[[str], bool]) -
     for target, value in targets:
         kinds.setdefault(_base(target), set()).add(value.type)
     handles = {n for n, kind in kinds.items() if kind == {"lambda"}} - {*arguments, *outputs}
+    anew = {
+        _base(target) for target, value in targets
+        if value.type != "field_expression" or words(value).rpartition(".")[2] != words(target)
+    }  # fmt: skip
     return Scope(
-        arguments, inside, functions, constants, outputs, known, handles=frozenset(handles)
-    )
+        arguments, inside, functions, constants, outputs, known, handles=frozenset(handles),
+        anew=frozenset(anew),
+    )  # fmt: skip
 
 
 def _last_computed(node: Any, targets: Sequence[tuple[Any, Any]]) -> list[str]:
@@ -819,6 +845,11 @@ def _field(node: Any, scope: Scope) -> str:
             if scope.scalar(local) or not scope.scalar(name):
                 name = local
                 scope.locals.discard(name)
+    copied = parent is not None and parent.type == "assignment" and (
+        words(parent.child_by_field_name("left")) == name
+    )  # fmt: skip
+    if name == parts[-1] and name in scope.anew and not copied:
+        raise refuse(node, f"{name} is a field and another name: rename one")
     owner = ".".join(parts[:-1])
     if (scope.free.get(name) or owner) != owner:
         raise refuse(node, f"{name} is a field of {scope.free[name]} and of {owner}: rename one")

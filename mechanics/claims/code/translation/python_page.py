@@ -78,6 +78,7 @@ def counted(*parts: int) -> range:
     return found
 
 
+PASSED_OVER = ("comment", "line_comment", "block_comment", "line_continuation")
 BUILTINS = {"range": counted, "tuple": tuple, "ValueError": ValueError}
 
 
@@ -215,7 +216,7 @@ def line_of(node: Any) -> int:
 
 def named(node: Any) -> list[Any]:
     """Its parts without punctuation and comments."""
-    return [c for c in node.named_children if c.type not in ("comment", "line_continuation")]
+    return [c for c in node.named_children if c.type not in PASSED_OVER]
 
 
 def within(node: Any, *kinds: str) -> list[Any]:
