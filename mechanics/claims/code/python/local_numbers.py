@@ -15,8 +15,14 @@ import types
 from collections.abc import Callable, Container
 from typing import Any
 
+from mechanics.claims.code.python.closure_assignments import paired
 from mechanics.claims.code.python.closure_numbers import content, owner_of
 from mechanics.claims.code.python.containers import is_number
+
+NUMERIC = (ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.operator, ast.unaryop, ast.Load)
+"""What a number is made of."""
+OF_NUMBERS = {"float": float, "abs": abs}
+"""Functions of Python that make one of it."""
 
 
 def with_local_numbers(
@@ -34,6 +40,7 @@ def with_local_numbers(
     node = None if inner is None else _definition(inner)
     if inner is None or node is None:
         return function
+    node.body = [part for one in node.body for part in _apart(one)]
     values = _numbers(node, inner)
     own = {name: value for name, value in values.items() if name in constants}
     if not own:
@@ -76,6 +83,34 @@ def _definition(function: types.FunctionType) -> ast.FunctionDef | None:
     return None
 
 
+def _apart(node: ast.stmt) -> list[ast.stmt]:
+    """A line that gives several names numbers as one line for each: m, l = 1.0, 0.5; m = l = 1.0.
+
+    Values that have one of these names stay together: l, m = m, l.
+    """
+    pairs: list[tuple[ast.expr, ast.expr]] = []
+    match node:
+        case ast.Assign(targets=targets, value=value):
+            pairs = [pair for target in targets for pair in paired(target, value)]
+        case ast.AnnAssign(target=ast.Name() as target, value=ast.expr() as value):
+            pairs = [(target, value)]
+    names = [target.id for target, _ in pairs if isinstance(target, ast.Name)]
+    used = {n.id for _, value in pairs for n in ast.walk(value) if isinstance(n, ast.Name)}
+    plain = all(_is_numeric(value) for _, value in pairs)
+    if not pairs or len(names) < len(pairs) or used & {*names} or not plain:
+        return [node]
+    return [ast.copy_location(ast.Assign([target], value), node) for target, value in pairs]
+
+
+def _is_numeric(node: ast.expr) -> bool:
+    """Whether it is made of numbers, names and operations: no text, list or call of others."""
+    return all(
+        isinstance(one, NUMERIC)
+        or (isinstance(one, ast.Call) and getattr(one.func, "id", "") in OF_NUMBERS)
+        for one in ast.walk(node)
+    )
+
+
 def _name(node: ast.stmt) -> str:
     """The name that a line assigns; empty for other lines."""
     if isinstance(node, ast.Assign) and len(node.targets) == 1:
@@ -104,15 +139,16 @@ def _numbers(node: ast.FunctionDef, function: types.FunctionType) -> dict[str, f
 
 def _number(node: ast.expr, numbers: dict[str, Any]) -> float | None:
     """The value of what is made of numbers and their operations; None for all else."""
-    parts = (ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.operator, ast.unaryop, ast.Load)
-    if not all(isinstance(one, parts) for one in ast.walk(node)):
+    if not _is_numeric(node):
         return None
-    names = {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
-    if not all(is_number(numbers.get(name)) for name in names):
+    calls = {one.func.id for one in ast.walk(node)
+             if isinstance(one, ast.Call) and isinstance(one.func, ast.Name)}  # fmt: skip
+    names = {one.id for one in ast.walk(node) if isinstance(one, ast.Name)} - calls
+    if calls & numbers.keys() or not all(is_number(numbers.get(name)) for name in names):
         return None
     code = compile(ast.Expression(node), "number", "eval")
     try:
-        value = eval(code, {"__builtins__": {}, **{name: numbers[name] for name in names}})
+        value = eval(code, {"__builtins__": OF_NUMBERS, **{name: numbers[name] for name in names}})
     except (ArithmeticError, TypeError, ValueError):
         return None
     return value if is_number(value) else None
