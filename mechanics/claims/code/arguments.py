@@ -189,7 +189,11 @@ def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
     for name, value in values.items():
         for entry in (value,) if isinstance(value, Expr) else tuple(value):
             other = owner.setdefault(entry, name)
-            if other != name and entry not in (TIME, STEP) and not (name in given and other in given):
+            if (
+                other != name
+                and entry not in (TIME, STEP)
+                and not (name in given and other in given)
+            ):
                 raise InputError(
                     f"the arguments {other} and {name} are both read as {entry}: say what they"
                     f" are, --name '{name}=...' (names={{'{name}': ...}})"

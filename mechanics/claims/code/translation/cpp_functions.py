@@ -23,6 +23,7 @@ from mechanics.claims.code.translation.cpp_integers import (
     kind_of_literal,
     promoted,
 )
+from mechanics.claims.code.translation.cpp_scopes import refuse_ambiguous
 from mechanics.claims.code.translation.cpp_types import (
     INTEGERS,
     integer_members,
@@ -233,6 +234,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
             raise wrong if isinstance(wrong, Unread) else refuse(wrong)
     used, unread = {name: nodes[name] for name in order}, unread_types(root)
     refuse_types(root, used, unread)
+    refuse_ambiguous(root, used)
     _refuse_constructors(root, used)
     _refuse_destructors(root)
     rounded = _single(root, used)
@@ -423,7 +425,7 @@ def _refuse_constructors(root: Any, nodes: dict[str, Any]) -> None:
             continue
         for call in within(node, "call_expression"):
             head, given = (call.child_by_field_name(f) for f in ("function", "arguments"))
-            own = head.type == "identifier" and not named(given) or words(head).startswith("this")
+            own = (head.type == "identifier" and not named(given)) or words(head).startswith("this")
             inside = {words(part) for part in within(given, *parts)}
             if call.parent.type == "expression_statement" and (own or inside & members & used):
                 raise refuse(call, "what an object begins with may be changed by it")

@@ -330,7 +330,15 @@ def _before(caller: Any, node: Any, scope: Scope, known: Callable[[str], bool]) 
             continue
         found[name] = table[name]
         todo += [n for one in within(table[name], "identifier") if (n := safe(words(one))) in table]
-    scope.constants |= outer.constants
+    numbers = outer.constants
+    if caller != _around(node):
+        inside = {safe(words(i)) for one in found.values() for i in within(one, "identifier")}
+        own = {safe(words(i)) for i in within(node, "identifier")} - {*scope.arguments}
+        if twice := sorted(inside & own & {*numbers, *found} - scope.locals):
+            raise refuse(node, f"{twice[0]} is a variable of the caller, too: pass it")
+        handed = {a for a in scope.arguments if a in numbers and _is_passed(caller, node, a)}
+        numbers = {name: value for name, value in numbers.items() if name in inside | handed}
+    scope.constants |= numbers
     scope.locals |= found.keys()
     return sorted(found.values(), key=lambda one: int(one.start_byte))
 
