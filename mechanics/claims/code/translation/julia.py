@@ -92,6 +92,9 @@ SILENT = re.compile(
 """Macros that leave a statement as it is. The grammar splits a + 3u behind a macro in two."""
 ASSIGNED = ("assignment", "compound_assignment_expression")
 OPERATED = ("binary_expression", "unary_expression", "juxtaposition_expression")
+HIDING = ("let_statement", "module_definition", "for_statement", "while_statement")
+UNSURE = ("if_statement", "try_statement")
+"""Blocks whose names are not those of the file, and that may not be run."""
 TUPLES = ("open_tuple", "tuple_expression")
 NUMBERS = ("integer_literal", "float_literal")
 CLAUSES = {"elseif_clause": "elif", "else_clause": "else"}
@@ -583,6 +586,12 @@ def _around_it(one: Function) -> dict[str, list[Any]]:
             continue
         name, here = name_of(_base(target)), _around(whole) in (None, *owners)
         changed = target.type != "identifier" or words(whole.parent).startswith("global")
+        around = _blocks_around(whole)
+        if any(block.type in HIDING and block not in _blocks_around(one.node) for block in around):
+            continue
+        records = [block for block in around if block.type == "struct_definition"]
+        changed |= any(_is_made(top, record) for record in records)
+        changed |= any(block.type in UNSURE for block in around)
         if here or (changed and name not in _kept(whole)):
             own.setdefault(name, []).append((None if changed else value, whole))
     for call in within(top, "call_expression"):
@@ -591,6 +600,24 @@ def _around_it(one: Function) -> dict[str, list[Any]]:
             for given in (i for part in rest for i in within(part, "identifier") if _is_name(i)):
                 own.get(name_of(given), []).append((None, call))
     return own
+
+
+def _blocks_around(node: Any) -> list[Any]:
+    found, outer = [], node.parent
+    while outer is not None:
+        found.append(outer)
+        outer = outer.parent
+    return found
+
+
+def _is_made(top: Any, record: Any) -> bool:
+    """Whether a file makes an object of a type with values of its own: Params(k = 3.0)."""
+    names = within(named(record)[0], "identifier") or named(record)[:1]
+    return any(
+        words(named(call)[0]).partition("{")[0] == words(names[0])
+        and bool(named(named(call)[-1]))
+        for call in within(top, "call_expression")
+    )
 
 
 def _kept(node: Any) -> set[str]:

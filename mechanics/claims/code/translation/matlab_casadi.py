@@ -33,6 +33,8 @@ def as_it_makes(text: str) -> str:
     if not IMPORT.search(text) or len(heads) != 1 or len(made) != 1:
         return text
     head, one = heads[0], made[0]
+    if re.search(r"^[ \t]*\w+[ \t]*(?:\([^=\n]*\)[ \t]*)?=(?!=)", text[one.end() :], re.MULTILINE):
+        return text  # what is set when the function is made says nothing of it
     symbols = [m[2] for m in SYMBOL.finditer(text)]
     unpacked, columns = [], []
     given = [name.strip() for name in one["given"].split(",")]
