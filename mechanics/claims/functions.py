@@ -61,8 +61,8 @@ FUNCTIONS: dict[str, tuple[int, int, Made]] = {
     "hypot": (2, 2, _length),
     **{name: (2, 2, modulo) for name in ("mod", "Mod")},
     **{name: (2, 2, remainder) for name in ("rem", "fmod")},
-    **{name: (1, 6, _extreme(Max)) for name in ("max", "Max")},
-    **{name: (1, 6, _extreme(Min)) for name in ("min", "Min")},
+    **{name: (2, 6, _extreme(Max)) for name in ("max", "Max")},
+    **{name: (2, 6, _extreme(Min)) for name in ("min", "Min")},
     **{name: (2, 2, _extreme(Max)) for name in ("maximum", "fmax")},
     **{name: (2, 2, _extreme(Min)) for name in ("minimum", "fmin")},
 }  # fmt: skip

@@ -18,6 +18,7 @@ from mechanics.claims.spelled_rates import bases, families, key
 from mechanics.claims.step_indices import at_different_steps
 from mechanics.claims.tree import Name
 from mechanics.scene import Scene
+from mechanics.scene.loads import Torque
 from mechanics.scene.symbols import DOTS
 
 ALPHABET = "abcdefghijklmnopqrstuvwxyz"
@@ -55,6 +56,12 @@ REASONS = (
 )  # fmt: skip
 """Why a name was matched that the scene does not have."""
 
+OTHERS = frozenset(
+    ("spring", "friction", "fric", "damper", "damping", "damp", "drag", "gravity", "grav",
+     "restoring", "inertia", "inertial", "net", "total", "tot", "crit", "critical", "cr", "avg",
+     "mean", "rms", "el", "elastic", "bead")
+)  # fmt: skip
+"""What a subscript says that makes a force or a coefficient another one."""
 Rule = tuple[Callable[[str, str], bool], str]
 
 
@@ -112,10 +119,10 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     apart = _at_different_steps(naming, used, every)
     first = {n for n in still if FIRST.search(n) and f"{n[:-1]}1" not in still | moving}
     first = {m.name for m in every if m.name in first and m.meaning in vocabulary.functions}
-    numbered = {match.name for match in every if _numbered_otherwise(match, taken)}
-    unlike = {key(name) for name in apart | first | numbered}
+    slips = {match.name for match in every if _is_slip(match, taken, vocabulary.constants)}
+    unlike = {key(name) for name in apart | first | slips}
     every = tuple(match for match in every if key(match.name) not in unlike)
-    left_over = (moving | still) - {match.name for match in every} - apart - first - numbered
+    left_over = (moving | still) - {match.name for match in every} - apart - first - slips
     return (*every, *_twins(sorted(left_over), taken, vocabulary.functions))
 
 
@@ -164,11 +171,19 @@ def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> l
     return found
 
 
-def _numbered_otherwise(match: Match, taken: Iterable[str]) -> bool:
-    """Whether l_3 is taken for l2 where another l is called as the scene calls it: a slip."""
+def _is_slip(match: Match, taken: Iterable[str], constants: Iterable[str]) -> bool:
+    """Whether a guess takes l_3 for l2, or l_2 for lc2 beside l_1, or F_spring for F."""
     (stem, number), (other, end) = (_stem(name) for name in (match.name, match.meaning))
-    alike = stem == other and number and end and number != end
-    return bool(alike) and any(_stem(name)[0] == stem for name in taken)
+    parts = re.split(r"[_{}]+", match.name.lower())[1:]
+    if any(part in OTHERS for part in parts) or (parts == ["g"] and "g" in constants):
+        return True
+    if not (number or end):
+        return False
+    if stem == other:
+        return bool(number and end and number != end) or any(_stem(n)[0] == stem for n in taken)
+    if stem.lower() == other.lower() and number == end:  # L_2 for l2, where the scene has no L1
+        return any(_stem(name)[0] == stem for name in constants)
+    return any(_stem(name)[0].lower() == stem.lower() for name in taken)
 
 
 def _stem(name: str) -> tuple[str, str]:
@@ -266,6 +281,10 @@ def _moving_rules(scene: Scene) -> list[Rule]:
 
 def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
+    turning = {
+        symbol.name for load in scene.loads if isinstance(load, Torque)
+        for symbol in scene.vector(load.vector, load.name).free_symbols
+    }  # fmt: skip
 
     def unit(name: str, target: str) -> bool:
         if name in RATES:
@@ -275,7 +294,8 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         return any(name[0] in letters and units.get(target) == u for letters, u in BY_UNIT)
 
     def force(name: str, target: str) -> bool:
-        return target in inputs and (name[0] in "FfuUQ" or name.startswith("tau"))
+        letters = "uUQM" if target in turning else "FfuUQ"
+        return target in inputs and (name[0] in letters or name.startswith("tau"))
 
     def first(name: str, target: str) -> bool:
         # mu is no mass, though it begins with an m; th is theta.

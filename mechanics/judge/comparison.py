@@ -39,8 +39,18 @@ BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
 
 Said = re.Match[str]
-Found = str | tuple[Declared, ...] | None
+
+
+@dataclass(frozen=True)
+class Unsettled:
+    """What makes statements others than those that are read, in words."""
+
+    words: str
+
+
+Found = str | tuple[Declared, ...] | Unsettled | None
 """Empty: as the scene has it; words: otherwise; conventions; None: the scene does not tell."""
+NAMED = re.compile("\u27e8(\\w+)\u27e9")
 
 
 @dataclass(frozen=True)
@@ -53,12 +63,15 @@ class Comparison:
         How it counts, where the scene counts otherwise.
     against : tuple of str
         What it says that the scene has otherwise, in words.
+    unsettled : tuple of str
+        What makes statements others than those that are read, in words.
     rest : str
         Of it what nothing compares.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
+    unsettled: tuple[str, ...]
     rest: str
 
 
@@ -66,17 +79,36 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     """A sentence with marks, beside the scene."""
     conventions: list[Declared] = []
     against: list[str] = []
+    unsettled: list[str] = []
     rest = list(sentence)
     for found, spans in _found(facts, sentence):
         if found is None:
             continue
         if isinstance(found, tuple):
             conventions += found
+        elif isinstance(found, Unsettled):
+            unsettled.append(found.words)
         elif found:
             against.append(found)
         for start, end in spans:
             rest[start:end] = " " * (end - start)
-    return Comparison(tuple(dict.fromkeys(conventions)), tuple(against), "".join(rest))
+    left = "".join(rest)
+    moving = facts.coordinates.keys() | facts.inputs
+    more = [
+        one[1] for one in NAMED.finditer(left)
+        if facts.own_name(one[1]) in moving and not _only_denoted(left, one.start())
+    ]  # fmt: skip
+    if conventions and more:  # "phi_1 and phi_2 are measured from ...": of both, or of none
+        unsettled.append(f"what the text says of {more[0]} beside that is not read")
+    return Comparison(
+        tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left
+    )  # fmt: skip
+
+
+def _only_denoted(sentence: str, place: int) -> bool:
+    """Whether a name stands there with what it is alone: u is the torque."""
+    said = p.DENOTED.match(sentence, place)
+    return said is not None and p.COUNTS.search(said["words"]) is None
 
 
 def senses(facts: SceneFacts, sentence: str) -> bool:
@@ -277,12 +309,9 @@ def _unit(facts: SceneFacts, said: Said) -> Found:
     return f"the text says {said['all'] or _name(said)} in {bare(said['unit'])}"
 
 
-RATES = "the text says that dots are derivatives by"
-"""Nothing with dots is read as it is meant there."""
-
-
 def _dots(facts: SceneFacts, said: Said) -> Found:
-    return f"{RATES} {bare(said['by'])}"
+    """Nothing with dots is read as it is meant there."""
+    return Unsettled(f"the text says that dots are derivatives by {bare(said['by'])}")
 
 
 def _of_name(facts: SceneFacts, said: Said) -> Found:

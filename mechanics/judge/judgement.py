@@ -80,7 +80,7 @@ def judgement_on(question: Question) -> Judgement:
     limits = [limits_on(prose, s, alone=bool(choice), formulas=choice.formulas) for s in statements]
     without_limits, judged = (
         tuple(
-            of_a_part(truth.scene, as_told(entry, (*question.against, *some)))
+            of_a_part(truth.scene, as_told(entry, (*question.against, *some), question.unsettled))
             for entry, some in zip(judged, words, strict=True)
         )
         for words in ([()] * len(judged), limits)

@@ -111,6 +111,11 @@ DENOTED = phrase(
     r"NAMEIS (?:(?:the|an?|its) )(?P<words>"
     r"(?:(?!\b(?:and|which|that|where|with|while|but|when|if)\b)[^⟨.;:,()]){3,80})(?P<formula>⟨?)"
 )
+COUNTS = re.compile(
+    r"\b(?:minus|negative|positive|opposite|(?:counter|anti)?-?clockwise|left|right|up|down|upwards?"
+    r"|downwards?|from|measured|counted|direction|same)\b", re.IGNORECASE
+)  # fmt: skip
+"""Words for how something counts."""
 PER = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?P<words>(?:revolutions?|turns|cycles|rotations|degrees) (?:per|a) "
     r"(?:second|minute)|in (?:rpm|hertz|Hz|rev/s))\b"

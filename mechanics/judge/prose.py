@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.judge.comparison import RATES, compared, senses
+from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
@@ -62,6 +62,8 @@ class Prose:
         Its other sentences.
     names : frozenset of str
         Of the person, and the scene's.
+    unsettled : tuple of str
+        What makes statements others than those that are read, in words.
     """
 
     conventions: tuple[Declared, ...]
@@ -69,6 +71,7 @@ class Prose:
     limits: tuple[Limit, ...]
     unjudged: tuple[str, ...]
     names: frozenset[str] = frozenset()
+    unsettled: tuple[str, ...] = ()
 
 
 def prose_of(
@@ -98,6 +101,7 @@ def prose_of(
     against: dict[str, None] = {}
     limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
+    unsettled: dict[str, None] = {}
     turned, unread = False, ""
     for sentence in every:
         if sentence.unread:
@@ -105,6 +109,7 @@ def prose_of(
             continue
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
+        unsettled |= dict.fromkeys(found.unsettled)
         turned |= senses(facts, sentence.marked)
         unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
         if sentence.comment:
@@ -119,7 +124,7 @@ def prose_of(
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     if turned and unread:  # one of two signs alone turns what is right with both
-        against[f"the text says more of '{unread}' than is read"] = None
+        unsettled[f"the text says '{unread}' of more than is read"] = None
     for text, notation in written.items():
         hidden = list(unread_markup(marked(text))) if notation == "latex" else []
         # What a formula continues with on a new line is no quotation.
@@ -135,7 +140,10 @@ def prose_of(
     for source in code:
         against |= dict.fromkeys(declared_in_code(facts, source.code(), statements))
     every_name = frozenset(names)
-    return Prose(tuple(conventions), tuple(against), tuple(limits), tuple(unjudged), every_name)
+    return Prose(
+        tuple(conventions), tuple(against), tuple(limits), tuple(unjudged), every_name,
+        tuple(unsettled),
+    )  # fmt: skip
 
 
 def seen_from_one_side(
@@ -176,21 +184,22 @@ def limits_on(
     return tuple(limit.words for limit in limits)
 
 
-def as_told(entry: Judged, contradictions: Sequence[str]) -> Judged:
+def as_told(
+    entry: Judged, contradictions: Sequence[str], unsettled: Sequence[str] = ()
+) -> Judged:  # fmt: skip
     """The entry; what is shown is not where the text says otherwise, or denies or limits it.
-
-    Nor is what is refuted where its dots are no derivatives by time.
 
     Parameters
     ----------
     contradictions : sequence of str
         What the text says against it, in words.
+    unsettled : sequence of str
+        What makes it another statement than the one that was read: nor is it refuted then.
     """
-    if entry.finding.verdict is Verdict.REFUTED:
-        rates = [words for words in contradictions if words.startswith(RATES)]
-        told = f"it is wrong as it is read here, but {'; '.join(rates)}"
-        return replace(entry, finding=undecided(entry.finding.subject, told)) if rates else entry
-    if not entry.finding.shown or not contradictions:
+    shown, refuted = entry.finding.shown, entry.finding.verdict is Verdict.REFUTED
+    reasons = [*unsettled, *(contradictions if shown else ())]
+    if not reasons or not (shown or refuted):
         return entry
-    words = f"it is right as the scene has it, but {'; '.join(contradictions)}"
+    how = "right as the scene has it" if shown else "wrong as it is read here"
+    words = f"it is {how}, but {'; '.join(reasons)}"
     return replace(entry, finding=undecided(entry.finding.subject, words))

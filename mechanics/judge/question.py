@@ -87,6 +87,11 @@ class Question:
         return () if explicit else self.prose.conventions
 
     @property
+    def unsettled(self) -> tuple[str, ...]:
+        """What texts say that makes statements others, where no option says how they count."""
+        return () if self.declared else self.prose.unsettled
+
+    @property
     def counted(self) -> tuple[Declared, ...]:
         """All conventions."""
         return (*self.declared, *self.by_prose)

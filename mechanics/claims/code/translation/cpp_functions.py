@@ -1114,7 +1114,8 @@ def _declaration(page: Page, node: Any, depth: int, scope: Scope) -> None:
         array = declarator.type == "array_declarator"
         inner = named(value) if value is not None and value.type == "initializer_list" else []
         number = inner[0] if len(inner) == 1 and _is_scalar(kind) and not array else value
-        if any(name in parts for parts in scope.fields.values()) and value is None:
+        plain = value is None or (number is not None and number.type == "number_literal")
+        if plain and any(name in parts for parts in scope.fields.values()):
             raise refuse(one, f"{name} is a field of what it takes, too: rename one")
         if number is not None and number.type == "number_literal" and name not in scope.locals:
             text = _number(number)
@@ -1592,7 +1593,11 @@ def _call_of(name: str, node: Any, scope: Scope) -> str:
     if strange := [text for text in left if not NUMBER.fullmatch(text)]:
         raise refuse(node, f"{strange[0] or 'an argument'} of {name} is not read: pass it")
     passed = [n for n in callee.free if n not in callee.arguments]
-    if hidden := [n for n in passed if n in scope.locals or n in scope.arguments]:
+    numbers = {words(i) for one in within(_owner(node), "declaration")
+               for d in one.children_by_field_name("declarator")
+               for i in within(d, "identifier")[:1]}  # fmt: skip
+    own = {*scope.locals, *scope.arguments, *map(safe, numbers)}
+    if hidden := [n for n in passed if n in own]:
         raise refuse(node, f"{', '.join(hidden)} means two things: rename one")
     passed_values = [
         _held(v, _value(v, scope), argument, callee.kinds[argument], _kind(v, scope))

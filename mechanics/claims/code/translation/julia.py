@@ -614,8 +614,7 @@ def _is_made(top: Any, record: Any) -> bool:
     """Whether a file makes an object of a type with values of its own: Params(k = 3.0)."""
     names = within(named(record)[0], "identifier") or named(record)[:1]
     return any(
-        words(named(call)[0]).partition("{")[0] == words(names[0])
-        and bool(named(named(call)[-1]))
+        words(named(call)[0]).partition("{")[0] == words(names[0]) and bool(named(named(call)[-1]))
         for call in within(top, "call_expression")
     )
 
@@ -940,7 +939,8 @@ def _field(node: Any, one: Function) -> str:
     owner, name = map(name_of, parts)
     if owner not in one.arguments or owner in one.locals:
         raise refuse(node)
-    if name in one.arguments or (name in one.locals and not _only_field(name, node, one)):
+    own = name in one.arguments or name in one.constants
+    if own or (name in one.locals and not _only_field(name, node, one)):
         raise refuse(node, f"{name} is a field and another name: rename one")
     _of_record(name, owner, node, one)
     return name

@@ -330,6 +330,17 @@ def _before(caller: Any, node: Any, scope: Scope, known: Callable[[str], bool]) 
             continue
         found[name] = table[name]
         todo += [n for one in within(table[name], "identifier") if (n := safe(words(one))) in table]
+    names = [_base(target) for target, _ in _targets(caller)]
+    whole = {one.id for block in caller.children if block.type == "block" for one in named(block)}
+    uses = [call.start_byte for call in within(caller, "function_call", "handle_operator", "lambda")
+            if words(_name(node)) in words(call)]  # fmt: skip
+    for name, line in found.items():
+        late = uses and line.start_byte > min(uses)
+        if names.count(name) > 1 or line.id not in whole or (late and caller != _around(node)):
+            raise refuse(line, f"{name} is set under a condition, or several times: pass its value")
+        inner = {safe(words(i)) for i in within(line, "identifier")} - {name}
+        if again := [n for n in inner if names.count(n) > 1]:
+            raise refuse(line, f"{again[0]} is set several times: leave one")
     numbers = outer.constants
     if caller != _around(node):
         inside = {safe(words(i)) for one in found.values() for i in within(one, "identifier")}

@@ -57,9 +57,14 @@ def renamed(
     ------
     Unread
     """
+    tokens = {*re.findall(r"[^\W\d]\w*", text)}
+    if both := [word for word in keyword.kwlist if {word, f"{word}_"} <= tokens]:
+        raise Unread(f"the names {both[0]} and {both[0]}_ are one here: rename one")
     try:
         return translate(text, function)
     except NamesTaken as error:
+        if both := [name for name in error.names if f"{name}_" in tokens]:
+            raise Unread(f"the names {both[0]} and {both[0]}_ are one here: rename one") from None
         taken = re.compile(rf"(?<![\w@\\])({'|'.join(error.names)})\b")
         asked = None if function is None else taken.sub(r"\1_", function)
         return translate(taken.sub(r"\1_", text), asked)
