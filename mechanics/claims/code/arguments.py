@@ -174,8 +174,13 @@ def arguments_of(
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     if unexplained:
         raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
-    _refuse_twice(values, given)
+    own_values = {n: v for n, v in values.items() if not {*_entries_of(v)} & {*scene.ud}}
+    _refuse_twice(own_values, given)  # rates of a state have its speeds
     return Arguments(values, state, tuple(matches))
+
+
+def _entries_of(value: Value) -> tuple[Expr, ...]:
+    return (value,) if isinstance(value, Expr) else tuple(value)
 
 
 def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
@@ -187,7 +192,7 @@ def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
     """
     owner: dict[Expr, str] = {}
     for name, value in values.items():
-        for entry in (value,) if isinstance(value, Expr) else tuple(value):
+        for entry in _entries_of(value):
             other = owner.setdefault(entry, name)
             if (
                 other != name
