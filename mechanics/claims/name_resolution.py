@@ -14,6 +14,7 @@ from mechanics.claims.laws import without_laws
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Match, Naming
 from mechanics.claims.partials import canonical
+from mechanics.claims.reaction_letters import other_letters
 from mechanics.claims.sines import with_sines
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.text.elements import with_states
@@ -38,6 +39,9 @@ def named(
     lines = _lines(read, naming, text)
     if functions := applied(lines, naming):
         naming = replace(naming, applied=functions)
+        lines = _lines(read, naming, text)
+    if others := other_letters(lines, naming):
+        naming = replace(naming, others=others)
         lines = _lines(read, naming, text)
     lines, entries = with_states(lines, naming)
     naming = replace(naming, guessed=entries)

@@ -195,6 +195,8 @@ class Naming:
         What the person defines, by name.
     unread : mapping of str to str
         Keys of names of which the text says what is not read, and where: they are not guessed.
+    others : frozenset of str
+        Keys of names of the scene that the text has for something else.
     """
 
     vocabulary: Vocabulary
@@ -203,6 +205,7 @@ class Naming:
     applied: frozenset[str] = frozenset()
     own: Mapping[str, Node] = field(default_factory=dict)
     unread: Mapping[str, str] = field(default_factory=dict)
+    others: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         for name, target in self.given.items():
@@ -228,6 +231,8 @@ class Naming:
         for table in (self._given, self._guessed):
             if key(name) in table:
                 return self.vocabulary.target(table[key(name)])
+        if key(name) in self.others:
+            return None
         exact = self.vocabulary.by_key.get(key(name))
         if exact and key(exact[0]) not in (self._given | self._guessed):
             return exact  # phi2_dot is no rate of phi

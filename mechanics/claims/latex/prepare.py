@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from mechanics.claims.latex.comments import blank, without_hidden
 from mechanics.claims.latex.crossed_out import without_crossings
 from mechanics.claims.latex.over_lines import on_one_line
+from mechanics.claims.latex.variants import with_variants
 from mechanics.claims.place import Refused
 
 COLOURS = "black|red|blue|green|orange|purple|magenta|brown|violet|teal|cyan|darkgray|gray"
@@ -33,6 +34,11 @@ LEADER = re.compile(
     r"(?<=[\w})])\s*\\[cl]?dots\s*(?:[A-Z]|[A-Za-z]?_?\{?\d\}?)\s*(?=\$\$|\\\]|\\end\s*\{equation)"
 )
 """Dots up to the label of a display."""
+REPEATED = re.compile(
+    r"(?P<sign>[-+])(?:\s|\\[,;:! ]|&)*\\\\(?:\s*\[[^\[\]]*\])?"
+    r"(?:\s|&|\{\}|~|\\q?quad|\\[,;:! ])*(?P=sign)"
+)
+"""A sign at the end of a line and again where the next begins: one sign."""
 DOTS = re.compile(
     r"\\mathop\s*\{(?P<one>[^{}]*)\}\s*\\limits\s*\^\s*\{?\s*(?P<dots>\.{1,3})\s*\}?"
     r"|\\(?:overset|stackrel)\s*\{\s*(?P<over>\.{1,3}|(?:\\cdot\s*){1,3})\}\s*\{(?P<two>[^{}]*)\}"
@@ -72,6 +78,7 @@ def prepared(text: str) -> str:
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     text = without_crossings(LEADER.sub(lambda m: " " * len(m[0]), text))
+    text = with_variants(REPEATED.sub(lambda m: m[0].replace(m["sign"], " ", 1), text))
     if ".. math::" in text:
         text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))

@@ -11,6 +11,7 @@ from lark import Token
 from mechanics.claims.conserved import CONSTANT
 from mechanics.claims.functions import FUNCTIONS
 from mechanics.claims.latex.item import DETERMINANT, Item, bare, letter_of
+from mechanics.claims.latex.variants import NAME
 from mechanics.claims.lines import PRODUCT
 from mechanics.claims.names import GREEK, Naming
 from mechanics.claims.place import Refused
@@ -26,6 +27,9 @@ SINES = ("sin", "cos", "tan")
 """Functions that people write without a backslash behind a factor: gsin(theta)."""
 
 SUM = r"\sum"
+ENERGIES = {"calL": "Lagrangian", "calH": "Hamiltonian", "calT": "E_k", "calV": "E_p",
+            "calU": "E_p", "calK": "E_k", "calE": "E_tot"}  # fmt: skip
+"""What letters of another font are beside the plain ones."""
 LAGRANGIAN = "Lagr"
 """What pages call the script L that they define elsewhere."""
 
@@ -87,6 +91,8 @@ class Words:
             return [named("Lagrangian" if length else "L", sub, at)]
         if text == SUM and not sub:
             return [Item("sum", at)]
+        if NAME.fullmatch(command):
+            return [named(ENERGIES.get(command, command) if not sub else command, sub, at)]
         if letter not in GREEK and letter not in ("l", DETERMINANT):
             raise Refused(at, f"the command {text} is not supported")
         if letter == "pi" and not sub and not self.naming.knows("pi"):
