@@ -314,6 +314,14 @@ def _dots(facts: SceneFacts, said: Said) -> Found:
     return Unsettled(f"the text says that dots are derivatives by {bare(said['by'])}")
 
 
+def _scaled_time(facts: SceneFacts, said: Said) -> Found:
+    """A time of the text's own, by which its dots or primes may be."""
+    name = re.sub(r"[\\\s{}]", "", said["by"])
+    if facts.own_name(name) in {*facts.coordinates, *facts.parameters}:
+        return None
+    return Unsettled(f"the text has a time of its own, {bare(said['by'])}")
+
+
 def _of_name(facts: SceneFacts, said: Said) -> Found:
     """A rate in turns, or a sense against the motion."""
     some = facts.inputs if said.re is p.AGAINST else {*facts.parameters, *facts.inputs}
@@ -516,7 +524,8 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = 
     *((row, _direction) for row in p.DIRECTIONS), (p.EVERY_ANGLE, _every_angle),
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
     (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
-    (p.DOTS, _dots), (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
+    (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
+    (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
     (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),

@@ -17,6 +17,7 @@ from mechanics.judge.at_values import words as in_words
 from mechanics.judge.choice import judged_only
 from mechanics.judge.complete import complete_residuals, determines
 from mechanics.judge.declared_convention import Answer, judge_under
+from mechanics.judge.declared_order import in_declared_order
 from mechanics.judge.defined_meanings import as_meant
 from mechanics.judge.energy_parts import of_a_part
 from mechanics.judge.frequencies import one_root_each
@@ -30,6 +31,7 @@ from mechanics.judge.rounded_code import as_rounded
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.special_case import in_special_case
+from mechanics.judge.special_motion import of_special_motion
 from mechanics.judge.standard_names import with_standard_names
 from mechanics.judge.suggested_choice import suggested
 from mechanics.judge.tries import may_be_tried
@@ -106,7 +108,8 @@ def _read_otherwise(
     judged = left_open(judged, readings, lambda some: verdicts(some, helps=False)[0])
     judged = as_meant(as_rounded(judged, question.of_code))
     judged = with_standard_names(truth, judged, values) if tries else judged
-    return in_special_case(truth, judged) if tries and not values else judged
+    judged = in_special_case(truth, judged) if tries and not values else judged
+    return tuple(in_declared_order(of_special_motion(entry)) for entry in judged)
 
 
 def _right(truth: Equations, values: Values, apart: bool, statement: Statement) -> bool:

@@ -138,10 +138,18 @@ PLACE = phrase(
 )
 ON_BODY = phrase(r"NAMEIS THE(?:\w+ ){0,2}force (?:\w+ ){0,1}(?:on|to) (?:the )?(?P<body>\w+)")
 DOTS = phrase(
-    r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by) (?:the )?"
+    r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by|(?:is|are|means?"
+    r"|denotes?)(?: the)?(?: derivatives?)?) (?:the )?"
     r"(?P<by>(?:dimensionless|non-?dimensional|scaled|normali[sz]ed|rescaled|proper) time"
-    r"|⟨(?!t⟩|=)[^⟩]*⟩|(?<=with respect to )⟨= (?!t\b)\\?\w+ ?=[^⟩]*⟩)"
+    r"|⟨(?!t⟩|=)[^⟩]*⟩"
+    r"|⟨= \\?[dt]?(?:frac)? ?\{?\\?(?:mathrm)?\{?d\}?\}? ?/? ?\{?d ?(?!t\b)\\?\w+\}?⟩"
+    r"|(?:(?<=with respect to )|(?<= by ))⟨= (?!t\b)\\?\w+ ?=[^⟩]*⟩)"
 )
+SCALED_TIME = re.compile(
+    r"⟨= (?P<by>\\tau|\\(?:bar|hat|tilde)\s*\{?\s*t\s*\}?|t\^\s*\{?\*\}?|t'|s|T|\\xi) ?"
+    r"(?:=|\\equiv) ?(?=[^⟩=]*(?<![A-Za-z\\])t(?![A-Za-z]))[^⟩=]*⟩"
+)
+"""Another time: tau = t sqrt(g/l)."""
 NO_MASS = (
     phrase(r"\b(?:MASSLESS|light) (?:rigid )?(?P<body>LINK)\b"),
     phrase(r"\b(?P<body>\w+) (?:is|are) (?:\w+ )?MASSLESS"),

@@ -26,7 +26,10 @@ from mechanics.scene import Scene
 from mechanics.scene.published import Published
 
 UNIT = r"(?:\\[,;:! ]|~|\s|\\?(?:mathrm|text|textrm|si|unit)\s*\{[^{}$]*\})*"
-GIVEN = re.compile(rf"\$\s*{SYMBOL}\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$")
+GIVEN = re.compile(
+    rf"\$\s*{SYMBOL}(?P<more>(?:\s*=\s*\\?[A-Za-z]\w*(?:_\{{\w+\}})?)*)"
+    rf"\s*=\s*(?P<value>-?\d+(?:\.\d+)?)\s*{UNIT}\$"
+)
 STATED = re.compile(
     rf"(?:^|(?<=[\s,;($&~])|(?<=quad)){SYMBOL}(?:\s*\[[^\]\n]*\])?\s*=\s*"
     r"(?P<value>-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
@@ -158,5 +161,6 @@ def _given(truth: Equations, written: Written) -> Iterator[tuple[Symbol, Expr]]:
         same = [one for name in chain["names"].split("=") if (one := symbol(name.strip()))]
         yield from ((one, same[0]) for one in same[1:])
     for one in GIVEN.finditer(text):
-        if (own := symbol(one["name"])) is not None:
-            yield own, Rational(one["value"])
+        for name in (one["name"], *one["more"].replace("\\", "").split("=")):
+            if (own := symbol(name.strip())) is not None:
+                yield own, Rational(one["value"])

@@ -1,0 +1,50 @@
+"""Words by which a sentence gives a statement for some motions only: "at constant theta".
+
+A statement that is wrong in general may be right for these. Nobody derives such a motion here, so
+that it is not refuted where its sentence speaks of one.
+"""
+
+import re
+from dataclasses import replace
+
+from mechanics.claims.prose import sentence_around
+from mechanics.kernel import Verdict, undecided
+from mechanics.report.answer.judged import Judged
+from mechanics.scene.quantities import EquationOfMotion
+
+MOTIONS = re.compile(
+    r"\bsteady\b|\bcircular orbits?\b|\bat constant\b|\brelative equilibri\w+|\bhover\w*"
+    r"|\bstart(?:s|ed|ing)? (?:from|at) rest\b|\breleased? from rest\b|\binitially\b"
+    r"|\baverag(?:ed?|ing)\b|\bmode shapes?\b|\b(?:in|out of) phase\b|\\gg\b|\\ll\b"
+    r"|\bmuch (?:heavier|lighter|larger|smaller|greater|less)\b|\bin the frame of\b"
+    r"|\bfor\s*\$\s*\\omega"
+    r"|\b(?:dimensionless|non-?dimensional|rescaled) (?:time|variables?|form|equations?)\b",
+    re.IGNORECASE,
+)
+SERIES = re.compile(
+    r"\bsmall[ -](?:oscillations?|angles?|amplitudes?|displacements?|vibrations?)\b|\bnear\b"
+    r"|\bto (?:first|second|third|fourth|lowest|leading) order\b|\b(?:quadratic|harmonic|taylor)\b",
+    re.IGNORECASE,
+)
+"""Of an energy these leave its first terms; an equation of motion is judged to first order."""
+
+
+def of_special_motion(entry: Judged) -> Judged:
+    """The entry; not refuted where its own sentence gives it for some motions only.
+
+    Parameters
+    ----------
+    entry : Judged
+    """
+    row, written = entry.statement.row, entry.statement.written
+    if entry.verdict is not Verdict.REFUTED or row is None or written is None:
+        return entry
+    sentence = sentence_around(written.text, written.start)
+    found = MOTIONS.search(sentence)
+    if found is None and not isinstance(row.quantity, EquationOfMotion):
+        found = SERIES.search(sentence)
+    if found is None:
+        return entry
+    words = " ".join(found[0].split())
+    doubt = f"the text gives it for '{words}', which is not judged apart: leave that out"
+    return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
