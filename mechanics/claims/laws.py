@@ -17,6 +17,8 @@ from mechanics.claims.tree import Name, Node, Number, Power, Product, Sum, const
 PLAIN = (Number, Name, Sum, Product, Power)
 INDEXED = re.compile(r"[A-Za-z]+_[ijk]")
 """Any of several, as in Lagrange's equations for q_i."""
+MOST_KNOWN = 2
+"""Names of the scene in a general law: V = m g h."""
 FACTORS = (None, -1, Fraction(1, 2), 1, 2)
 """Numbers in laws."""
 
@@ -61,6 +63,8 @@ def _is_law(line: Line, naming: Naming, only_here: set[str]) -> bool:
         if _moves(name.name, naming):
             return False
     if all(isinstance(side, Name) for side in line.sides):
+        return False
+    if len({n.name for n in every if naming.target(n.name) is not None}) > MOST_KNOWN:
         return False
     unknown = [{n.name for n in names(side)} & only_here for side in line.sides]
     unknown = [{n for n in held if naming.target(n) is None} for held in unknown]

@@ -336,7 +336,7 @@ PART_OF_DOCUMENT = re.compile(
 """What names a part of a document."""
 GIVEN = re.compile(
     r"(?:^|\\\[|[\n,;:$({&]|\\q?quad\b|\\\\|\\begin\{\w+\*?\}|\b(?:with|where|and|for|let|if|here|take|set|double|float|const|constexpr|auto"
-    r"|Real|[A-Z]\w*(?:\.[A-Z]\w*)+)\b)[ \t]*(?:\w+\.)*\\?(?P<name>[A-Za-z]\w*)"
+    r"|Real|[A-Z]\w*(?:\.[A-Z]\w*)+)\b)[ \t]*\}?[ \t]*(?:\w+\.)*\\?(?P<name>[A-Za-z]\w*)"
     r"(?:[ \t]*\([^()\n]*=[^()\n]*\))?[ \t]*&?=[ \t]*"
     r"(?:\\(?:SI|qty|num)\s?\{)?[ \t]*"
     r"(?P<number>[-\u2212]?[ \t]*\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)[fF]?"

@@ -44,6 +44,7 @@ from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_cons
 from mechanics.claims.names import Naming
 from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
 from mechanics.claims.prose import energy_before
+from mechanics.claims.spelled_rates import key
 from mechanics.claims.tree import Name, Node, ended, move
 
 ABOUT = ("\u2248", r"\approx", r"\simeq", r"\sim")
@@ -121,6 +122,8 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     for entry in entries or _block(formula, text, block.start, naming, origin):
         if not isinstance(entry, Line):
             found.append(entry)
+        elif RATE_OF_MOMENTUM.search(formula) and len(entry.sides) > 1:
+            found.append(entry)  # a law of conservation
         elif gives(entry, naming) and entries:
             words = located(text, block.start, SET, origin)
             found.append(Unread(entry.source, words, block.start, entry.tag))
@@ -205,14 +208,18 @@ GENERAL = re.compile(
     r"\([^=()+*/\d-]*,[^=()+*/-]*(?:\\right\s*)?\)\s*[.,]?"
 )
 UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
+RATE_OF_MOMENTUM = re.compile(r"\\dot\s*\{?\s*p(?![a-z])")
 ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
 
 
 def _moves(formula: str, naming: Naming) -> bool:
     """Whether an acceleration or a reaction stands in a formula: given a value, that is a claim."""
     # N is the unit newton, too.
-    letters = set(re.findall(r"\w+", UPRIGHT.sub(" ", formula)))
-    return ACCELERATED.search(formula) is not None or bool(letters & naming.vocabulary.reactions)
+    letters = set(re.findall(r"\w+(?:_\{\w+\})?", UPRIGHT.sub(" ", formula)))
+    keys = {key(letter.replace("{", "").replace("}", "")) for letter in letters}
+    reactions = {key(name) for name in naming.vocabulary.reactions}
+    rates = ACCELERATED.search(formula) or RATE_OF_MOMENTUM.search(formula)
+    return rates is not None or bool(keys & reactions)
 
 
 @lru_cache(maxsize=64)
