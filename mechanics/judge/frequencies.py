@@ -28,12 +28,15 @@ from mechanics.symbolic import is_zero
 
 WHICH = re.compile(
     r"\b(?:low(?:est|er)|high(?:est|er)|small(?:est|er)|larg(?:est|er)|slow(?:est|er)|fast(?:est|er)"
-    r"|fundamental|only|sole|single|short(?:est|er)|long(?:est|er)|first|second)\s+"
-    r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root)",
+    r"|fundamental|ground|only|sole|single|short(?:est|er)|long(?:est|er)|first|second"
+    r"|min(?:imum|imal)|max(?:imum|imal))\s+"
+    r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root|eigen\w+)"
+    r"|\b(?:opposite directions?|out of phase|in phase|in unison|(?:anti-?)?symmetric mode"
+    r"|held|clamped|fixed|locked)\b",
     re.IGNORECASE,
 )
-LOWER = re.compile(r"(?:low|small|slow|fundamental)(?!.*period)", re.IGNORECASE)
-HIGHER = re.compile(r"(?:high|larg|fast)(?!.*period)", re.IGNORECASE)
+LOWER = re.compile(r"(?:low|small|slow|fundamental|ground|min)(?!.*period)", re.IGNORECASE)
+HIGHER = re.compile(r"(?:high|larg|fast|max)(?!.*period)", re.IGNORECASE)
 """Of frequencies; a period is larger where its frequency is smaller."""
 WITHOUT = (
     r"(?<!not )(?<!without )(?<!never )(?:without|no|neglect\w*|ignor\w*|disregard\w*)"

@@ -28,6 +28,7 @@ from mechanics.judge.other_reading import left_open, other_readings
 from mechanics.judge.prose import as_told, limits_on, seen_from_one_side
 from mechanics.judge.question import Question
 from mechanics.judge.rounded_code import as_rounded
+from mechanics.judge.said_owner import of_its_owner
 from mechanics.judge.single import judge
 from mechanics.judge.small_angles import as_said, right_for_small_angles
 from mechanics.judge.special_case import in_special_case
@@ -109,6 +110,7 @@ def _read_otherwise(
     judged = as_meant(as_rounded(judged, question.of_code))
     judged = with_standard_names(truth, judged, values) if tries else judged
     judged = in_special_case(truth, judged) if tries and not values else judged
+    judged = tuple(of_its_owner(truth.scene, entry) for entry in judged)
     return tuple(in_declared_order(of_special_motion(entry)) for entry in judged)
 
 
