@@ -314,6 +314,11 @@ def _dots(facts: SceneFacts, said: Said) -> Found:
     return Unsettled(f"the text says that dots are derivatives by {bare(said['by'])}")
 
 
+def _primed(facts: SceneFacts, said: Said) -> Found:
+    """A prime that is no derivative."""
+    return Unsettled(f"the text calls another letter {bare(said['by'])}'")
+
+
 def _scaled_time(facts: SceneFacts, said: Said) -> Found:
     """A time of the text's own, by which its dots or primes may be."""
     name = re.sub(r"[\\\s{}]", "", said["by"])
@@ -525,6 +530,7 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = 
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
     (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
+    (p.PRIMED, _primed),
     (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
     (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),

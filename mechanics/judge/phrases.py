@@ -145,6 +145,11 @@ DOTS = phrase(
     r"|⟨= \\?[dt]?(?:frac)? ?\{?\\?(?:mathrm)?\{?d\}?\}? ?/? ?\{?d ?(?!t\b)\\?\w+\}?⟩"
     r"|(?:(?<=with respect to )|(?<= by ))⟨= (?!t\b)\\?\w+ ?=[^⟩]*⟩)"
 )
+PRIMED = re.compile(
+    r"⟨= (?P<by>\\?[A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:'|\^\s*\{?\s*\\prime\s*\}?)\s*(?::=|=|\\equiv)\s*"
+    r"(?P=by)\s*[-+][^⟩='\\]*(?:\\[a-zA-Z]+[^⟩='\\]*)?⟩"
+)
+"""A prime that makes another letter: theta' = theta - pi."""
 SCALED_TIME = re.compile(
     r"⟨= (?P<by>\\tau|\\(?:bar|hat|tilde)\s*\{?\s*t\s*\}?|t\^\s*\{?\*\}?|t'|s|T|\\xi) ?"
     r"(?:=|\\equiv) ?(?=[^⟩=]*(?<![A-Za-z\\])t(?![A-Za-z]))[^⟩=]*⟩"

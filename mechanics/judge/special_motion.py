@@ -10,8 +10,15 @@ from dataclasses import replace
 from mechanics.claims.prose import sentence_around
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
-from mechanics.scene.quantities import EquationOfMotion
+from mechanics.scene.quantities import (
+    Hamiltonian,
+    KineticEnergy,
+    Lagrangian,
+    PotentialEnergy,
+    TotalEnergy,
+)
 
+ENERGIES = (KineticEnergy, PotentialEnergy, TotalEnergy, Lagrangian, Hamiltonian)
 MOTIONS = re.compile(
     r"\bsteady\b|\bcircular orbits?\b|\bat constant\b|\brelative equilibri\w+|\bhover\w*"
     r"|\bstart(?:s|ed|ing)? (?:from|at) rest\b|\breleased? from rest\b|\binitially\b"
@@ -26,7 +33,7 @@ SERIES = re.compile(
     r"|\bto (?:first|second|third|fourth|lowest|leading) order\b|\b(?:quadratic|harmonic|taylor)\b",
     re.IGNORECASE,
 )
-"""Of an energy these leave its first terms; an equation of motion is judged to first order."""
+"""Of an energy these leave its first terms."""
 
 
 def of_special_motion(entry: Judged) -> Judged:
@@ -41,7 +48,7 @@ def of_special_motion(entry: Judged) -> Judged:
         return entry
     sentence = sentence_around(written.text, written.start)
     found = MOTIONS.search(sentence)
-    if found is None and not isinstance(row.quantity, EquationOfMotion):
+    if found is None and isinstance(row.quantity, ENERGIES):
         found = SERIES.search(sentence)
     if found is None:
         return entry

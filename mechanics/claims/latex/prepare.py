@@ -27,6 +27,10 @@ SMALL = re.compile(
 """What is left out of a series: + O(theta^2), no term of an equation."""
 DECIMAL = re.compile(r"(?<![\d.,}])(?:0\{,\}\d+|\d+\{,\}(?!\d{3}(?!\d))\d+)(?![\d{])")
 """A number with a comma; three digits behind it may be thousands, which are not read."""
+COMMA = re.compile(
+    r"(?<=[=+\-(&{])\s*\d+,\d+(?=\s*(?:\\[dtc]?frac(?![A-Za-z])|\\cdot(?![A-Za-z])|[A-Za-z]))(?![A-Za-z]\s*[,)])"
+)
+"""A number with a comma before what it multiplies: 1,5\\frac{g}{l}."""
 BOLD_ZERO = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)(?=\s*\{?\s*0(?!\d))")
 SHORT = (re.compile(r"\bK\.E\.(?!\w)"), "E_k "), (re.compile(r"\bP\.E\.(?!\w)"), "E_p ")
 """Energies by their initials, which are no products."""
@@ -83,6 +87,7 @@ def prepared(text: str) -> str:
         text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))
     text = DECIMAL.sub(lambda m: m[0].replace("{,}", ".").ljust(len(m[0])), text)
+    text = COMMA.sub(lambda m: m[0].replace(",", "."), text)
     text = OF_TIME.sub(lambda m: "(t)".ljust(len(m[0])), text)
     text = NEW_LINE.sub(r"\\\\      ", text)
     text = SMALL.sub(lambda m: " " * len(m[0]), text)
