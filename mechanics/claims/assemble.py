@@ -210,6 +210,11 @@ def _names_a_rate(line: Line) -> bool:
     return all(isinstance(side, Name) and side.order > 0 for side in line.sides[1:])
 
 
+def _is_other_letter(left: Node, naming: Naming) -> bool:
+    """Whether a name of a reaction stands for something else in the text: T of an energy."""
+    return isinstance(left, Name) and key(left.name) in naming.others
+
+
 class _Assembly:
     """Learns all definitions, then goes through the lines in order."""
 
@@ -310,7 +315,8 @@ class _Assembly:
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
             self._letter(line, tag, place, letter, sides[1:], builder)
             return
-        if self.about == "mass matrix" and defines(line, self.naming):
+        free = self.about == "mass matrix" or _is_other_letter(left, self.naming)
+        if self.about is not None and free and defines(line, self.naming):
             builder.unknown = [name for name in builder.unknown if not is_named(left, name)]
             sides = sides[1:]
         if any(isinstance(side, MatrixBase) for side in sides):

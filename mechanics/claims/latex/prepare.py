@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from mechanics.claims.latex.comments import blank, without_hidden
 from mechanics.claims.latex.crossed_out import without_crossings
 from mechanics.claims.latex.over_lines import on_one_line
-from mechanics.claims.latex.variants import with_variants
 from mechanics.claims.place import Refused
 
 COLOURS = "black|red|blue|green|orange|purple|magenta|brown|violet|teal|cyan|darkgray|gray"
@@ -82,7 +81,7 @@ def prepared(text: str) -> str:
     """
     text = BOLD_ZERO.sub(lambda m: " " * len(m[0]), on_one_line(without_hidden(text)))
     text = without_crossings(LEADER.sub(lambda m: " " * len(m[0]), text))
-    text = with_variants(REPEATED.sub(lambda m: m[0].replace(m["sign"], " ", 1), text))
+    text = REPEATED.sub(lambda m: m[0].replace(m["sign"], " ", 1), text)
     if ".. math::" in text:
         text = OPTION.sub(lambda m: " " * len(m[0]), text)
     text = BOLD.sub(lambda m: " " * len(m[0]), DOTS.sub(_dotted, text))

@@ -38,6 +38,7 @@ from mechanics.claims.latex.outside_formulas import stray, within
 from mechanics.claims.latex.pieces import Pieces, is_kind
 from mechanics.claims.latex.prepare import labels, prepared, states, without_boxes
 from mechanics.claims.latex.rows import rows
+from mechanics.claims.latex.variants import with_variants
 from mechanics.claims.latex.vectors import applied
 from mechanics.claims.latex.words import SUM
 from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
@@ -73,7 +74,7 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     """
     bounded(text, origin)
     try:
-        clean = prepared(text)
+        clean = with_variants(prepared(text), naming)
         clean, every = continued(clean, blocks(clean))
         alone = {b.start for b in every if b.closed and not claims(clean[b.start : b.end])}
         called = {at: letter for at in alone if (letter := energy_before(clean, at))}

@@ -8,6 +8,8 @@ A text that has one of them alone means the letter. No character moves: \vec r b
 import re
 from collections.abc import Iterator
 
+from mechanics.claims.names import Naming
+
 LETTER = r"(?:(?P<short>(?<=\s)[A-Za-z])|\\(?P<greek>[A-Za-z]+)|\{\s*\\?(?P<braced>[A-Za-z]+)\s*\})"
 STYLED = re.compile(
     r"\\(?P<font>mathcal|mathscr|mathfrak|mathbb|vec|mathbf|boldsymbol|bm|overrightarrow)\s*"
@@ -33,16 +35,20 @@ WORDS = re.compile(r"\\(?:text\w*|mathrm|mbox|operatorname|begin|end|label|tag)\
 COMMANDS = re.compile(r"\\[A-Za-z]+")
 
 
-def with_variants(text: str) -> str:
-    """The text, where a variant that stands beside its letter is a name of its own.
+def with_variants(text: str, naming: Naming) -> str:
+    """The text, where a variant that stands beside a letter of the scene is a name of its own.
 
     Parameters
     ----------
     text : str
         In LaTeX, without comments.
+    naming : Naming
     """
     formulas = [m[0] for m in FORMULA.finditer(text)] or [text]
-    plain = {one for formula in formulas for one in _plain(formula)}
+    plain = {
+        (letter, index) for formula in formulas for letter, index in _plain(formula)
+        if naming.knows(f"{letter}_{index}" if index else letter)
+    }  # fmt: skip
     text = STYLED.sub(lambda m: _styled(m, plain), text)
     for command, (letter, new) in OTHERS.items():
         both = any(_has(f, rf"\{command}") and _has_letter(f, letter) for f in formulas)
