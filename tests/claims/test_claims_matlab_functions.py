@@ -14,6 +14,7 @@ from benchmarks.corpus.scenes.satellites_and_springs import satellite_torque
 from mechanics.claims.code.translation.matlab import Unread, in_python
 from mechanics.cli.load import load
 from mechanics.errors import InputError
+from systems import rod_pendulum
 
 MASSES = """
 function run
@@ -360,3 +361,13 @@ def test_speeds_and_what_is_held_are_a_state(
         except InputError:
             found = ""
         assert found == expected
+
+
+def test_a_branch_that_ends_in_an_error_has_no_value(tmp_path: Path) -> None:
+    path = tmp_path / "own.m"
+    path.write_text(
+        "function a = accel(theta, u, m, l, g)\nif theta < 0, error('theta'); end\n"
+        "a = 3*g/(2*l)*sin(theta) + 3*u/(m*l^2);\nend\n"
+    )
+    (judged,) = mechanics.check(rod_pendulum.scene(), path, blame=False).judged
+    assert judged.finding.domain == "except where theta < 0"

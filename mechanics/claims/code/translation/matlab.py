@@ -613,7 +613,7 @@ def _statement(page: Page, node: Any, depth: int, scope: Scope) -> None:
             raise refuse(node, "what syms makes a symbol has a value already")
         case "function_call" if words(_name(node)) == "run" and node == _first(_around(node)):
             page.put(line, depth, "pass")  # the file gives values to the scene's names
-        case "function_call" if words(_name(node)) == "error" and depth == 1:
+        case "function_call" if words(_name(node)) == "error":
             page.put(line, depth, "raise ValueError", opens=False)
         case "function_call" if words(_name(node)) in SHOWN and not within(node, *SETS):
             page.put(line, depth, "pass")
