@@ -16,7 +16,7 @@ from mechanics.scene.quantities import MassMatrix
 COLUMN = re.compile(
     r"(?<![A-Za-z])\\?(?:(?:mathbf|boldsymbol|bm|vec)\s*\{?\s*)?q\s*\}?\s*(?:=|:=|\\equiv)\s*(?:&\s*)?"
     r"(?:\\left\s*)?(?:\(|\[|\\begin\s*\{[a-zA-Z]*(?:matrix|array)\*?\}(?:\{[^{}]*\})?)"
-    r"(?P<entries>.*?)(?:\\right\s*)?(?:\)|\]|\\end\s*\{)",
+    r"(?P<entries>[^=$]{1,200}?)(?:\\right\s*)?(?:\)|\]|\\end\s*\{)",
     re.DOTALL,
 )
 NUMBERED = re.compile(

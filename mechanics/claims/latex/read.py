@@ -74,7 +74,9 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
     """
     bounded(text, origin)
     try:
-        clean = with_variants(prepared(text), naming)
+        clean = prepared(text)
+        formulas = [clean[block.start : block.end] for block in blocks(clean)]
+        clean = with_variants(clean, formulas, naming)
         clean, every = continued(clean, blocks(clean))
         alone = {b.start for b in every if b.closed and not claims(clean[b.start : b.end])}
         called = {at: letter for at in alone if (letter := energy_before(clean, at))}

@@ -6,7 +6,7 @@ A text that has one of them alone means the letter. No character moves: \vec r b
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from mechanics.claims.names import Naming
 
@@ -25,26 +25,21 @@ NAME = re.compile(rf"(?:cal|vec)[A-Za-z]+|lsc|{'|'.join(new for _, new in OTHERS
 """Commands of this module."""
 COLUMNS = frozenset("qQ")
 """What is as a rule the column of all q_i."""
-FORMULA = re.compile(
-    r"\$\$.*?\$\$|\$[^$]*\$|\\\[.*?\\\]|\\\(.*?\\\)"
-    r"|\\begin\s*\{(?P<env>equation|align|gather|multline|eqnarray|split|aligned)\*?\}.*?"
-    r"\\end\s*\{(?P=env)\*?\}",
-    re.DOTALL,
-)
 WORDS = re.compile(r"\\(?:text\w*|mathrm|mbox|operatorname|begin|end|label|tag)\s*\{[^{}]*\}")
 COMMANDS = re.compile(r"\\[A-Za-z]+")
 
 
-def with_variants(text: str, naming: Naming) -> str:
+def with_variants(text: str, formulas: Sequence[str], naming: Naming) -> str:
     """The text, where a variant that stands beside a letter of the scene is a name of its own.
 
     Parameters
     ----------
     text : str
         In LaTeX, without comments.
+    formulas : sequence of str
+        Its formulas.
     naming : Naming
     """
-    formulas = [m[0] for m in FORMULA.finditer(text)] or [text]
     plain = {
         (letter, index) for formula in formulas for letter, index in _plain(formula)
         if naming.knows(f"{letter}_{index}" if index else letter)
