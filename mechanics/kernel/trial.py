@@ -45,7 +45,7 @@ from typing import Any
 
 from flint import fmpz
 
-from mechanics.kernel.angles import MOST_TERMS, base_angles, is_cut, turns_of
+from mechanics.kernel.angles import base_angles, is_cut, turns_of
 from mechanics.kernel.draws import Draws
 from mechanics.kernel.field import DivisionHere, Inadmissible, Residues
 from mechanics.kernel.primes import SIZES, common_modulus, draw_prime, log2_count
@@ -133,18 +133,22 @@ class Experiment:
 
 
 def prepare(
-    statement: Statement, sizes: tuple[int, ...] = SIZES, terms: int = MOST_TERMS
+    statement: Statement, sizes: tuple[int, ...] = SIZES, angles: Program | None = None
 ) -> Experiment:
     """Measure a statement and choose its primes by equation (1).
 
-    Arguments of sines of more than so many terms stay whole.
+    Parameters
+    ----------
+    angles : Program, optional
+        The statement's program in base angles, where it is known.
 
     Raises
     ------
     FailedError
         If the degree bound is beyond the longest primes.
     """
-    program = roots_of_squares(base_angles(statement.program, terms), statement.signs)
+    program = base_angles(statement.program) if angles is None else angles
+    program = roots_of_squares(program, statement.signs)
     turns = turns_of(program)
     modulus = common_modulus(turns)
     domain = Sizes()
@@ -319,17 +323,18 @@ def trial(statement: Statement, is_proved: Callable[[], bool]) -> Trial:
     ExpressionError
         If an operation has no meaning in a field.
     """
-    outcome = _tried(statement, MOST_TERMS, is_proved)
-    if outcome.answer is Answer.NONZERO and is_cut(base_angles(statement.program)):
+    angles = base_angles(statement.program)
+    outcome = _tried(statement, angles, is_proved)
+    if outcome.answer is Answer.NONZERO and is_cut(angles):
         # Two ways to write a long argument may be cut at other places: whole, they have one value.
-        whole = _tried(statement, 1, is_proved)
+        whole = _tried(statement, base_angles(statement.program, 1), is_proved)
         outcome = whole if whole.answer in (Answer.ZERO, Answer.PROVED) else outcome
     return outcome
 
 
-def _tried(statement: Statement, terms: int, is_proved: Callable[[], bool]) -> Trial:
+def _tried(statement: Statement, angles: Program, is_proved: Callable[[], bool]) -> Trial:
     try:
-        experiment = prepare(statement, terms=terms)
+        experiment = prepare(statement, angles=angles)
     except FailedError as reason:
         return Trial(Answer.FAILED, inf, str(reason))
     outcome = _attempt(experiment, False, is_proved)

@@ -3,7 +3,7 @@
 Of s**2 + c**2 = 1 every angle uses the side that leaves fewer terms.
 """
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from functools import cmp_to_key
 from itertools import compress
 
@@ -31,7 +31,8 @@ def generator_expression(ring: Ring, place: int) -> sympy.Expr:
 
 def shortest(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """Return the polynomial with c**2 replaced by 1 - s**2 where that leaves fewer terms."""
-    for c, s in circles(ring):
+    degrees = polynomial.degrees()
+    for c, s in circles(ring, [place for place, degree in enumerate(degrees) if degree > 1]):
         if polynomial.degrees()[c] < 2:
             continue
         sin, cos = ring.gen(s), ring.gen(c)
@@ -45,10 +46,15 @@ def shortest(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     return polynomial
 
 
-def circles(ring: Ring) -> list[Factor]:
-    """Return the places (c, s) of all angles, in the order of their names."""
+def circles(ring: Ring, cosines: Container[int] | None = None) -> list[Factor]:
+    """Return the places (c, s) of angles, all or those with these c, in the order of their names.
+
+    Names of angles that are sines of sines are long: only those that are wanted are put in order.
+    """
     places = {key: place for place, key in ring.keys.items()}
     angles = [key[1] for key in places if isinstance(key, tuple) and key[0] == "sin"]
+    if cosines is not None:
+        angles = [angle for angle in angles if places["cos", angle] in cosines]
     return [(places["cos", a], places["sin", a]) for a in sorted(angles, key=str)]
 
 
