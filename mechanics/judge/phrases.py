@@ -125,7 +125,11 @@ AGAINST = phrase(
     r"|against (?:the )?(?:motion|rotation|direction))\b"
 )
 RELATIVE = phrase(
-    r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b))(?P<to>\w+)"
+    r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b)"
+    r"|(?:from|with|to) (?:the )?(?:extension|prolongation|continuation|line|axis|direction) of"
+    r" FIXED"
+    r"(?!(?:gravity|motion|travel|symmetry|rotation|the)\b)(?:(?:first|upper|previous|other) )?)"
+    r"(?P<to>\w+)"
 )
 ABSOLUTE = phrase(
     r"NAME[^⟨.;]{0,40}?\b(?:from|with|relative to) (?:the )?(?:(?:down|up)wards? )?"

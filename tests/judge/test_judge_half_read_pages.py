@@ -22,6 +22,12 @@ PAGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
         r" $V=-(m_1+m_2)gl_1\cos\phi_1+m_2gl_2\cos\phi_2$",
         OPEN,
     ),
+    "an angle from the other rod": (
+        "double_pendulum",
+        r"Let $\phi_2$ be measured from the extension of the first rod. The potential energy is"
+        r" \[ V = -(m_1+m_2) g l_1\cos\phi_1 - m_2 g l_2\cos\phi_2 . \]",
+        OPEN,
+    ),
     "both clockwise, one sign": (
         "rod_pendulum",
         r"Let $\theta$ be the angle, clockwise from upright, and $u$ the torque, positive"
