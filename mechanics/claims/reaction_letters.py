@@ -11,8 +11,7 @@ from mechanics.claims.dimension import dimension
 from mechanics.claims.lines import Entry, Line
 from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import key
-from mechanics.claims.tree import Name, Sum, constant, names
-from mechanics.claims.tree import Product as Multiple
+from mechanics.claims.tree import Name, Product, Sum, constant, names
 from mechanics.scene.unit_names import dimension_of_unit
 
 FORCE, COUPLE = dimension_of_unit("N", ""), dimension_of_unit("N*m", "")
@@ -50,7 +49,7 @@ def _energies(side: object) -> Iterator[str]:
     """Letters of energies whose sum or difference a side is: T - V."""
     terms = side.terms if isinstance(side, Sum) else ()
     for term in terms:
-        signs = [constant(f) for f in term.factors[:-1]] if isinstance(term, Multiple) else []
+        signs = [constant(f) for f in term.factors[:-1]] if isinstance(term, Product) else []
         plain = names(term) if isinstance(term, Name) or signs == [-1] else []
         if len(plain) != 1 or plain[0].name not in ENERGY_NAMES:
             return

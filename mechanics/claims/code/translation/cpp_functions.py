@@ -103,9 +103,9 @@ COORDINATES = ("x", "y", "z", "w")
 VECTOR = re.compile(r"(?:const )?(?:Eigen::)?(?:Vector|Array)([234])d")
 """Columns of doubles of Eigen that are made of their entries: Vector2d(1.0, 2.0)."""
 PARTS = {"segment": 2, "head": 1, "tail": 1}
+"""Parts of a vector, and how many numbers say which."""
 TEMPLATED = re.compile(r"\.(segment|head|tail)(?=<\w+>\()")
 """Eigen's y.segment<2>(2), which the grammar takes for two comparisons."""
-"""Parts of a vector, and how many numbers say which."""
 
 
 @dataclass
