@@ -15,7 +15,7 @@ from sympy.matrices import MatrixBase
 
 from benchmarks.corpus.load import SUFFIXES, Case, cases, scene_of, sealed
 from mechanics import check
-from mechanics.blame.result import Edit
+from mechanics.blame.result import Edit, Mistake
 from mechanics.errors import MechanicsError
 from mechanics.grading.submission import things_in
 from mechanics.report.answer.check import Check
@@ -106,6 +106,7 @@ def _place(case: Case, found: Check, mended: Rows) -> int:
 
     An edit names it where it stands at the mistake, or puts there what it has to be; and where it
     is no larger, and makes of the statement what the true change makes of it, in whatever words.
+    To exchange two outputs is one change, however large they are.
     """
     places = [0]
     for entry in found.told if not case.right else ():
@@ -115,7 +116,9 @@ def _place(case: Case, found: Check, mended: Rows) -> int:
         for place, repair in enumerate(entry.blame.repairs if entry.blame else (), start=1):
             same = repair.row is not None and _same(repair.row.sides, mended.get(tag))
             small = same and sum(
-                _size(case, e.written, e.right) for e in repair.edits
+                _size(case, e.written, e.right)
+                for e in repair.edits
+                if e.mistake is not Mistake.ORDER
             ) <= 2 + _size(case, case.written, case.mended)
             if small or any(_names(case, source, edit) for edit in repair.edits):
                 places.append(place)

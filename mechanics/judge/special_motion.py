@@ -7,6 +7,7 @@ that it is not refuted where its sentence speaks of one.
 import re
 from dataclasses import replace
 
+from mechanics.claims.claim import Written
 from mechanics.claims.prose import sentence_around
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
@@ -46,12 +47,24 @@ def of_special_motion(entry: Judged) -> Judged:
     row, written = entry.statement.row, entry.statement.written
     if entry.verdict is not Verdict.REFUTED or row is None or written is None:
         return entry
-    sentence = sentence_around(written.text, written.start)
-    found = MOTIONS.search(sentence)
+    own = _own_words(written)
+    found = MOTIONS.search(own)
     if found is None and isinstance(row.quantity, ENERGIES):
-        found = SERIES.search(sentence)
+        found = SERIES.search(own)
     if found is None:
         return entry
     words = " ".join(found[0].split())
     doubt = f"the text gives it for '{words}', which is not judged apart: leave that out"
     return replace(entry, finding=undecided(entry.finding.subject, doubt), right_if=())
+
+
+def _own_words(written: Written) -> str:
+    """The sentence of a statement; behind a formula on another line of a text stands its case."""
+    sentence = sentence_around(written.text, written.start)
+    if written.notation != "text":
+        return sentence
+    line = written.text[: written.start].rpartition("\n")[2]
+    line += written.text[written.start :].partition("\n")[0]
+    return "\n".join(
+        other if other == line else other.partition("=")[0] for other in sentence.split("\n")
+    )

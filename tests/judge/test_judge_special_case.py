@@ -117,3 +117,16 @@ def test_code_that_is_wrong_in_its_own_case_is_refuted(function) -> None:
 def test_a_line_that_only_gives_an_input_a_value_is_no_wrong_equation() -> None:
     found = check(rod_pendulum.scene(), "u = 0\ntheta'' = 3*g/(2*l)*sin(theta)", blame=False)
     assert [entry.verdict for entry in found.judged] == [Verdict.UNDECIDED] * 2
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("U = m*g*l/2*(1 - sin theta)\ntheta'' = 3*g/(2*l)*theta for small angles\n", "REFUTED"),
+        ("U = m*g*l/2*(1 - theta^2/2), for small angles\n", "UNDECIDED"),
+        ("For small angles:\nU = m*g*l/2*(1 - theta^2/2)\n", "UNDECIDED"),
+    ],
+)
+def test_what_stands_behind_a_formula_of_a_text_is_of_that_line(text: str, verdict: str) -> None:
+    answer = check(rod_pendulum.scene(), text, blame=False, notation="text")
+    assert answer.judged[0].verdict.name == verdict
