@@ -12,6 +12,7 @@ from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.blame.result import Edit, Mistake
 from mechanics.scene import Scene, force, gravity
+from systems import spinning_top
 
 TYPED = HERE / "scenes" / "typed.py"
 
@@ -151,3 +152,10 @@ def test_a_missing_term_stands_beside_its_like() -> None:
     assert entry.blame is not None
     repaired = entry.blame.repairs[0].repaired
     assert 0 < repaired.index("m_{2}") < repaired.index("k")
+
+
+def test_no_edit_multiplies_by_what_is_always_zero() -> None:
+    """The speed about the axis of a symmetric top stays: ``I_3 w_z' = w_z' (...)`` says nothing."""
+    (entry,) = check(spinning_top.scene(), r"$I_3\dot w_z = I_1 w_x w_y$").judged
+    assert entry.blame is not None
+    assert {edit.right for repair in entry.blame.repairs for edit in repair.edits} == {"0"}

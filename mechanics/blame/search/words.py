@@ -62,7 +62,10 @@ class Words:
 
     @cached_property
     def symbols(self) -> tuple[Word, ...]:
-        """Every symbol, those that were written first."""
+        """Every symbol, those that were written first.
+
+        None that is zero at all points, as a factor of zero mends whatever it stands before.
+        """
         scene = self.truth.scene
         kinds: dict[Symbol, str] = {}
         for kind, group in (
@@ -86,7 +89,8 @@ class Words:
         for symbol in dict.fromkeys(first if large else [*first, *kinds]):
             meant = self.written.put.get(symbol, symbol)
             values = tuple(sheet.point.value(meant) for sheet in self.sheets)
-            found.append(Word(symbol, self.written.name_of(symbol), values, kinds[symbol]))
+            if any(values):
+                found.append(Word(symbol, self.written.name_of(symbol), values, kinds[symbol]))
         return tuple(found)
 
     @cached_property
