@@ -16,6 +16,13 @@ from mechanics.claims.convention import combined_table
 from mechanics.claims.declared_conventions import Declared, read_declared, readings
 from mechanics.errors import InputError
 from mechanics.judge import phrases as p
+from mechanics.judge.geometry_facts import (
+    about_centre,
+    elongates,
+    has_rod_twice_as_long,
+    other_shape,
+    upward,
+)
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
@@ -243,7 +250,8 @@ def _denoted(facts: SceneFacts, said: Said) -> Found:
     have = f"{text}, the scene's {own} is the {meaning or f'one in {unit}'}"
     if facts.is_called(own, words):
         return ""
-    if other := _another(facts, own, words):
+    role = _of_other_role(facts, own, words)
+    if other := _another(facts, own, words) if role is None else role:
         return f"{have}, and {other} is that"
     wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
     wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
@@ -270,6 +278,23 @@ def _another(facts: SceneFacts, own: str, words: str) -> str:
         if same and apart and not (mine - theirs) & said:
             return name
     return ""
+
+
+def _of_other_role(facts: SceneFacts, own: str, words: str) -> str | None:
+    """The other radius, where one is of what moves and one of what it moves in; empty for the same.
+
+    None where words or scene do not tell.
+    """
+    inner, outer = (row.search(words) is not None for row in (p.INNER, p.OUTER))
+    if "radius" not in words or inner is outer:
+        return None
+    radii = {n: facts.meaning(n) for n in facts.parameters if "radius" in facts.meaning(n)}
+    moving = {n: any(facts.moves(b) for w in facts.nouns(m) for b in facts.bodies(w))
+              for n, m in radii.items()}  # fmt: skip
+    if len(radii) != 2 or own not in radii or {*moving.values()} != {True, False}:
+        return None
+    (other,) = radii.keys() - {own}
+    return other if moving[own] is outer else ""
 
 
 def _of_another_body(facts: SceneFacts, own: str, words: str) -> bool:
@@ -327,6 +352,46 @@ def _scaled_time(facts: SceneFacts, said: Said) -> Found:
     return Unsettled(f"the text has a time of its own, {bare(said['by'])}")
 
 
+def _of_length(facts: SceneFacts, said: Said) -> Found:
+    """``of length l``, where the scene's rod has the length 2 l."""
+    own = facts.own(said)
+    if "half" not in facts.meaning(own) and not has_rod_twice_as_long(facts, own):
+        return None
+    return read_declared([f"twice the length of {_name(said)}"], facts.known)
+
+
+def _elongation(facts: SceneFacts, said: Said) -> Found:
+    """A coordinate that is said to be the extension of a spring, or its length."""
+    have, extension = elongates(facts, facts.own(said)), said.re is p.EXTENSION
+    if have is None or have is extension:
+        return None
+    what = "extension" if extension else "length"
+    return f"the text says that {_name(said)} is the {what} of a spring, {facts.own(said)} is not"
+
+
+def _upward(facts: SceneFacts, said: Said) -> Found:
+    """A coordinate or an axis that is said to count against gravity, or along it."""
+    own, way = facts.own(said), 1 if said["way"].lower() == "upward" else -1
+    have = upward(facts, own)
+    if not have or have == way:
+        return None
+    if own in facts.coordinates:
+        return read_declared([f"other sign of {_name(said)}"], facts.known)
+    return f"the text says that {_name(said)} points {said['way']}s, the scene's does not"
+
+
+def _shape(facts: SceneFacts, said: Said) -> Found:
+    """A body that is said to be a disc, a hoop, a sphere has such an inertia."""
+    if "body" in said.re.groupindex:
+        bodies = facts.bodies(said["body"])
+    else:
+        mass = facts.parameters.get(facts.own(said))
+        bodies = [b for b in facts.scene.bodies if facts.scene.plain(b.mass) == mass]
+    if not other_shape(facts, bodies, said["shape"].lower()):
+        return None
+    return f"the text says {bare(said[0])!r}, the scene's has another inertia"
+
+
 def _of_name(facts: SceneFacts, said: Said) -> Found:
     """A rate in turns, or a sense against the motion."""
     some = facts.inputs if said.re is p.AGAINST else {*facts.parameters, *facts.inputs}
@@ -352,7 +417,11 @@ def _from(facts: SceneFacts, said: Said) -> Found:
 
 
 def _about(facts: SceneFacts, said: Said) -> Found:
-    meaning = facts.meaning(facts.own(said))
+    own = facts.own(said)
+    meaning = facts.meaning(own)
+    if re.search(r"\binertia\b", said[0]) and p.CENTRAL.match(said.string, said.start("to")):
+        words = f"the text says that {_name(said)} is about the mass centre, which it is not"
+        return words if about_centre(facts, own) is False else None
     if "inertia" not in meaning or facts.alike(said["to"]) in facts.nouns(meaning):
         return None
     return f"the text says that {_name(said)} is about the {said['to']}, which it is not"
@@ -530,7 +599,8 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = 
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
     (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
-    (p.PRIMED, _primed),
+    (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, _elongation),
+    (p.SPRING_LENGTH, _elongation), (p.UPWARD, _upward), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
     (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),

@@ -60,8 +60,8 @@ DIRECTIONS = (
         r"(?P<way>VERTICAL|upright|hanging|horizontal)\b"
     ),
     phrase(
-        r"NAMEIS (?:the )?angle (?:(?!from\b)[\w']+ ){0,6}?(?:with|and|to) THE"
-        r"(?P<way>VERTICAL|horizontal)\b"
+        r"NAMEIS (?:the |its )?(?:angle|inclination|elevation) (?:(?!from\b)[\w']+ ){0,6}?"
+        r"(?:with|and|to|above|from) THE(?P<way>VERTICAL|horizontal|floor|ground)\b"
     ),
     phrase(r"NAMEIS COUNTED from THE(?P<way>top|highest|bottom|lowest)\b"),
     phrase(
@@ -77,7 +77,8 @@ EVERY_ANGLE = phrase(
 )
 WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
-    "highest": "upright", "bottom": "hanging", "lowest": "hanging",
+    "highest": "upright", "bottom": "hanging", "lowest": "hanging", "floor": "horizontal",
+    "ground": "horizontal",
     "downwards vertical": "downward vertical", "upwards vertical": "upward vertical",
 }  # fmt: skip
 """Ways as conventions call them."""
@@ -107,6 +108,30 @@ FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
     r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
 )
+OF_LENGTH = phrase(
+    r"\b(?:of|with|has|have|having|and) THE(?:(?:total|full|whole|overall) )?length NAME"
+)
+EXTENSION = phrase(
+    r"NAMEIS THE(?:\w+ )?(?:extension|elongation|stretch|compression)(?! of (?:the )?(?:rod|arm))\b"
+)
+SPRING_LENGTH = phrase(
+    r"NAMEIS THE(?:(?:current|instantaneous|total|stretched|actual) )?length of (?:the )?spring\b"
+)
+UPWARD = phrase(
+    r"NAME(?:[- ](?:axis|direction|coordinate))?IS (?:(?:the|a|its|taken|as|and|is|height|position"
+    r"|displacement|coordinate|distance|of|mass|body|bob|cart|block|load),? ){0,6}"
+    r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?(?:positive |vertically "
+    r"|straight )?(?P<way>downward|upward)s?\b(?! vertical)"
+)
+ROUND = r"(?:hoop|ring|dis[ck]|cylinder|tube|shell|sphere|ball)"
+SHAPE = (
+    phrase(
+        r"\bthe (?P<body>\w+) (?:is|being|be|has the form of) (?:modell?ed as |taken as )?"
+        rf"(?:an? )?(?P<shape>(?:[a-z-]+ ){{0,3}}{ROUND})\b"
+    ),
+    phrase(rf"\b(?P<shape>(?:[a-z-]+ ){{0,2}}{ROUND}) ?(?:,? (?:of|with)(?: the| a)? mass|,) NAME"),
+)
+"""A body that is round, by its name or its mass."""
 DENOTED = phrase(
     r"NAMEIS (?:(?:the|an?|its) )(?P<words>"
     r"(?:(?!\b(?:and|which|that|where|with|while|but|when|if)\b)[^⟨.;:,()]){3,80})(?P<formula>⟨?)"
@@ -116,6 +141,12 @@ COUNTS = re.compile(
     r"|downwards?|from|measured|counted|direction|same)\b", re.IGNORECASE
 )  # fmt: skip
 """Words for how something counts."""
+INNER = re.compile(r"\b(?:small(?:er)?|rolling|moving|inner (?!radius|surface))\b", re.IGNORECASE)
+OUTER = re.compile(
+    r"\b(?:hollow|outer|larger?|big(?:ger)?|fixed|stationary|bowl|track|pipe|tube|surface)\b",
+    re.IGNORECASE,
+)
+"""What moves in something, and that."""
 PER = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?P<words>(?:revolutions?|turns|cycles|rotations|degrees) (?:per|a) "
     r"(?:second|minute)|in (?:rpm|hertz|Hz|rev/s))\b"
@@ -126,6 +157,9 @@ AGAINST = phrase(
 )
 RELATIVE = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b)"
+    r"|between the (?=(?:first|upper|second|lower)\b)"
+    r"|(?:makes|made|forms|formed|encloses) with (?:the )?"
+    r"(?=(?:first|upper|previous|preceding|other|inner|second|lower|LINK)\b)"
     r"|(?:from|with|to) (?:the )?(?:extension|prolongation|continuation|line|axis|direction) of"
     r" FIXED"
     r"(?!(?:gravity|motion|travel|symmetry|rotation|the)\b)(?:(?:first|upper|previous|other) )?)"
@@ -136,6 +170,7 @@ ABSOLUTE = phrase(
     r"(?P<to>vertical|horizontal|wall|ground)\b"
 )
 ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
+CENTRAL = phrase(r"CENTRE\b")
 PLACE = phrase(
     r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
     r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"

@@ -3,6 +3,7 @@
 The length of the pole is ⟨l⟩.                    ⟨l⟩ is the length of the pole
 A rod of mass ⟨m⟩ and length ⟨l⟩                  ⟨m⟩ is the mass of the rod, ...
 The cart has the mass ⟨M⟩.                        ⟨M⟩ is the mass of the cart
+⟨R⟩ | radius of the bowl                          ⟨R⟩ is the radius of the bowl
 ⟨M⟩ and ⟨m⟩ are the masses of the cart and the pole, respectively
 """
 
@@ -19,6 +20,12 @@ OWNED = re.compile(
     rf"(?:(?:,| and) (?:of )?(?:the |a )?({QUANTITY}) {NAME})?"
 )
 BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
+LISTED = re.compile(
+    rf"{NAME} ?(?:is|:|=|[-\u2013\u2014]+|\|) "
+    r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
+    rf"(?=(?:[a-z]+ ){{0,2}}?{QUANTITY}\b)"
+)
+"""A row of a table or a list: R | radius of the bowl."""
 PAIR = re.compile(
     rf"{NAME} and {NAME} (?:are|denote) the (mass|length|stiffness|radi)(?:es|s|i)? of "
     r"(?:the )?(\w+) and (?:of )?(?:the )?(\w+)"
@@ -33,7 +40,7 @@ def one_form(sentence: str) -> str:
     sentence : str
         With names marked.
     """
-    sentence = PAIR.sub(_pair, sentence)
+    sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
     sentence = INVERSE.sub("\u27e8\\2\u27e9 is the \\1", sentence)
     sentence = BESIDE.sub("\u27e8\\2\u27e9 is the \\1 of the \\3", sentence)
     return OWNED.sub(_owned, sentence)

@@ -8,6 +8,7 @@ from uuid import uuid4
 import numpy as np
 import pytest
 
+from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
@@ -113,3 +114,17 @@ def test_rates_of_a_state_stand_in_its_order_whatever_they_are_called(
     monkeypatch.syspath_prepend(tmp_path)
     rate = import_module(name).rate
     assert check(rod_pendulum.scene(), rate, blame=False).verdict.name == verdict
+
+
+def test_an_output_that_is_called_a_reaction_or_an_energy_is_no_acceleration() -> None:
+    """T1 and T2 are tensions of the scene, and T is nothing that moves."""
+    scene = scene_of(HERE / "scenes" / "pulley.py", "make_scene")
+    tensions = (
+        "void tensions(double m1, double m2, double M, double g, double *T1, double *T2) {\n"
+        "  double a = (m1 - m2)*g/(m1 + m2 + 0.5*M); *T1 = m1*(g - a); *T2 = m2*(g + a); }\n"
+    )
+    with pytest.raises(InputError, match="calls an output T1 and would be taken to return"):
+        check(scene, tensions, notation="c", blame=False)
+    energy = "void f(double x_dot, double m1, double *T) { *T = 0.5*m1*x_dot*x_dot; }\n"
+    with pytest.raises(InputError, match="calls an output T and would be taken to return"):
+        check(scene, energy, notation="c", blame=False)

@@ -51,6 +51,8 @@ SHORT = {
     "potential": "potential energy", "e tot": "energy", "e kin": "kinetic energy",
     "e pot": "potential energy",
 }  # fmt: skip
+LETTERS = frozenset("TVUKLHE")
+"""Of energies, and of nothing that moves."""
 MASSES = ("mass", "mass matrix", "inertia", "inertia matrix", "m")
 """Names of functions that fill a square matrix."""
 
@@ -86,7 +88,8 @@ def claims(
 
 
 def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: str) -> None:
-    """Refuse what the code calls an acceleration, a rate or an energy, and is taken for another.
+    """Refuse what the code calls an acceleration, a rate, an energy or a reaction, and is taken for
+    another.
 
     ``{"theta_ddot": a, "other": b}`` of a scene with x and theta, where a would be taken for x''.
     """
@@ -102,8 +105,10 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
     if len(names) > 1 and own and states and not said:
         return  # by what they are the rates of
     moving = {*scene.q, *of_rates, *scene.input_symbols}
+    others = {*LETTERS, *(one.name for one in scene.reactions)}
     for name, rate in pairs:
-        if named_by_title(name, 1, 0) or (meant[name] in moving and meant[name] != rate):
+        other = named_by_title(name, 1, 0) or name.removesuffix("_") in others
+        if other or (meant[name] in moving and meant[name] != rate):
             raise InputError(
                 f"{title} calls an output {name} and would be taken to return {rate}: say what it"
                 f" is: {_choices(naming)}"

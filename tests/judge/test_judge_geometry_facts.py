@@ -1,0 +1,120 @@
+"""Sentences that say what a name or a body is are compared with the geometry of the scene."""
+
+from pathlib import Path
+
+import pytest
+
+from benchmarks.corpus.load import HERE, scene_of
+from mechanics import check
+
+SCENES = HERE / "scenes"
+OPEN, RIGHT, WRONG = "UNDECIDED", "PROVED", "REFUTED"
+POLAR = r"$$m\ddot r = mr\dot\theta^2 + mg\cos\theta - k(r-b)$$"
+BOWL = r"$$\ddot\theta = -\frac{2g}{3(R-a)}\sin\theta$$"
+LADDER = r"$$\ddot\theta = \frac{3g}{4l}\sin\theta$$"
+PULLEY = r"$$\ddot x = \frac{(m_1-m_2)g}{m_1+m_2+M/2}$$"
+BODY = r"$$I\ddot\theta = -mgh\sin\theta$$"
+ROD = r"$$\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3}{ml^2}u$$"
+BOBS = r"$$V = -(m_1+m_2)gl_1\cos\phi_1 - m_2gl_2\cos\phi_2$$"
+PLACE = r"$$V = mgy + \tfrac12 k(\sqrt{x^2+y^2}-b)^2$$"
+CYCLOID = r"$$V = mga(1+\cos\theta)$$"
+
+CASES: dict[str, tuple[str, str, str, str]] = {
+    # springs
+    "an extension": (
+        "spring_pendulum.py:polar", r"Let $r$ denote the extension of the spring.", POLAR, OPEN,
+    ),
+    "a length": (
+        "spring_pendulum.py:polar", r"Let $r$ denote the length of the spring.", POLAR, RIGHT,
+    ),
+    # axes
+    "an axis downwards": (
+        "cycloid.py:make_scene", r"The $y$ axis points vertically downwards.", CYCLOID, OPEN,
+    ),
+    "an axis upwards": (
+        "cycloid.py:make_scene", r"The $y$ axis points vertically upwards.", CYCLOID, RIGHT,
+    ),
+    "a coordinate upwards": (
+        "spring_pendulum.py:cartesian", r"$y$ is measured upwards.", PLACE, RIGHT,
+    ),
+    "a coordinate downwards": (
+        "spring_pendulum.py:cartesian", r"$y$ is the position of the mass, measured downwards.",
+        PLACE, WRONG,
+    ),
+    # shapes
+    "a hoop": ("pulley.py:make_scene", "The pulley is a thin hoop.", PULLEY, OPEN),
+    "a disc": ("pulley.py:make_scene", "The pulley is a uniform disc.", PULLEY, RIGHT),
+    "a ring of a mass": (
+        "pulley.py:make_scene", r"A thin ring of mass $M$ and radius $R$ is the pulley.", PULLEY,
+        OPEN,
+    ),
+    "a rod that is a hoop": ("rod_pendulum", "The rod is a hoop.", ROD, OPEN),
+    "a rod that is a tube": ("rod_pendulum", "The rod is a thin-walled tube.", ROD, RIGHT),
+    # inertias and lengths
+    "about the mass centre": (
+        "more_pendulums.py:physical", r"$I$ is the moment of inertia about its centre of mass.",
+        BODY, OPEN,
+    ),
+    "about the pivot": (
+        "more_pendulums.py:physical", r"$I$ is the moment of inertia about the pivot.", BODY,
+        RIGHT,
+    ),
+    "a ladder of half the length": (
+        "ladder.py:from_vertical", r"A uniform ladder has total length $l$.", LADDER, WRONG,
+    ),
+    "a ladder of the length": (
+        "ladder.py:from_vertical", r"A uniform ladder has length $2l$.", LADDER, RIGHT,
+    ),
+    # angles
+    "an inclination": (
+        "rod_pendulum", r"$\theta$ is the inclination of the rod to the floor.", ROD, WRONG,
+    ),
+    "an angle with the vertical": (
+        "rod_pendulum", r"$\theta$ is the angle of the rod with the vertical.", ROD, RIGHT,
+    ),
+    "an angle with the first rod": (
+        "double_pendulum", r"Let $\phi_2$ be the angle that the second rod makes with the first.",
+        BOBS, OPEN,
+    ),
+    "an angle between the rods": (
+        "double_pendulum", r"$\phi_2$ is the angle between the first and the second rod.", BOBS,
+        OPEN,
+    ),
+    "an angle that a rod makes with the vertical": (
+        "double_pendulum", r"$\phi_2$ is the angle that the second rod makes with the vertical.",
+        BOBS, RIGHT,
+    ),
+    # whose a radius is
+    "radii exchanged": (
+        "cylinder_in_cylinder",
+        r"$a$ denotes the radius of the hollow cylinder and $R$ the radius of the small one.",
+        BOWL, OPEN,
+    ),
+    "radii": (
+        "cylinder_in_cylinder",
+        r"$R$ denotes the radius of the hollow cylinder and $a$ the radius of the small one.",
+        BOWL, RIGHT,
+    ),
+    "a table, exchanged": (
+        "cylinder_in_cylinder",
+        "| symbol | meaning |\n| --- | --- |\n| $R$ | radius of the rolling cylinder |\n"
+        "| $a$ | radius of the surface it rolls on |\n",
+        BOWL, OPEN,
+    ),
+    "a table": (
+        "cylinder_in_cylinder",
+        "| symbol | meaning |\n| --- | --- |\n| $a$ | radius of the rolling cylinder |\n"
+        "| $R$ | radius of the surface it rolls on |\n",
+        BOWL, RIGHT,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_sentence_is_compared_with_the_geometry(case: str) -> None:
+    where, sentence, formula, verdict = CASES[case]
+    file, _, function = where.partition(":")
+    path = SCENES / file if function else Path("systems", f"{file}.py")
+    scene = scene_of(path, function or "scene")
+    answer = check(scene, f"{sentence}\n\n{formula}", blame=False)
+    assert answer.verdict.name == verdict
