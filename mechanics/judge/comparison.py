@@ -180,6 +180,13 @@ def _direction(facts: SceneFacts, said: Said) -> Found:
     )
 
 
+def _opposite(facts: SceneFacts, said: Said) -> Found:
+    """``theta = pi is upright``: it is counted from hanging."""
+    way = said["way"].lower()
+    start = "upright" if p.WAYS.get(way, way) == "hanging" else "hanging"
+    return _declared(facts, f"{start} of {_name(said)}") or None
+
+
 def _every_angle(facts: SceneFacts, said: Said) -> Found:
     way = p.WAYS.get(said["way"].lower(), said["way"].lower())
     each = [_declared(facts, f"{way} of {angle.symbol.name}") for angle in facts.angles]
@@ -243,6 +250,8 @@ def _denoted(facts: SceneFacts, said: Said) -> Found:
             return text
         if _other_sort(facts, own, words):
             return f"{text}, which {own} of the scene is not"
+        if own in facts.coordinates and _of_another_place(facts, words):
+            return f"{text}, which no body of the scene is"
         return "" if facts.is_called(own, words) else None
     meaning, unit = facts.meaning(own), facts.unit(own)
     if p.SCALED.search(words):
@@ -255,7 +264,34 @@ def _denoted(facts: SceneFacts, said: Said) -> Found:
         return f"{have}, and {other} is that"
     wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
     wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
-    return have if wrong or _other_distance(facts, said, meaning, words) else None
+    of_two = p.OF_TWO.match(said.string, said.end()) is not None
+    wrong = wrong or (words.startswith("total mass") and of_two)
+    if wrong or _other_distance(facts, said, meaning, words):
+        return have
+    known = facts.is_sole(own) or _same_thing(facts, own, words)
+    return None if known else f"{text}, which nothing compares"
+
+
+def _of_another_place(facts: SceneFacts, words: str) -> bool:
+    """Whether a position is said to be of a part of a body: the tip of the rod."""
+    said = p.POSITION_OF.match(words)
+    return len(facts.scene.bodies) > 1 and said is not None and not facts.bodies(said["part"])
+
+
+def _same_thing(facts: SceneFacts, own: str, words: str) -> bool:
+    """Whether words are of the body, the number or the thing that the scene's symbol is of."""
+    symbol, said = facts.parameters[own], facts.nouns(words)
+    bodies = [b for b in facts.scene.bodies if facts.nouns(b.name) & said]
+    plain = facts.scene.plain
+    if re.search(r"\bmass\b", words):
+        return any(plain(b.mass) == symbol for b in bodies)
+    if any(isinstance(b, RigidBody) and isinstance(b.inertia, Expr)
+           and plain(b.inertia).has(symbol) for b in bodies):  # fmt: skip
+        return True
+    numbers = re.findall(r"\d+", words)
+    if numbers:
+        return numbers == re.findall(r"\d+", own)
+    return bool(facts.nouns(facts.meaning(own)) & said)
 
 
 def _other_distance(facts: SceneFacts, said: Said, meaning: str, words: str) -> bool:
@@ -414,6 +450,28 @@ def _from(facts: SceneFacts, said: Said) -> Found:
         return None
     way = "relative to" if relative else "from"
     return f"the text says that {_name(said)} counts {way} the {said['to']}, {own} does not"
+
+
+def _aligned(facts: SceneFacts, said: Said) -> Found:
+    """An angle that is zero where two bodies are in line is no absolute one."""
+    if facts.is_absolute(facts.own(said)) is not True or len(facts.angles) < 2:
+        return None
+    return f"the text says that {_name(said)} is zero where they are {said['to']}, it counts alone"
+
+
+def _kind_of_angle(facts: SceneFacts, said: Said) -> Found:
+    """Angles that are said to be relative, of joints, or absolute."""
+    every = [angle.symbol.name for angle in facts.angles]
+    groups = said.groupdict()
+    own = [facts.own_name(n) for n in (groups.get("name"), groups.get("more")) if n] or every
+    some = [n for n in own if n in every]
+    absolute = said["kind"].lower() == "absolute"
+    if not absolute:  # the first is of a joint on the ground, by either
+        some = [n for n in some if n != every[0]]
+    other = [n for n in some if facts.is_absolute(n) is not absolute]
+    if not other:
+        return None
+    return f"the text says {bare(said[0])!r}, {', '.join(other)} of the scene is not"
 
 
 def _about(facts: SceneFacts, said: Said) -> Found:
@@ -595,7 +653,8 @@ def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tu
 
 
 ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = (
-    *((row, _direction) for row in p.DIRECTIONS), (p.EVERY_ANGLE, _every_angle),
+    *((row, _direction) for row in p.DIRECTIONS),
+    (p.EVERY_ANGLE, _every_angle), (p.OPPOSITE, _opposite),
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
     (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
@@ -603,6 +662,8 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = 
     (p.SPRING_LENGTH, _elongation), (p.UPWARD, _upward), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
     (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
+    *((row, _aligned) for row in p.ALIGNED),
+    *((row, _kind_of_angle) for row in p.KINDS_OF_ANGLE),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
     (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.ONLY_ONE, _only_one),

@@ -36,7 +36,8 @@ SLOTS = {
     ),
     "ACTS": (
         r"(?: ?(?:,|is|acts?|acting|applied|measured|counted|taken|positive|turns?|increases|grows"
-        r"|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force))+"
+        r"|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force|cart|carriage|trolley"
+        r"|block|body))+"
     ),
     "SOLID": r"(?:mass(?:es)?|lengths?|springs?|stiffness(?:es)?|rods?|links?|bodies)",
 }  # fmt: skip
@@ -65,20 +66,33 @@ DIRECTIONS = (
     ),
     phrase(r"NAMEIS COUNTED from THE(?P<way>top|highest|bottom|lowest)\b"),
     phrase(
+        r"NAME (?:is zero|is 0|vanishes|equals zero|equals 0) (?:when|if|where|for|at|in) THE"
+        r"(?:(?!not\b)[\w']+ ){0,4}?(?P<way>hangs|hanging|upright|inverted|horizontal)\b"
+    ),
+    phrase(
+        r"\b(?P<way>hangs|hanging|upright|inverted|horizontal) (?:(?:straight )?down )?"
+        rf"(?:at|for|when|where|if) ⟨=\s?{SYMBOL}\s?=\s?0\s?⟩"
+    ),
+    phrase(
         rf"⟨=\s?{SYMBOL}\s?=\s?0\s?⟩ "
         r"(?:is|corresponds to|denotes|means|describes|in|at|being) THE"
         r"(?P<way>downward|upward|upright|inverted|hanging|horizontal)\b"
     ),
 )
 """From where an angle is counted."""
+OPPOSITE = phrase(
+    rf"⟨=\s?{SYMBOL}\s?=\s?\\?pi\s?⟩ (?:is|corresponds to|denotes|means|describes) THE"
+    r"(?P<way>downward|upward|upright|inverted|hanging)\b"
+)
+"""Where an angle is half a turn."""
 EVERY_ANGLE = phrase(
-    r"\b(?:both|all|the) angles (?:are )?(?:COUNTED )?from THE"
+    r"(?:\b(?:both|all|the)|^) (?:the )?angles (?:are )?(?:COUNTED )?from THE"
     r"(?P<way>VERTICAL|upright|horizontal)\b"
 )
 WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
-    "highest": "upright", "bottom": "hanging", "lowest": "hanging", "floor": "horizontal",
-    "ground": "horizontal",
+    "highest": "upright", "hangs": "hanging", "bottom": "hanging", "lowest": "hanging",
+    "floor": "horizontal", "ground": "horizontal",
     "downwards vertical": "downward vertical", "upwards vertical": "upward vertical",
 }  # fmt: skip
 """Ways as conventions call them."""
@@ -120,8 +134,8 @@ SPRING_LENGTH = phrase(
 UPWARD = phrase(
     r"NAME(?:[- ](?:axis|direction|coordinate))?IS (?:(?:the|a|its|taken|as|and|is|height|position"
     r"|displacement|coordinate|distance|of|mass|body|bob|cart|block|load),? ){0,6}"
-    r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?(?:positive |vertically "
-    r"|straight )?(?P<way>downward|upward)s?\b(?! vertical)"
+    r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?"
+    r"(?:positive |vertically |straight )?(?P<way>downward|upward)s?\b(?! vertical)"
 )
 ROUND = r"(?:hoop|ring|dis[ck]|cylinder|tube|shell|sphere|ball)"
 SHAPE = (
@@ -134,13 +148,18 @@ SHAPE = (
 """A body that is round, by its name or its mass."""
 DENOTED = phrase(
     r"NAMEIS (?:(?:the|an?|its) )(?P<words>"
-    r"(?:(?!\b(?:and|which|that|where|with|while|but|when|if)\b)[^⟨.;:,()]){3,80})(?P<formula>⟨?)"
+    r"(?:(?!\b(?:and|which|that|where|with|while|but|when|if)\b)[^⟨.;:,()|]){3,80})(?=(?P<formula>⟨?))"
 )
 COUNTS = re.compile(
     r"\b(?:minus|negative|positive|opposite|(?:counter|anti)?-?clockwise|left|right|up|down|upwards?"
     r"|downwards?|from|measured|counted|direction|same)\b", re.IGNORECASE
 )  # fmt: skip
 """Words for how something counts."""
+OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=[a-z])")
+POSITION_OF = re.compile(
+    r"(?:\w+ )?(?:position|displacement|coordinate) of (?:the |its )?"
+    r"(?P<part>tip|end|top|bottom|middle|midpoint|hinge|pivot|joint|edge|rim)\b"
+)
 INNER = re.compile(r"\b(?:small(?:er)?|rolling|moving|inner (?!radius|surface))\b", re.IGNORECASE)
 OUTER = re.compile(
     r"\b(?:hollow|outer|larger?|big(?:ger)?|fixed|stationary|bowl|track|pipe|tube|surface)\b",
@@ -165,6 +184,26 @@ RELATIVE = phrase(
     r"(?!(?:gravity|motion|travel|symmetry|rotation|the)\b)(?:(?:first|upper|previous|other) )?)"
     r"(?P<to>\w+)"
 )
+KINDS_OF_ANGLE = (
+    phrase(
+        r"NAME(?:(?: and|,) ⟨(?P<more>\w+)⟩)?IS (?:the |an? )?(?:\w+ )?"
+        r"(?P<kind>relative|absolute|joint) (?:angle|rotation|orientation)s?\b"
+    ),
+    phrase(
+        r"\b(?:both|all|the)(?: the| of the)? angles are (?:all )?"
+        r"(?P<kind>relative|absolute|joint)\b"
+    ),
+)
+ALIGNED = tuple(
+    phrase(
+        rf"{zero} (?:when|if|where|for|means that) (?:[\w']+ ){{0,6}}"
+        r"(?P<to>aligned|in line|collinear)\b(?! with the (?:vertical|horizontal|axis|[xyz]\b))"
+    )
+    for zero in (
+        r"NAME (?:is zero|is 0|vanishes|equals zero|equals 0)", rf"⟨=\s?{SYMBOL}\s?=\s?0\s?⟩",
+    )
+)  # fmt: skip
+"""Where an angle between two bodies is zero."""
 ABSOLUTE = phrase(
     r"NAME[^⟨.;]{0,40}?\b(?:from|with|relative to) (?:the )?(?:(?:down|up)wards? )?"
     r"(?P<to>vertical|horizontal|wall|ground)\b"
@@ -312,6 +351,13 @@ COUNTED = words("""
 PLACES = frozenset(("angle", "position", "displacement", "coordinate"))
 ARTICLES = frozenset(("the", "a", "an", "its", "of", "in", "on"))
 OTHERS = (
+    (r"\bfirst\b", r"\bsecond\b"),
+    (r"\bsecond\b", r"\bfirst\b"),
+    (r"\bfront\b", r"\brear\b"),
+    (r"\brear\b", r"\bfront\b"),
+    (r"\bupper\b", r"\blower\b"),
+    (r"\blower\b", r"\bupper\b"),
+    (r"\bmass\b", r"\b(?:total|combined) mass of (?:the )?(?:system|both)\b"),
     (r"\bradius\b", r"\bdiameter\b"),
     (r"\beach\b", r"\b(?:total|combined|together|both|equivalent)\b"),
     (r"\bdiameter\b", r"\bradius\b"),

@@ -75,6 +75,10 @@ class SceneFacts:
         """Of a parameter; empty where none is declared."""
         return getattr(self.parameters.get(name), "unit", "")
 
+    def is_sole(self, name: str) -> bool:
+        """Whether no other parameter has the unit of one: nothing can be exchanged with it."""
+        return [self.unit(one) for one in self.parameters].count(self.unit(name)) == 1
+
     @cached_property
     def angles(self) -> tuple[Counted, ...]:
         """How the scene counts its angles."""

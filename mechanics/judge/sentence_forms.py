@@ -5,6 +5,7 @@ A rod of mass ⟨m⟩ and length ⟨l⟩                  ⟨m⟩ is the mass of
 The cart has the mass ⟨M⟩.                        ⟨M⟩ is the mass of the cart
 ⟨R⟩ | radius of the bowl                          ⟨R⟩ is the radius of the bowl
 ⟨M⟩ and ⟨m⟩ are the masses of the cart and the pole, respectively
+The masses of the cart and the pole are ⟨M⟩ and ⟨m⟩.
 """
 
 import re
@@ -30,6 +31,10 @@ PAIR = re.compile(
     rf"{NAME} and {NAME} (?:are|denote) the (mass|length|stiffness|radi)(?:es|s|i)? of "
     r"(?:the )?(\w+) and (?:of )?(?:the )?(\w+)"
 )
+PAIR_OF = re.compile(
+    r"\b[Tt]he (mass|length|stiffness|radi)(?:es|s|i)? of (?:the )?(\w+) and (?:of )?(?:the )?(\w+)"
+    rf" (?:are|be) {NAME} and {NAME}"
+)
 
 
 def one_form(sentence: str) -> str:
@@ -40,6 +45,7 @@ def one_form(sentence: str) -> str:
     sentence : str
         With names marked.
     """
+    sentence = PAIR_OF.sub(_pair_of, sentence)
     sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
     sentence = INVERSE.sub("\u27e8\\2\u27e9 is the \\1", sentence)
     sentence = BESIDE.sub("\u27e8\\2\u27e9 is the \\1 of the \\3", sentence)
@@ -50,6 +56,13 @@ def _pair(said: re.Match[str]) -> str:
     what = "radius" if said[3] == "radi" else said[3]
     pairs = ((said[1], said[4]), (said[2], said[5]))
     return ", ".join(f"\u27e8{name}\u27e9 is the {what} of the {body}" for name, body in pairs)
+
+
+def _pair_of(said: re.Match[str]) -> str:
+    return PAIR.sub(
+        _pair, f"\u27e8{said[4]}\u27e9 and \u27e8{said[5]}\u27e9 are the {said[1]}"
+        f"{'i' if said[1] == 'radi' else 'es'} of the {said[2]} and the {said[3]}",
+    )  # fmt: skip
 
 
 def _owned(said: re.Match[str]) -> str:

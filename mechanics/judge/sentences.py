@@ -28,6 +28,8 @@ from mechanics.judge.sentence_forms import one_form
 DELIMITER = re.compile(
     r"\$+|\\{1,2}[\[\]()]|:math:|^\s*\.\.\s+math::|```\s*math|[`#*]", re.MULTILINE
 )
+TICKED = re.compile(r"(?<!`)`([A-Za-z]\w*)`(?!`)")
+"""A name of Markdown that is typed as code."""
 BESIDE = re.compile(r"\\(?:text(?:rm|it|normal|bf|up)?|[mh]box|intertext)\s*\{([^{}]*)\}")
 """Words in a display."""
 LABEL = re.compile(r"\\tag\*?\s*\{([^{}]*)\}|\\(?:stackrel|overset)\s*\{([^{}]*)\}\s*\{?\s*=")
@@ -137,6 +139,7 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
         for said in of_latex(text):
             if EQUATION.search(said) or TWO_WORDS.search(said):
                 yield Sentence(MARKED, said, comment=True, unread=True)
+        text = TICKED.sub(lambda m: f"${m[1]}$" if m[1] in names else m[0], text)
         text = without_markup(marked(text))
     else:
         for block in () if beside else BLOCK.finditer(text):

@@ -19,6 +19,8 @@ BOBS = r"$$V = -(m_1+m_2)gl_1\cos\phi_1 - m_2gl_2\cos\phi_2$$"
 PLACE = r"$$V = mgy + \tfrac12 k(\sqrt{x^2+y^2}-b)^2$$"
 CYCLOID = r"$$V = mga(1+\cos\theta)$$"
 
+CART = r"$$(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F$$"
+
 CASES: dict[str, tuple[str, str, str, str]] = {
     # springs
     "an extension": (
@@ -83,6 +85,49 @@ CASES: dict[str, tuple[str, str, str, str]] = {
     "an angle that a rod makes with the vertical": (
         "double_pendulum", r"$\phi_2$ is the angle that the second rod makes with the vertical.",
         BOBS, RIGHT,
+    ),
+    "angles of joints": (
+        "double_pendulum", r"$\phi_1$ and $\phi_2$ are the joint angles.", BOBS, OPEN,
+    ),
+    "an absolute angle": (
+        "double_pendulum", r"$\phi_2$ is the absolute angle of the second rod.", BOBS, RIGHT,
+    ),
+    "zero where the rods are in line": (
+        "double_pendulum", r"$\phi_2$ is zero when the second rod is aligned with the first.", BOBS,
+        OPEN,
+    ),
+    "zero where it hangs": (
+        "double_pendulum", r"$\phi_2$ is zero when the second rod hangs.", BOBS, RIGHT,
+    ),
+    "hanging at half a turn": (
+        "rod_pendulum", r"$\theta = \pi$ is the hanging position.", ROD, RIGHT,
+    ),
+    "upright at half a turn": (
+        "rod_pendulum", r"$\theta = \pi$ is the upright position.", ROD, WRONG,
+    ),
+    # whose a length, a mass, a stiffness is
+    "of the second rod": (
+        "double_pendulum", r"$l_1$ is the length of the second rod.", BOBS, OPEN,
+    ),
+    "of the first rod": (
+        "double_pendulum", r"$l_1$ is the length of the first rod.", BOBS, RIGHT,
+    ),
+    "masses exchanged": (
+        "cartpole", "The masses of the cart and the pole are $m_p$ and $m_c$.", CART, OPEN,
+    ),
+    "masses": (
+        "cartpole", "The masses of the cart and the pole are $m_c$ and $m_p$.", CART, RIGHT,
+    ),
+    "a total mass": (
+        "cartpole", "$m_c$ is the total mass of the cart and the pole.", CART, OPEN,
+    ),
+    "stiffnesses in a list": (
+        "vibrations.py:quarter_car",
+        "* `ks` - stiffness of the tyre\n* `kt` - stiffness of the suspension spring\n",
+        r"$$m_s\ddot z_s = -k_s(z_s-z_u) - d(\dot z_s-\dot z_u)$$", OPEN,
+    ),
+    "a list": (
+        "rod_pendulum", "- `m`: mass of the rod\n- `l`: length of the rod\n", ROD, RIGHT,
     ),
     # whose a radius is
     "radii exchanged": (

@@ -336,7 +336,6 @@ QUOTED = [
     ("rod_pendulum", r"For $\theta \ll 1$ we have"),
     ("rod_pendulum", r"$t < 0$:"),
     ("cartpole", r"$F$ is a force of gravity."),
-    ("cartpole", r"$m_p$ is the mass of the system."),
     ("cartpole", r"$F$ is the magnetic force on the cart."),
     ("double_pendulum", r"It is a simple pendulum."),
     ("double_pendulum", r"$\varphi_1$ is the angle the second rod makes with the vertical."),
