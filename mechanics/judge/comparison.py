@@ -282,6 +282,8 @@ def _same_thing(facts: SceneFacts, own: str, words: str) -> bool:
     """Whether words are of the body, the number or the thing that the scene's symbol is of."""
     symbol, said = facts.parameters[own], facts.nouns(words)
     bodies = [b for b in facts.scene.bodies if facts.nouns(b.name) & said]
+    if not bodies and len(facts.scene.bodies) == 1:
+        bodies = [*facts.scene.bodies]
     plain = facts.scene.plain
     if re.search(r"\bmass\b", words):
         return any(plain(b.mass) == symbol for b in bodies)
@@ -291,7 +293,15 @@ def _same_thing(facts: SceneFacts, own: str, words: str) -> bool:
     numbers = re.findall(r"\d+", words)
     if numbers:
         return numbers == re.findall(r"\d+", own)
-    return bool(facts.nouns(facts.meaning(own)) & said)
+    return bool(facts.nouns(facts.meaning(own)) & said) or _usual_letter(facts, own, words)
+
+
+def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:
+    """Whether a name begins as people's do for what it is said to be, and no other of its unit."""
+    unit = facts.unit(own)
+    others = [n for n in facts.parameters if n != own and facts.unit(n) == unit]
+    usual = next((letters for noun, letters in p.LETTERS if noun in words.split()), "")
+    return own[0] in usual and not any(n[0] in usual for n in others)
 
 
 def _other_distance(facts: SceneFacts, said: Said, meaning: str, words: str) -> bool:

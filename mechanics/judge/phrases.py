@@ -155,6 +155,8 @@ COUNTS = re.compile(
     r"|downwards?|from|measured|counted|direction|same)\b", re.IGNORECASE
 )  # fmt: skip
 """Words for how something counts."""
+LETTERS = (("radius", "rRaA"), ("length", "lL"))
+"""With which names of lengths begin."""
 OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=[a-z])")
 POSITION_OF = re.compile(
     r"(?:\w+ )?(?:position|displacement|coordinate) of (?:the |its )?"
