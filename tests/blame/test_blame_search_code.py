@@ -15,7 +15,7 @@ from mechanics.claims.code.trace.formulas import MOST_NODES, Known, added, leaf,
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import two_mass_chain
+from systems import cartpole_friction, two_mass_chain
 
 CHAIN = derived(two_mass_chain.scene())
 
@@ -88,3 +88,22 @@ def test_a_formula_used_over_and_over_is_left_to_its_expression() -> None:
         known = larger
         counts.append(known.count)
     assert max(counts) <= MOST_NODES < 3 * max(counts)
+
+
+BRANCH = """double residual(double theta, double theta_dot, double theta_ddot, double x_dot,
+                double F, double m_c, double m_p, double l, double g, double mu_c)
+{
+    double N = (m_c + m_p)*g - m_p*l*(theta_ddot*sin(theta) + theta_dot*theta_dot*cos(theta));
+    double friction = mu_c * N;
+    if (x_dot < 0)
+        friction = -friction;
+        friction = 0.5 * friction;
+    return (F + m_p*l*(theta_dot*theta_dot*sin(theta) - theta_ddot*cos(theta)) - friction)
+           / (m_c + m_p);
+}
+"""
+
+
+def test_a_term_that_is_zero_in_a_branch_is_mended_by_no_number() -> None:
+    answer = mechanics.check(cartpole_friction.scene(), BRANCH, notation="c")
+    assert answer.verdict is Verdict.REFUTED

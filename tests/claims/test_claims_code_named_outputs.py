@@ -12,7 +12,7 @@ from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.errors import InputError
 from mechanics.kernel import Verdict
-from systems import elastic_pendulum, rod_pendulum
+from systems import cartpole, elastic_pendulum, rod_pendulum
 
 SCENE = elastic_pendulum.scene()
 DET = "(M/3*(M + m) - M*M/4*c*c)"
@@ -128,3 +128,23 @@ def test_an_output_that_is_called_a_reaction_or_an_energy_is_no_acceleration() -
     energy = "void f(double x_dot, double m1, double *T) { *T = 0.5*m1*x_dot*x_dot; }\n"
     with pytest.raises(InputError, match="calls an output T and would be taken to return"):
         check(scene, energy, notation="c", blame=False)
+
+
+def test_an_acceleration_may_be_of_another_acceleration() -> None:
+    """x'' of theta'', by its name; without one it may be a residual, too."""
+    head = "double {}(double theta, double theta_dot, double theta_ddot, double F,"
+    code = (
+        f"#include <math.h>\n{head} double m_c, double m_p, double l) {{\n"
+        "  return (F + m_p*l*(theta_dot*theta_dot*sin(theta) - {}theta_ddot*cos(theta)))"
+        "/(m_c + m_p); }}\n"
+    )
+    scene = cartpole.scene()
+
+    def judged(name: str, factor: str) -> str:
+        text = code.replace("{{", "{").replace("}}", "}").replace("{}", name, 1)
+        return check(scene, text.replace("{}", factor), notation="c", blame=False).verdict.name
+
+    assert judged("x_ddot", "") == "PROVED"
+    assert judged("x_ddot", "2*") == "REFUTED"
+    with pytest.raises(InputError, match="may return x_ddot, or what is zero"):
+        judged("cart_acc", "")

@@ -82,7 +82,7 @@ class Pieces:
                 continue
             if change.mistake is not Mistake.EXTRA or not tree.single(change.index):
                 continue
-            for step in found:
+            for step in filter(None, found):  # a term that is zero mends nothing by its number
                 inverse = pow(step, -1, self._p)
                 for undone, wanted in self._likely.items():
                     less = rational(wanted * inverse % self._p, self._p)

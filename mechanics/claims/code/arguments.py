@@ -176,7 +176,24 @@ def arguments_of(
         raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
     own_values = {n: v for n, v in values.items() if not {*_entries_of(v)} & {*scene.ud}}
     _refuse_twice(own_values, given)  # rates of a state have its speeds
+    _refuse_orders(scene, values, given)
     return Arguments(values, state, tuple(matches))
+
+
+def order_of_speeds(scene: Scene, arguments: Arguments) -> tuple[Expr, ...]:
+    """Speeds in the order in which one argument holds all coordinates; empty for no such one.
+
+    Parameters
+    ----------
+    scene : Scene
+    arguments : Arguments
+    """
+    rates = rate_table(scene)
+    if {rates[q] for q in scene.q} != {*scene.u}:
+        return ()  # it has speeds of its own
+    held = (_entries_of(value) for value in arguments.values.values())
+    found = (entries for entries in held if len(entries) > 1 and {*entries} == {*scene.q})
+    return tuple(rates[entry] for entry in next(found, ()))
 
 
 def _entries_of(value: Value) -> tuple[Expr, ...]:
@@ -203,6 +220,30 @@ def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
                     f"the arguments {other} and {name} are both read as {entry}: say what they"
                     f" are, --name '{name}=...' (names={{'{name}': ...}})"
                 )
+
+
+def _refuse_orders(scene: Scene, values: Mapping[str, Value], given: Container[str]) -> None:
+    """Refuse coordinates in one order and their rates in another: th2, th1 = q; w1, w2 = qd.
+
+    Raises
+    ------
+    InputError
+    """
+    place = {s: k for group in (scene.q, scene.u, scene.ud) for k, s in enumerate(group)}
+    orders: dict[tuple[int, ...], str] = {}
+    for name, value in values.items():
+        entries = _entries_of(value)
+        order = tuple(place.get(entry, -1) for entry in entries)
+        if sorted(order) != [*range(len(scene.q))] or len(order) < 2 or name in given:
+            continue
+        other = orders.setdefault(order, name)
+        if len(orders) > 1 and other == name:
+            first = next(iter(orders.values()))
+            held = " ".join(map(str, _entries_of(values[first])))
+            raise InputError(
+                f"the argument {first} is {held} and {name} is {' '.join(map(str, entries))}: say"
+                f" in which order they are, --name '{name}=...' (names={{'{name}': ...}})"
+            )
 
 
 RATE = re.compile(r"(?P<of>\w+?)(?:_?dot|p|_?prime)|d(?P<after>[A-Za-z]+?)(?:_?dt)?")

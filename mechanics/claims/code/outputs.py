@@ -5,6 +5,7 @@ as many as entries of state  the rate of the state           q' = output, u' = o
 ... and a step among the arguments    the next state         by which integrator is found out
 with u' among the arguments  what drives each speed           inverse dynamics
 ... and the inputs, too      residuals                       0 = output k
+... with some of u', others by name    these                 u'_k = output k
 a square matrix              the mass matrix                 with a vector beside it: M u' = f
 """
 
@@ -70,10 +71,12 @@ def claims(
     about: str | None,
     title: str,
     passed: Collection[Expr] = (),
+    speeds: Sequence[Expr] = (),
 ) -> list[Claim]:
     """Rows of the ledger for outputs.
 
-    `state` are the entries of a state vector, if there is one; `passed` all that is an argument.
+    `state` are the entries of a state vector, if there is one; `passed` all that is an argument;
+    `speeds` those of coordinates in a vector, in whose order accelerations come.
 
     Raises
     ------
@@ -82,7 +85,7 @@ def claims(
     """
     if about is not None:
         return _asked(naming, outputs.values, about)
-    found = _unasked(naming, outputs, state, title, passed)
+    found = _unasked(naming, outputs, state, title, passed, speeds)
     _agree(naming, outputs.names, found, title)
     return found
 
@@ -116,8 +119,9 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
 
 
 def _unasked(
-    naming: Naming, outputs: Outputs, state: Sequence[Expr], title: str, passed: Collection[Expr]
-) -> list[Claim]:
+    naming: Naming, outputs: Outputs, state: Sequence[Expr], title: str, passed: Collection[Expr],
+    speeds: Sequence[Expr] = (),
+) -> list[Claim]:  # fmt: skip
     """What outputs claim of which nobody says what they are."""
     scene, values = naming.vocabulary.scene, outputs.values
     size = len(scene.u)
@@ -148,6 +152,8 @@ def _unasked(
     entries = [entry for value in values for entry in value]
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
+        if some := _of_other_accelerations(naming, outputs, title, passed):
+            return [_rate_of(scene, u, value) for u, value in zip(some, entries, strict=True)]
         driven = _driven(scene, outputs, title, passed)
         # Rates of coordinates are speeds by name: f(t, y, yp) says that again, in as many rows.
         kinematic = len(entries) == 2 * size == 2 * sum(bool(e.is_zero) for e in entries)
@@ -178,7 +184,8 @@ def _unasked(
                 f"{title} returns {bare} as it is, which is no acceleration: say what it is:"
                 f" {_choices(naming)}"
             )
-        return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
+        own = speeds or scene.u
+        return [_rate_of(scene, u, value) for u, value in zip(own, entries, strict=True)]
     state, entries = _without_held(scene, state, entries)
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
     if len(entries) == len(both) and STEP in passed:
@@ -385,6 +392,33 @@ def _of_a_number(
     if not (step.is_Rational and step.is_positive):
         return None
     return [(value - symbol) / step for symbol, value in zip(state, entries, strict=True)]
+
+
+def _of_other_accelerations(
+    naming: Naming, outputs: Outputs, title: str, passed: Collection[Expr]
+) -> list[Expr]:
+    """The speeds whose rates code returns by name that takes the rates of others; or none.
+
+    Raises
+    ------
+    InputError
+        Without a name, where it returns as many numbers as it takes no accelerations.
+    """
+    scene = naming.vocabulary.scene
+    table = rate_table(scene)
+    count = sum(len(value) for value in outputs.values)
+    named = _named_accelerations(naming, outputs, title, count)
+    if named and not {table[u] for u in named} & {*passed}:
+        return named
+    left = [table[u] for u in scene.u if table[u] not in passed]
+    words = " ".join((title, *outputs.names)).lower()
+    driven = {*scene.input_symbols} & {*passed} and "resid" not in words
+    if driven and 0 < len(left) < len(scene.u) and count == len(left):
+        raise InputError(
+            f"{title} may return {' '.join(map(str, left))}, or what is zero: say what it is:"
+            f" {_choices(naming)}"
+        )
+    return []
 
 
 def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:

@@ -25,6 +25,7 @@ from mechanics.claims.code.arguments import (
     arguments_of,
     contradicted,
     named_entries,
+    order_of_speeds,
     vectors_of_motion,
 )
 from mechanics.claims.code.c.constants import with_constants
@@ -417,7 +418,8 @@ def _read(
         title, sum(len(value) for value in outputs.values), len(scene.u)
     )
     passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
-    found = claims(naming, outputs, state, about, title, passed)
+    speeds = order_of_speeds(scene, arguments)
+    found = claims(naming, outputs, state, about, title, passed, speeds)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = taken_otherwise(naming, outputs, found, about, title)
     if arguments.state and not _is_said(arguments) and len(_all(outputs)) < len(arguments.state):

@@ -1,0 +1,66 @@
+"""Coordinates, speeds and accelerations in vectors are in one order, which the code's names say."""
+
+# mypy: disable-error-code="no-untyped-def"
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from mechanics import check
+from mechanics.errors import InputError
+from mechanics.kernel import Verdict
+from systems import acrobot
+
+
+def parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
+    """The accelerations of both links, the first one first."""
+    d1 = m1 * lc1**2 + m2 * (l1**2 + lc2**2 + 2 * l1 * lc2 * np.cos(theta2)) + I1 + I2
+    d2 = m2 * (lc2**2 + l1 * lc2 * np.cos(theta2)) + I2
+    d3 = m2 * lc2**2 + I2
+    p2 = m2 * lc2 * g * np.sin(theta1 + theta2)
+    turning = m2 * l1 * lc2 * np.sin(theta2)
+    p1 = (m1 * lc1 + m2 * l1) * g * np.sin(theta1) + p2
+    p1 = p1 - turning * (theta2_dot**2 + 2 * theta1_dot * theta2_dot)
+    rest = np.array([-p1, tau - turning * theta1_dot**2 - p2])
+    return np.linalg.solve(np.array([[d1, d2], [d2, d3]]), rest)
+
+
+def ours(q, qd, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
+    theta1, theta2 = q
+    theta1_dot, theta2_dot = qd
+    return parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g)
+
+
+def other(q, qd, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
+    theta2, theta1 = q
+    theta2_dot, theta1_dot = qd
+    a = parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g)
+    return np.array([a[1], a[0]])
+
+
+def exchanged(q, qd, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
+    theta2, theta1 = q
+    theta2_dot, theta1_dot = qd
+    return parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g)
+
+
+def mixed(q, qd, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
+    theta2, theta1 = q
+    theta1_dot, theta2_dot = qd
+    return parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g)
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [(ours, Verdict.PROVED), (other, Verdict.PROVED), (exchanged, Verdict.REFUTED)],
+)
+def test_accelerations_come_in_the_order_of_the_coordinates(
+    code: Callable[..., object], expected: Verdict
+) -> None:
+    assert check(acrobot.scene(), code, blame=False).verdict is expected
+
+
+def test_two_orders_are_refused() -> None:
+    with pytest.raises(InputError, match="say in which order they are"):
+        check(acrobot.scene(), mixed, blame=False)
