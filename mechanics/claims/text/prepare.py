@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from mechanics.claims.latex.bars import barred
 from mechanics.claims.text.declarations import without_declarations
 from mechanics.claims.text.line_continuation import on_one_line, sentences
-from mechanics.claims.text.markdown import without_markdown
+from mechanics.claims.text.markdown import without_dashes, without_markdown
 from mechanics.program.c.tokens import blanked
 
 BLOCK = re.compile(
@@ -142,6 +142,7 @@ def comments(text: str) -> Iterator[tuple[int, str]]:
 
 def prepared(text: str) -> str:
     """The text with blanks for comments and for ends of lines inside round brackets."""
+    text = text if CODE.search(text) else without_dashes(text)
     text = CJK.sub(lambda m: " " * len(m[0]), without_markdown(text))
     text = CALLED.sub(_letter, text)
     if INSIDE.search(text):

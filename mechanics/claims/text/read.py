@@ -33,6 +33,7 @@ from mechanics.claims.text.declarations import has_columns, operators, without_e
 from mechanics.claims.text.drawn_fractions import without_drawn
 from mechanics.claims.text.grammar import PARSER
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.markdown import doubtful_dashes
 from mechanics.claims.text.nodes import FIRST, OTHERS, Nodes
 from mechanics.claims.text.prepare import prepared
 from mechanics.claims.text.side_by_side import letters_of, with_products
@@ -76,7 +77,7 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
     clean = prepared(without_values_in_words(text, naming))
     lost = [
         Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
-        for at, words in without_effect(text)
+        for at, words in (*without_effect(text), *doubtful_dashes(text))
     ]
     rest, drawn = without_drawn(text, clean, lambda part, at: _part(part, text, at, naming, origin))
     if drawn and not rest.strip():
