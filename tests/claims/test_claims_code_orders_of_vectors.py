@@ -64,3 +64,29 @@ def test_accelerations_come_in_the_order_of_the_coordinates(
 def test_two_orders_are_refused() -> None:
     with pytest.raises(InputError, match="say in which order they are"):
         check(acrobot.scene(), mixed, blame=False)
+
+
+def inertia_ours(q, m1, m2, l1, lc1, lc2, I1, I2):
+    theta1, theta2 = q  # noqa: RUF059  (its name says the order)
+    inner = m2 * (lc2**2 + l1 * lc2 * np.cos(theta2)) + I2
+    outer = m1 * lc1**2 + m2 * (l1**2 + lc2**2 + 2 * l1 * lc2 * np.cos(theta2)) + I1 + I2
+    return np.array([[outer, inner], [inner, m2 * lc2**2 + I2]])
+
+
+def inertia_exchanged(q, m1, m2, l1, lc1, lc2, I1, I2):
+    theta2, theta1 = q
+    return inertia_ours([theta1, theta2], m1, m2, l1, lc1, lc2, I1, I2)
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        (inertia_ours, Verdict.PROVED),
+        (inertia_exchanged, Verdict.REFUTED),
+    ],
+)
+def test_a_mass_matrix_is_in_the_order_of_the_coordinates(
+    code: Callable[..., object], expected: Verdict
+) -> None:
+    answer = check(acrobot.scene(), code, about="mass matrix", blame=False)
+    assert answer.verdict is expected

@@ -180,20 +180,20 @@ def arguments_of(
     return Arguments(values, state, tuple(matches))
 
 
-def order_of_speeds(scene: Scene, arguments: Arguments) -> tuple[Expr, ...]:
-    """Speeds in the order in which one argument holds all coordinates; empty for no such one.
+def places_of_vectors(scene: Scene, arguments: Arguments) -> tuple[int, ...]:
+    """Where the scene has the coordinates that one argument holds; empty for its own order.
 
     Parameters
     ----------
     scene : Scene
     arguments : Arguments
     """
-    rates = rate_table(scene)
-    if {rates[q] for q in scene.q} != {*scene.u}:
-        return ()  # it has speeds of its own
+    own = list(scene.q)
     held = (_entries_of(value) for value in arguments.values.values())
-    found = (entries for entries in held if len(entries) > 1 and {*entries} == {*scene.q})
-    return tuple(rates[entry] for entry in next(found, ()))
+    found = next((e for e in held if len(e) > 1 and {*e} == {*own}), tuple(own))
+    places = tuple(own.index(entry) for entry in found)
+    aligned = len(own) == len(scene.u) and {rate_table(scene)[q] for q in own} == {*scene.u}
+    return places if aligned and places != tuple(range(len(own))) else ()
 
 
 def _entries_of(value: Value) -> tuple[Expr, ...]:

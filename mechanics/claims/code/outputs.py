@@ -11,6 +11,7 @@ a square matrix              the mass matrix                 with a vector besid
 
 import re
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 from itertools import islice, permutations, product
 
 from sympy import Expr, Matrix, S, Symbol
@@ -71,12 +72,10 @@ def claims(
     about: str | None,
     title: str,
     passed: Collection[Expr] = (),
-    speeds: Sequence[Expr] = (),
 ) -> list[Claim]:
     """Rows of the ledger for outputs.
 
-    `state` are the entries of a state vector, if there is one; `passed` all that is an argument;
-    `speeds` those of coordinates in a vector, in whose order accelerations come.
+    `state` are the entries of a state vector, if there is one; `passed` all that is an argument.
 
     Raises
     ------
@@ -85,7 +84,7 @@ def claims(
     """
     if about is not None:
         return _asked(naming, outputs.values, about)
-    found = _unasked(naming, outputs, state, title, passed, speeds)
+    found = _unasked(naming, outputs, state, title, passed)
     _agree(naming, outputs.names, found, title)
     return found
 
@@ -119,9 +118,8 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
 
 
 def _unasked(
-    naming: Naming, outputs: Outputs, state: Sequence[Expr], title: str, passed: Collection[Expr],
-    speeds: Sequence[Expr] = (),
-) -> list[Claim]:  # fmt: skip
+    naming: Naming, outputs: Outputs, state: Sequence[Expr], title: str, passed: Collection[Expr]
+) -> list[Claim]:
     """What outputs claim of which nobody says what they are."""
     scene, values = naming.vocabulary.scene, outputs.values
     size = len(scene.u)
@@ -184,8 +182,7 @@ def _unasked(
                 f"{title} returns {bare} as it is, which is no acceleration: say what it is:"
                 f" {_choices(naming)}"
             )
-        own = speeds or scene.u
-        return [_rate_of(scene, u, value) for u, value in zip(own, entries, strict=True)]
+        return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
     state, entries = _without_held(scene, state, entries)
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
     if len(entries) == len(both) and STEP in passed:
@@ -197,6 +194,39 @@ def _unasked(
         f"{title} returns {len(entries)} numbers: {scene.name} has {size} accelerations and"
         f" {len(both)} rates of the state: say what it is: {_choices(naming)}"
     )
+
+
+def in_order_of(outputs: Outputs, places: Sequence[int]) -> Outputs:
+    """Outputs of code whose vectors hold the coordinates in another order, in the scene's.
+
+    Columns, rates of a state, square matrices, and one number for each coordinate.
+
+    Parameters
+    ----------
+    outputs : Outputs
+    places : sequence of int
+        Of each coordinate of a vector in the scene.
+    """
+    size = len(places)
+    order = sorted(range(size), key=places.__getitem__)
+    both = [*order, *(size + k for k in order)]
+    if len(outputs.values) in (size, 2 * size) and all(len(v) == 1 for v in outputs.values):
+        chosen = order if len(outputs.values) == size else both
+        values = tuple(outputs.values[k] for k in chosen)
+    else:
+        values = tuple(_in_order(value, order, both) for value in outputs.values)
+    names = {len(some): some for some in (order, both)}.get(len(outputs.names), [])
+    named = tuple(outputs.names[k] for k in names) if names else outputs.names
+    return replace(outputs, values=values, names=named)
+
+
+def _in_order(value: Matrix, order: Sequence[int], both: Sequence[int]) -> Matrix:
+    if value.shape == (len(order), len(order)):
+        return value.extract(list(order), list(order))
+    for chosen in (order, both):
+        if value.shape == (len(chosen), 1):
+            return value.extract(list(chosen), [0])
+    return value
 
 
 def _canonical(scene: Scene, state: Sequence[Expr], entries: Sequence[Expr]) -> list[Claim]:

@@ -16,7 +16,7 @@ from typing import Any
 import casadi
 from sympy import Expr, Matrix, S, cos, sin
 
-from mechanics.claims.about import WORDS
+from mechanics.claims.about import QUANTITIES, WORDS
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.angle_wrapping import with_unwrapped_angles
 from mechanics.claims.code.arguments import (
@@ -25,7 +25,7 @@ from mechanics.claims.code.arguments import (
     arguments_of,
     contradicted,
     named_entries,
-    order_of_speeds,
+    places_of_vectors,
     vectors_of_motion,
 )
 from mechanics.claims.code.c.constants import with_constants
@@ -52,6 +52,7 @@ from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     claims,
     in_order,
+    in_order_of,
     is_settled,
     manipulator,
     named_by_title,
@@ -418,10 +419,12 @@ def _read(
         title, sum(len(value) for value in outputs.values), len(scene.u)
     )
     passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
-    speeds = order_of_speeds(scene, arguments)
-    found = claims(naming, outputs, state, about, title, passed, speeds)
+    by_order = about is None or about in QUANTITIES  # else it names them in the code's order
+    places = places_of_vectors(scene, arguments) if by_order and not state else ()
+    outputs = in_order_of(outputs, places) if places else outputs
+    found = claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
-    others = taken_otherwise(naming, outputs, found, about, title)
+    others = [] if places else taken_otherwise(naming, outputs, found, about, title)
     if arguments.state and not _is_said(arguments) and len(_all(outputs)) < len(arguments.state):
         for words, ordered in _in_other_orders(naming, wanted, sizes, given, apart, run, arguments):
             try:
