@@ -55,7 +55,15 @@ class Unsettled:
     words: str
 
 
-Found = str | tuple[Declared, ...] | Unsettled | None
+@dataclass(frozen=True)
+class Unverified:
+    """A parameter of which nothing of the scene tells whether it is what the text says."""
+
+    name: str
+    words: str
+
+
+Found = str | tuple[Declared, ...] | Unsettled | Unverified | None
 """Empty: as the scene has it; words: otherwise; conventions; None: the scene does not tell."""
 NAMED = re.compile("\u27e8(\\w+)\u27e9")
 
@@ -74,12 +82,15 @@ class Comparison:
         What makes statements others than those that are read, in words.
     rest : str
         Of it what nothing compares.
+    unverified : tuple of Unverified
+        Parameters of which the scene does not tell whether they are what it says.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
     unsettled: tuple[str, ...]
     rest: str
+    unverified: tuple[Unverified, ...] = ()
 
 
 def compared(facts: SceneFacts, sentence: str) -> Comparison:
@@ -87,9 +98,13 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     conventions: list[Declared] = []
     against: list[str] = []
     unsettled: list[str] = []
+    unverified: list[Unverified] = []
     rest = list(sentence)
     for found, spans in _found(facts, sentence):
         if found is None:
+            continue
+        if isinstance(found, Unverified):
+            unverified.append(found)
             continue
         if isinstance(found, tuple):
             conventions += found
@@ -108,7 +123,8 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     if conventions and more:  # "phi_1 and phi_2 are measured from ...": of both, or of none
         unsettled.append(f"what the text says of {more[0]} beside that is not read")
     return Comparison(
-        tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left
+        tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left,
+        tuple(unverified),
     )  # fmt: skip
 
 
@@ -269,7 +285,25 @@ def _denoted(facts: SceneFacts, said: Said) -> Found:
     if wrong or _other_distance(facts, said, meaning, words):
         return have
     known = facts.is_sole(own) or _same_thing(facts, own, words)
-    return None if known else f"{text}, which nothing compares"
+    return None if known else Unverified(own, words)
+
+
+def exchangeable(facts: SceneFacts, every: Collection[Unverified]) -> tuple[str, ...]:
+    """What a text says of several parameters of one unit, none of it compared: they may be
+    exchanged.
+
+    Parameters
+    ----------
+    facts : SceneFacts
+    every : collection of Unverified
+        Of the whole text.
+    """
+    names = {one.name for one in every}
+    units = [facts.unit(name) for name in names]
+    return tuple(
+        f"the text says that {one.name} is the {one.words}, which nothing compares"
+        for one in every if units.count(facts.unit(one.name)) > 1
+    )  # fmt: skip
 
 
 def _of_another_place(facts: SceneFacts, words: str) -> bool:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.judge.comparison import compared, senses
+from mechanics.judge.comparison import Unverified, compared, exchangeable, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
@@ -102,6 +102,7 @@ def prose_of(
     limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
     unsettled: dict[str, None] = {}
+    unverified: dict[Unverified, None] = {}
     turned, unread = False, ""
     for sentence in every:
         if sentence.unread:
@@ -110,6 +111,7 @@ def prose_of(
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
         unsettled |= dict.fromkeys(found.unsettled)
+        unverified |= dict.fromkeys(found.unverified)
         turned |= senses(facts, sentence.marked)
         unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
         if sentence.comment:
@@ -123,6 +125,7 @@ def prose_of(
             limits[Limit(words, sentence.words)] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
+    against |= dict.fromkeys(exchangeable(facts, unverified))
     if turned and unread:  # one of two signs alone turns what is right with both
         unsettled[f"the text says '{unread}' of more than is read"] = None
     for text, notation in written.items():
