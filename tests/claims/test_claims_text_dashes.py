@@ -27,6 +27,7 @@ def verdict(text: str) -> str:
         (f"  - `{MINUS}`\n", "UNDECIDED"),
         (f"-{MINUS}\n", "PROVED"),  # a minus has no blank behind it
         (f"-{WRONG}\n", "PROVED"),
+        (f"{RIGHT}\n- {MINUS}\n", "PROVED"),  # no list has one item between equations
         ("m*l^2/3*theta''\n - m*g*l/2*sin(theta) = u\n", "PROVED"),
         ("m*l^2/3*theta''\n - m*g*l/2*sin(theta)\n - u = 0\n", "PROVED"),
     ],
@@ -36,7 +37,7 @@ def test_a_dash(text: str, expected: str) -> None:
 
 
 def test_a_dash_that_may_be_either_is_not_read() -> None:
-    answer = check(rod_pendulum.scene(), f"- {MINUS}\n{RIGHT}\n", notation="text", blame=False)
+    answer = check(rod_pendulum.scene(), f"- {MINUS}\n\n{RIGHT}\n", notation="text", blame=False)
     assert answer.verdict.name == "UNDECIDED"
     assert {entry.verdict.name for entry in answer.judged} == {"PROVED", "UNDECIDED"}
     assert "the dash may be a minus or the mark of a list" in " ".join(str(answer).split())

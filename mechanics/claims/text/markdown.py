@@ -65,16 +65,27 @@ def doubtful_dashes(text: str) -> Iterator[tuple[int, str]]:
 
 
 def _items(text: str) -> list[re.Match[str]]:
-    """Lines with an equation of their own that begin with a dash and a blank."""
-    return [
+    """Lines with an equation of their own that begin with a dash and a blank.
+
+    One alone between equations without a dash is no item of a list, but begins with a minus.
+    """
+    items = [
         item for item in ITEM.finditer(text)
         if not WORDS.search(item["left"]) and not _follows(text, item.start())
     ]  # fmt: skip
+    beside = len(items) == 1 and any("=" in line for line in _beside(text, items[0].start()))
+    return [] if beside else items
+
+
+def _beside(text: str, start: int) -> tuple[str, str]:
+    """The lines before and behind that of a place."""
+    before = text[:start].removesuffix("\n").rpartition("\n")[2]
+    return before, text[start:].partition("\n")[2].partition("\n")[0]
 
 
 def _follows(text: str, start: int) -> bool:
     """Whether what stands before a line goes on in it."""
-    return GOES_ON.search(text[:start].removesuffix("\n").rpartition("\n")[2]) is not None
+    return GOES_ON.search(_beside(text, start)[0]) is not None
 
 
 def without_markdown(text: str) -> str:
