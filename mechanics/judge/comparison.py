@@ -12,17 +12,26 @@ from dataclasses import dataclass
 
 from sympy import Expr, Rational
 
-from mechanics.claims.convention import combined_table
-from mechanics.claims.declared_conventions import Declared, read_declared, readings
-from mechanics.errors import InputError
+from mechanics.claims.declared_conventions import Declared, read_declared
 from mechanics.judge import phrases as p
-from mechanics.judge.geometry_facts import (
-    about_centre,
-    elongates,
-    has_rod_twice_as_long,
-    other_shape,
-    upward,
+from mechanics.judge.counting import (
+    aligned,
+    counted_from,
+    declared,
+    direction,
+    elongation,
+    every_angle,
+    from_equilibrium,
+    kind_of_angle,
+    name_of,
+    negative,
+    only_words,
+    opposite,
+    sense,
+    vertical_sense,
 )
+from mechanics.judge.geometry_facts import about_centre, has_rod_twice_as_long, other_shape
+from mechanics.judge.outcome import Outcome, Said, Unsettled, Unverified
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
@@ -44,28 +53,6 @@ LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
-
-Said = re.Match[str]
-
-
-@dataclass(frozen=True)
-class Unsettled:
-    """What makes statements others than those that are read, in words."""
-
-    words: str
-
-
-@dataclass(frozen=True)
-class Unverified:
-    """A parameter of which nothing of the scene tells whether it is what the text says."""
-
-    name: str
-    words: str
-
-
-Found = str | tuple[Declared, ...] | Unsettled | Unverified | None
-"""Empty: as the scene has it; words: otherwise; conventions; None: the scene does not tell."""
-NAMED = re.compile("\u27e8(\\w+)\u27e9")
 
 
 @dataclass(frozen=True)
@@ -117,7 +104,7 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     left = "".join(rest)
     moving = facts.coordinates.keys() | facts.inputs
     more = [
-        one[1] for one in NAMED.finditer(left)
+        one[1] for one in p.NAMED.finditer(left)
         if facts.own_name(one[1]) in moving and not _only_denoted(left, one.start())
     ]  # fmt: skip
     if conventions and more:  # "phi_1 and phi_2 are measured from ...": of both, or of none
@@ -137,130 +124,49 @@ def _only_denoted(sentence: str, place: int) -> bool:
 def senses(facts: SceneFacts, sentence: str) -> bool:
     """Whether left, right or clockwise is said of what the scene counts the other way round."""
     found = (said for row in (p.TURNS, p.PUSHES) for said in row.finditer(sentence))
-    return any(isinstance(_sense(facts, said), tuple) for said in found)
+    return any(isinstance(sense(facts, said), tuple) for said in found)
 
 
-def _found(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tuple[int, int]]]]:
+def _found(facts: SceneFacts, sentence: str) -> Iterator[tuple[Outcome, list[tuple[int, int]]]]:
     for row, check in ROWS:
         for said in row.finditer(sentence):
             yield check(facts, said), [said.span()]
     yield from _features(facts, sentence)
 
 
-def _name(said: Said) -> str:
-    return said["name"].replace("{", "").replace("}", "")
+def _half(facts: SceneFacts, said: Said) -> Outcome:
+    return declared(facts, f"half-length of {name_of(said)}")
 
 
-def _declared(facts: SceneFacts, words: str) -> Found:
-    """A convention, unless the scene counts so, or does not tell."""
-    try:
-        declared = read_declared([words], facts.known)
-        tables = [combined_table(c) for c in readings(facts.scene, declared, facts.symbols)]
-    except InputError:
-        other = _other_vertical(facts, words)
-        return _declared(facts, other) if other else None
-    sizes = [facts.meaning(d.of) for d in declared if "length" in d.name]
-    if any(not size for size in sizes) or not tables:
-        return None
-    if any("half" in size for size in sizes):
-        return "" if all(d.name == "half-length" for d in declared) else None
-    same = any(all(s == e for s, e in table.items()) for table in tables)
-    return "" if same else declared
+def _twice(facts: SceneFacts, said: Said) -> Outcome:
+    return declared(facts, f"twice the length of {name_of(said)}")
 
 
-def _other_vertical(facts: SceneFacts, words: str) -> str:
-    """The convention of an angle without a sense, as in space, that is counted from the other end.
-
-    Empty where the scene counts so, or tells no vertical.
-    """
-    way, _, name = words.rpartition(" of ")
-    turned = {"up": 3, "downward vertical": 1, "hanging": 1}
-    quarters = [q for start, q in turned.items() if way.startswith(start)]
-    angles = [a for a in facts.angles if a.symbol.name == facts.own_name(name) and not a.sense]
-    return f"other vertical of {name}" if any(a.quarter in quarters for a in angles) else ""
-
-
-def _only(said: Said, words: Collection[str]) -> bool:
-    """Whether a match has no words but these and function words: it may hide others."""
-    return {*re.findall("[a-z]+", MARKED.sub(" ", said[0]).lower())} <= {*words} | p.ARTICLES
-
-
-def _direction(facts: SceneFacts, said: Said) -> Found:
-    way, sense = said["way"].lower(), (said.groupdict().get("sense") or "").lower()
-    direction = f"{p.WAYS.get(way, way)} {sense}".strip()
-    found = _declared(facts, f"{direction} of {_name(said)}")
-    return (
-        found
-        if found or _only(said, {*p.COUNTED, *re.findall("[a-z]+", f"{way} {sense}")})
-        else None
-    )
-
-
-def _opposite(facts: SceneFacts, said: Said) -> Found:
-    """``theta = pi is upright``: it is counted from hanging."""
-    way = said["way"].lower()
-    start = "upright" if p.WAYS.get(way, way) == "hanging" else "hanging"
-    return _declared(facts, f"{start} of {_name(said)}") or None
-
-
-def _every_angle(facts: SceneFacts, said: Said) -> Found:
-    way = p.WAYS.get(said["way"].lower(), said["way"].lower())
-    each = [_declared(facts, f"{way} of {angle.symbol.name}") for angle in facts.angles]
-    if not each or None in each:
-        return None
-    return tuple(d for found in each if isinstance(found, tuple) for d in found) or ""
-
-
-def _half(facts: SceneFacts, said: Said) -> Found:
-    return _declared(facts, f"half-length of {_name(said)}")
-
-
-def _twice(facts: SceneFacts, said: Said) -> Found:
-    return _declared(facts, f"twice the length of {_name(said)}")
-
-
-def _whole(facts: SceneFacts, said: Said) -> Found:
+def _whole(facts: SceneFacts, said: Said) -> Outcome:
     if "half" not in facts.meaning(facts.own(said)):
         return None
-    return read_declared([f"twice the length of {_name(said)}"], facts.known)
+    return read_declared([f"twice the length of {name_of(said)}"], facts.known)
 
 
-def _to_centre(facts: SceneFacts, said: Said) -> Found:
+def _to_centre(facts: SceneFacts, said: Said) -> Outcome:
     own = facts.own(said)
     ratio = facts.ratio(own)
-    if own not in facts.parameters or ratio == 1:
+    if own not in facts.parameters:
         return None
+    if ratio == 1:
+        return "" if only_words(said, p.TO_A_CENTRE | facts.words, facts) else None
     if ratio in RATIOS:
-        return read_declared([f"half-length of {_name(said)}"], facts.known)
-    words = f"the text says that {_name(said)} is the distance to a mass centre"
+        return read_declared([f"half-length of {name_of(said)}"], facts.known)
+    words = f"the text says that {name_of(said)} is the distance to a mass centre"
     return f"{words}, but {own} of the scene is not"
 
 
-def _negative(facts: SceneFacts, said: Said) -> Found:
-    if facts.own(said) not in facts.inputs:
-        return None
-    return read_declared([f"other sign of {_name(said)}"], facts.known)
-
-
-def _sense(facts: SceneFacts, said: Said) -> Found:
-    """By left, right and clockwise: as seen from one side."""
-    own = facts.own(said)
-    way = -1 if said["way"].lower().startswith(("clock", "left")) else 1
-    have = facts.way(own)
-    if have:
-        return "" if have == way else read_declared([f"other sign of {_name(said)}"], facts.known)
-    if own not in facts.inputs:
-        return None
-    words = f"the text says that {_name(said)} acts {said['way']}"
-    return f"{words}, which the scene does not say of {own}"
-
-
-def _denoted(facts: SceneFacts, said: Said) -> Found:
+def _denoted(facts: SceneFacts, said: Said) -> Outcome:
     """What the words behind a name say of the scene's symbol."""
     own, words = facts.own(said), said["words"].strip()
     if own not in facts.names or (said["formula"] and not LINKED.match(said[0])):
         return None  # a mass ⟨m⟩, a length ⟨l⟩
-    text = f"the text says that {_name(said)} is the {words}"
+    text = f"the text says that {name_of(said)} is the {words}"
     if own not in facts.parameters:
         if own in facts.inputs and p.SCALED.search(words):
             return text
@@ -410,21 +316,21 @@ def _other_sort(facts: SceneFacts, own: str, words: str) -> bool:
     return own in facts.coordinates and bool(head)
 
 
-def _unit(facts: SceneFacts, said: Said) -> Found:
-    return f"the text says {said['all'] or _name(said)} in {bare(said['unit'])}"
+def _unit(facts: SceneFacts, said: Said) -> Outcome:
+    return f"the text says {said['all'] or name_of(said)} in {bare(said['unit'])}"
 
 
-def _dots(facts: SceneFacts, said: Said) -> Found:
+def _dots(facts: SceneFacts, said: Said) -> Outcome:
     """Nothing with dots is read as it is meant there."""
     return Unsettled(f"the text says that dots are derivatives by {bare(said['by'])}")
 
 
-def _primed(facts: SceneFacts, said: Said) -> Found:
+def _primed(facts: SceneFacts, said: Said) -> Outcome:
     """A prime that is no derivative."""
     return Unsettled(f"the text calls another letter {bare(said['by'])}'")
 
 
-def _scaled_time(facts: SceneFacts, said: Said) -> Found:
+def _scaled_time(facts: SceneFacts, said: Said) -> Outcome:
     """A time of the text's own, by which its dots or primes may be."""
     name = re.sub(r"[\\\s{}]", "", said["by"])
     if facts.own_name(name) in {*facts.coordinates, *facts.parameters}:
@@ -432,35 +338,15 @@ def _scaled_time(facts: SceneFacts, said: Said) -> Found:
     return Unsettled(f"the text has a time of its own, {bare(said['by'])}")
 
 
-def _of_length(facts: SceneFacts, said: Said) -> Found:
+def _of_length(facts: SceneFacts, said: Said) -> Outcome:
     """``of length l``, where the scene's rod has the length 2 l."""
     own = facts.own(said)
     if "half" not in facts.meaning(own) and not has_rod_twice_as_long(facts, own):
         return None
-    return read_declared([f"twice the length of {_name(said)}"], facts.known)
+    return read_declared([f"twice the length of {name_of(said)}"], facts.known)
 
 
-def _elongation(facts: SceneFacts, said: Said) -> Found:
-    """A coordinate that is said to be the extension of a spring, or its length."""
-    have, extension = elongates(facts, facts.own(said)), said.re is p.EXTENSION
-    if have is None or have is extension:
-        return None
-    what = "extension" if extension else "length"
-    return f"the text says that {_name(said)} is the {what} of a spring, {facts.own(said)} is not"
-
-
-def _upward(facts: SceneFacts, said: Said) -> Found:
-    """A coordinate or an axis that is said to count against gravity, or along it."""
-    own, way = facts.own(said), 1 if said["way"].lower() == "upward" else -1
-    have = upward(facts, own)
-    if not have or have == way:
-        return None
-    if own in facts.coordinates:
-        return read_declared([f"other sign of {_name(said)}"], facts.known)
-    return f"the text says that {_name(said)} points {said['way']}s, the scene's does not"
-
-
-def _shape(facts: SceneFacts, said: Said) -> Found:
+def _shape(facts: SceneFacts, said: Said) -> Outcome:
     """A body that is said to be a disc, a hoop, a sphere has such an inertia."""
     if "body" in said.re.groupindex:
         bodies = facts.bodies(said["body"])
@@ -472,64 +358,33 @@ def _shape(facts: SceneFacts, said: Said) -> Found:
     return f"the text says {bare(said[0])!r}, the scene's has another inertia"
 
 
-def _of_name(facts: SceneFacts, said: Said) -> Found:
+def _of_name(facts: SceneFacts, said: Said) -> Outcome:
     """A rate in turns, or a sense against the motion."""
     some = facts.inputs if said.re is p.AGAINST else {*facts.parameters, *facts.inputs}
     scaled = p.DENOTED.match(said.string, said.start())
     if facts.own(said) not in some or (scaled and p.SCALED.search(scaled["words"])):
         return None
-    return f"the text says of {_name(said)} {said['words']!r}"
+    return f"the text says of {name_of(said)} {said['words']!r}"
 
 
-def _factor(facts: SceneFacts, said: Said) -> Found:
+def _factor(facts: SceneFacts, said: Said) -> Outcome:
     if facts.own(said) not in {*facts.parameters, *facts.inputs}:
         return None
-    return f"the text says that {_name(said)} is {said['size']} the {said['what']}"
+    return f"the text says that {name_of(said)} is {said['size']} the {said['what']}"
 
 
-def _from(facts: SceneFacts, said: Said) -> Found:
-    """What a coordinate is counted from."""
-    own, relative = facts.own(said), said.re is p.RELATIVE
-    if facts.is_absolute(own) is not relative:
-        return None
-    way = "relative to" if relative else "from"
-    return f"the text says that {_name(said)} counts {way} the {said['to']}, {own} does not"
-
-
-def _aligned(facts: SceneFacts, said: Said) -> Found:
-    """An angle that is zero where two bodies are in line is no absolute one."""
-    if facts.is_absolute(facts.own(said)) is not True or len(facts.angles) < 2:
-        return None
-    return f"the text says that {_name(said)} is zero where they are {said['to']}, it counts alone"
-
-
-def _kind_of_angle(facts: SceneFacts, said: Said) -> Found:
-    """Angles that are said to be relative, of joints, or absolute."""
-    every = [angle.symbol.name for angle in facts.angles]
-    groups = said.groupdict()
-    own = [facts.own_name(n) for n in (groups.get("name"), groups.get("more")) if n] or every
-    some = [n for n in own if n in every]
-    absolute = said["kind"].lower() == "absolute"
-    if not absolute:  # the first is of a joint on the ground, by either
-        some = [n for n in some if n != every[0]]
-    other = [n for n in some if facts.is_absolute(n) is not absolute]
-    if not other:
-        return None
-    return f"the text says {bare(said[0])!r}, {', '.join(other)} of the scene is not"
-
-
-def _about(facts: SceneFacts, said: Said) -> Found:
+def _about(facts: SceneFacts, said: Said) -> Outcome:
     own = facts.own(said)
     meaning = facts.meaning(own)
     if re.search(r"\binertia\b", said[0]) and p.CENTRAL.match(said.string, said.start("to")):
-        words = f"the text says that {_name(said)} is about the mass centre, which it is not"
+        words = f"the text says that {name_of(said)} is about the mass centre, which it is not"
         return words if about_centre(facts, own) is False else None
     if "inertia" not in meaning or facts.alike(said["to"]) in facts.nouns(meaning):
         return None
-    return f"the text says that {_name(said)} is about the {said['to']}, which it is not"
+    return f"the text says that {name_of(said)} is about the {said['to']}, which it is not"
 
 
-def _place(facts: SceneFacts, said: Said) -> Found:
+def _place(facts: SceneFacts, said: Said) -> Outcome:
     """A coordinate that is said to place a body is that, but for what is constant."""
     symbol = facts.coordinates.get(facts.own(said))
     bodies = facts.bodies(said["body"])
@@ -547,7 +402,7 @@ def _place(facts: SceneFacts, said: Said) -> Found:
     return f"the text says {bare(said[0])!r}, which {symbol.name} of the scene is not"
 
 
-def _on_body(facts: SceneFacts, said: Said) -> Found:
+def _on_body(facts: SceneFacts, said: Said) -> Outcome:
     """A force that is said to act on a body does."""
     own, bodies = facts.own(said), facts.bodies(said["body"])
     on = {x.on for x in facts.loads if isinstance(x, Force) and own in facts.names_in(x)}
@@ -555,13 +410,15 @@ def _on_body(facts: SceneFacts, said: Said) -> Found:
         return None
     if on == {bodies[0].name}:
         return (
-            "" if _only(said, {*p.APPLIED, *p.PUSHING, *p.COUNTED, said["body"].lower()}) else None
+            ""
+            if only_words(said, {*p.APPLIED, *p.PUSHING, *p.COUNTED, said["body"].lower()})
+            else None
         )
-    words = f"the text says that {_name(said)} acts on the {said['body']}"
+    words = f"the text says that {name_of(said)} acts on the {said['body']}"
     return f"{words}, the scene's does on {on.pop()}"
 
 
-def _equal(facts: SceneFacts, said: Said) -> Found:
+def _equal(facts: SceneFacts, said: Said) -> Outcome:
     """Masses, lengths and stiffnesses that are said to be equal, or not."""
     if p.DENIED.search(said.string):
         return None
@@ -578,7 +435,7 @@ def _equal(facts: SceneFacts, said: Said) -> Found:
     return "" if len(some) > 1 else None
 
 
-def _massless(facts: SceneFacts, said: Said) -> Found:
+def _massless(facts: SceneFacts, said: Said) -> Outcome:
     """A body without mass has no inertia."""
     if p.DENIED.search(said.string) and "no" not in said[0].split():
         return None
@@ -596,7 +453,7 @@ def _massless(facts: SceneFacts, said: Said) -> Found:
     return f"{words} of {', '.join(heavy)}"
 
 
-def _value(facts: SceneFacts, said: Said) -> Found:
+def _value(facts: SceneFacts, said: Said) -> Outcome:
     """``stiffness $2k$``: something of the scene has that."""
     scene, symbol = facts.scene, facts.parameters.get(facts.own(said))
     if symbol is None:
@@ -621,20 +478,20 @@ def _is_half_of_a_rod(facts: SceneFacts, name: str, length: Expr) -> bool:
     )
 
 
-def _sort(facts: SceneFacts, said: Said) -> Found:
+def _sort(facts: SceneFacts, said: Said) -> Outcome:
     rigid = any(isinstance(b, RigidBody) and b.inertia != 0 for b in facts.scene.bodies)
     plain = said["sort"].lower() in ("simple", "mathematical")
     return f"the text says {said[0]!r}, which the scene has not" if rigid is plain else None
 
 
-def _still(facts: SceneFacts, said: Said) -> Found:
+def _still(facts: SceneFacts, said: Said) -> Outcome:
     some = [facts.moves(body) for body in facts.bodies(said["body"])]
     if not some or (any(some) and not all(some)):
         return None
     return f"the text says {said[0]!r}, the scene's moves" if all(some) else ""
 
 
-def _only_one(facts: SceneFacts, said: Said) -> Found:
+def _only_one(facts: SceneFacts, said: Said) -> Outcome:
     """One body alone rises and falls, or moves; by whatever name, where the scene has one such."""
     scene, some = facts.scene, facts.bodies(said["body"])
     fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
@@ -655,14 +512,14 @@ def _only_one(facts: SceneFacts, said: Said) -> Found:
     return "" if same else f"the text says {bare(said[0])!r}, which the scene has not"
 
 
-def _driven(facts: SceneFacts, said: Said) -> Found:
+def _driven(facts: SceneFacts, said: Said) -> Outcome:
     named = any("accelerat" in facts.meaning(n) and n != "g" for n in facts.parameters)
     if facts.scene.explicit_time or named:
         return None
     return f"the text says {said[0]!r}, the scene's is not driven"
 
 
-def _flat(facts: SceneFacts, said: Said) -> Found:
+def _flat(facts: SceneFacts, said: Said) -> Outcome:
     scene = facts.scene
     fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
     if not fields:
@@ -674,7 +531,7 @@ def _flat(facts: SceneFacts, said: Said) -> Found:
     return ""
 
 
-def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tuple[int, int]]]]:
+def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Outcome, list[tuple[int, int]]]]:
     """Whether there is friction, gravity, a spring."""
     start = 0
     yield from (("", [m.span()]) for m in p.OF_FREQUENCY.finditer(sentence))
@@ -696,18 +553,19 @@ def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Found, list[tu
         start = stop
 
 
-ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Found]], ...] = (
-    *((row, _direction) for row in p.DIRECTIONS),
-    (p.EVERY_ANGLE, _every_angle), (p.OPPOSITE, _opposite),
+ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] = (
+    *((row, direction) for row in (*p.DIRECTIONS, *p.DIRECTED)),
+    (p.EVERY_ANGLE, every_angle), (p.OPPOSITE, opposite),
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
-    (p.TO_CENTRE, _to_centre), (p.NEGATIVE, _negative), (p.TURNS, _sense), (p.PUSHES, _sense),
+    (p.TO_CENTRE, _to_centre), (p.NEGATIVE, negative), (p.TURNS, sense), (p.PUSHES, sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
-    (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, _elongation),
-    (p.SPRING_LENGTH, _elongation), (p.UPWARD, _upward), *((row, _shape) for row in p.SHAPE),
+    (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
+    (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
-    (p.AGAINST, _of_name), (p.FACTOR, _factor), (p.RELATIVE, _from), (p.ABSOLUTE, _from),
-    *((row, _aligned) for row in p.ALIGNED),
-    *((row, _kind_of_angle) for row in p.KINDS_OF_ANGLE),
+    (p.AGAINST, _of_name), (p.FACTOR, _factor),
+    *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
+    (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),
+    *((row, kind_of_angle) for row in p.KINDS_OF_ANGLE),
     (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
     (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.ONLY_ONE, _only_one),

@@ -16,8 +16,15 @@ SLOTS = {
     "IS": r"(?: ?(?:is|are|be|being|denotes?|means?|stands? for|,|:))?",
     "THE": r"(?:(?:the|an?|its) )?",
     "COUNTED": r"(?:measured|counted|taken|reckoned)",
-    "SENSE": r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise) )?",
-    "VERTICAL": r"(?:downward|upward)s? vertical",
+    "SENSE": r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise|c?cw\+?) )?",
+    "VERTICAL": (
+        r"(?:(?:downward|upward)s? vertical"
+        r"|vertical(?= (?:down|up)|, (?:down|up)| \((?:down|up))[, (]+(?:down|up)(?:wards?)?\)?)"
+    ),
+    "ENDS": (
+        r"(?:upright|hanging|horizontal|(?:un)?stable equilibrium"
+        r"|(?:negative|positive) [xyz][- ]axis)"
+    ),
     "FIXED": (
         r"(?:the )?(?!(?:the|vertical|horizontal|upright|downward|upward|equilibrium|static|rest"
         r"|wall|ground|inertial|fixed|its|origin|earth|undeformed|position)\b)"
@@ -35,8 +42,8 @@ SLOTS = {
         r"|masselos\w*)"
     ),
     "ACTS": (
-        r"(?: ?(?:,|is|acts?|acting|applied|measured|counted|taken|positive|turns?|increases|grows"
-        r"|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force|cart|carriage|trolley"
+        r"(?: ?(?:,|\)|:|when|if|is|acts?|acting|applied|measured|counted|taken|positive|turns?"
+        r"|increases|grows|directed|pushes|pulls|points|in|the|a|that|which|torque|moment|force|cart|carriage|trolley"
         r"|block|body))+"
     ),
     "SOLID": r"(?:mass(?:es)?|lengths?|springs?|stiffness(?:es)?|rods?|links?|bodies)",
@@ -48,6 +55,10 @@ def phrase(pattern: str) -> re.Pattern[str]:
     for name, words in SLOTS.items():
         pattern = pattern.replace(name, words)
     return re.compile(pattern, re.IGNORECASE)
+
+
+NAMED = re.compile("⟨(\\w+)⟩")
+"""A name by itself."""
 
 
 def words(text: str) -> frozenset[str]:
@@ -64,7 +75,7 @@ DIRECTIONS = (
         r"NAMEIS (?:the |its )?(?:angle|inclination|elevation) (?:(?!from\b)[\w']+ ){0,6}?"
         r"(?:with|and|to|above|from) THE(?P<way>VERTICAL|horizontal|floor|ground)\b"
     ),
-    phrase(r"NAMEIS COUNTED from THE(?P<way>top|highest|bottom|lowest)\b"),
+    phrase(r"NAMEIS (?:COUNTED )?from THE(?P<way>top|highest|bottom|lowest|below|above)\b"),
     phrase(
         r"NAME (?:is zero|is 0|vanishes|equals zero|equals 0) (?:when|if|where|for|at|in) THE"
         r"(?:(?!not\b)[\w']+ ){0,4}?(?P<way>hangs|hanging|upright|inverted|horizontal)\b"
@@ -80,6 +91,19 @@ DIRECTIONS = (
     ),
 )
 """From where an angle is counted."""
+DIRECTED = (
+    phrase(
+        r"(?:\bif )?NAME(?: ?[,:=\u2013\u2014-])? ?(?:[\w']+,? ){0,4}?SENSE(?:[\w']+,? ){0,6}?"
+        r"(?:from|with|to|and|between) THE(?P<way>VERTICAL|ENDS|vertical)\b"
+        r"(?! (?:force|component|plane|direction|motion|speed|velocity|position of))"
+    ),
+    phrase(
+        r"NAME\)?(?:,|:)? ?(?:is )?(?:when |= ?)?(?:zero|0),? ?"
+        r"(?:when |if |where |for |at |in |means )?(?:[\w']+ ){0,5}?"
+        r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium)\b"
+    ),
+)
+"""The same with words between of which each is known: angle of the first pendulum from."""
 OPPOSITE = phrase(
     rf"⟨=\s?{SYMBOL}\s?=\s?\\?pi\s?⟩ (?:is|corresponds to|denotes|means|describes) THE"
     r"(?P<way>downward|upward|upright|inverted|hanging)\b"
@@ -92,8 +116,8 @@ EVERY_ANGLE = phrase(
 WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
     "highest": "upright", "hangs": "hanging", "bottom": "hanging", "lowest": "hanging",
+    "below": "hanging", "above": "upright",
     "floor": "horizontal", "ground": "horizontal",
-    "downwards vertical": "downward vertical", "upwards vertical": "upward vertical",
 }  # fmt: skip
 """Ways as conventions call them."""
 HALF = phrase(r"NAMEIS THE?half[ -](?:of )?THE(?:total |full |whole )?length\b")
@@ -109,7 +133,7 @@ NEGATIVE = phrase(
     r"(?:\w+ ){0,2}(?:torque|moment|force|input|control)\b"
 )
 TURNS = phrase(r"NAMEACTS (?P<way>(?:counter|anti)-?clockwise|clockwise)\b(?! from)")
-PUSHES = phrase(r"NAMEACTS (?:to the )?(?P<way>left|right|leftwards?|rightwards?)\b")
+PUSHES = phrase(r"NAMEACTS (?:to (?:the )?)?(?P<way>left|right|leftwards?|rightwards?)\b")
 
 UNIT = phrase(
     r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
@@ -155,6 +179,31 @@ COUNTS = re.compile(
     r"|downwards?|from|measured|counted|direction|same)\b", re.IGNORECASE
 )  # fmt: skip
 """Words for how something counts."""
+FROM = re.compile(
+    r"\b(?:measured|counted|reckoned|relative to|with respect to|distance (?:between|of)"
+    r"|(?<!away )from)\b", re.IGNORECASE,
+)  # fmt: skip
+"""Words for from where something counts."""
+WAY = re.compile(
+    FROM.pattern + r"|\b(?:relative|c?cw|clockwise|(?:counter|anti)-?clockwise|upwards?|downwards?"
+    r"|left|right(?!-hand side)|positive|negative|opposite|revers\w+|against|towards?|backwards?"
+    r"|inwards?|outwards?|uphill|downhill|hangs|hanging|upright|inverted(?! pendulum)|aligned"
+    r"|zero (?:when|if|where|at|for|in|means)"
+    r"|(?:with|to|above|between|and|about|around|of|at) (?:(?:the|its|their|static) ){0,2}"
+    r"(?:vertical|horizontal|equilibrium)(?! (?:diameter|axis|plane|circle|motion|component))"
+    r")\b", re.IGNORECASE,
+)  # fmt: skip
+"""The same, and for which way."""
+THING_AND_WAY = re.compile(
+    r"\b(?:angles?|positions?|displacements?|deflections?|coordinates?|heights?|forces?|torques?"
+    r"|extensions?|x|y|z|axis|axes)\b[^.;]{0,60}?\b"
+    r"(?:(?:is|are|being|as|taken|,|\() ?(?:\w+ ){0,2}?"
+    r"(?:measured|counted|reckoned|clockwise|(?:counter|anti)-?clockwise|positive|negative|upwards?"
+    r"|downwards?|zero)\b|from (?:the )?(?:(?:downward|upward)s? )?(?:vertical|horizontal|upright"
+    r"|hanging|top|bottom|wall|ground|floor|pivot|equilibrium)\b)",
+    re.IGNORECASE,
+)
+"""The same of what has no name there."""
 LETTERS = (("radius", "rRaA"), ("length", "lL"))
 """With which names of lengths begin."""
 OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=[a-z])")
@@ -209,6 +258,10 @@ ALIGNED = tuple(
 ABSOLUTE = phrase(
     r"NAME[^⟨.;]{0,40}?\b(?:from|with|relative to) (?:the )?(?:(?:down|up)wards? )?"
     r"(?P<to>vertical|horizontal|wall|ground)\b"
+)
+FROM_EQUILIBRIUM = phrase(
+    r"NAME(?: and ⟨(?P<more>\w+)⟩)?IS THE(?:displacements?|deflections?|positions?|coordinates?)"
+    r"(?: COUNTED)? (?:from|about|relative to) (?:(?:the|its|their|static) ){0,2}equilibrium\b"
 )
 ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
 CENTRAL = phrase(r"CENTRE\b")
@@ -341,16 +394,31 @@ ALIKE = (
     frozenset(("hoop", "ring", "circle")),
 )
 """Words for one thing, in a scene that uses no two of them."""
+VERTICALS = ("vertical", "horizontal")
+POINTING = words("""
+    positive points pointing directed increases increasing grows taken vertically straight axis
+    direction height
+""")
+PREVIOUS = frozenset(("previous", "preceding", "other"))
+LINKS = ("rod", "string", "thread", "rope", "wire")
+"""What angles are of; `ALIKE` has more words for the first."""
+ORDINALS = {
+    "1": frozenset(("first", "upper", "inner")),
+    "2": frozenset(("second", "lower", "outer")),
+    "3": frozenset(("third",)),
+}
+"""Words for the number in a name."""
+AXIS = re.compile(r"(?P<sign>negative|positive) (?P<axis>[xyz]) axis")
 GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "constant"))
 TURNING = frozenset(("torque", "moment", "couple"))
 PUSHING = frozenset(("force", "thrust"))
 APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input"))
 COUNTED = words("""
     is are be being denotes denote means mean measured counted taken reckoned acts acting angle made
-    makes with and from to on between
+    makes with and from to on between relative zero when if where for at and generalized coordinate position
 """)
 """Words of how and from where something is counted, or acts."""
-PLACES = frozenset(("angle", "position", "displacement", "coordinate"))
+PLACES = frozenset(("angle", "position", "displacement", "displacements", "coordinate"))
 ARTICLES = frozenset(("the", "a", "an", "its", "of", "in", "on"))
 OTHERS = (
     (r"\bfirst\b", r"\bsecond\b"),
@@ -378,6 +446,8 @@ ENDPOINTS = frozenset((
     "upper", "lower", "two",
 ))  # fmt: skip
 """Between which a length may be a distance."""
+TO_A_CENTRE = ENDPOINTS | words("is are denotes distance length from to between and of gravity com")
+"""Words of a distance to a mass centre."""
 SMALL = re.compile(
     r"of|the|an?|its|from|to|in|at|on|for|about|by|this|that|each|our|is|are|total|whole|between"
 )

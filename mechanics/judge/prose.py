@@ -123,6 +123,11 @@ def prose_of(
         if kind is SentenceClass.LIMITS:
             words = f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
             limits[Limit(words, sentence.words)] = None
+        elif kind is SentenceClass.COUNTS:
+            words = (
+                f"the text says '{sentence.words[:120]}', which is compared with nothing ({why})"
+            )
+            limits[Limit(words, sentence.words)] = None
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     against |= dict.fromkeys(exchangeable(facts, unverified))

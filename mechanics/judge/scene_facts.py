@@ -149,11 +149,16 @@ class SceneFacts:
         """Whether loads that hold an input are torques."""
         return {isinstance(load, Torque) for load in self.loads if name in self.names_in(load)}
 
-    def moves(self, body: Particle | RigidBody) -> bool:
-        """Whether coordinates place or turn a body."""
+    def moved_by(self, body: Particle | RigidBody) -> set[Symbol]:
+        """Coordinates that place or turn a body."""
         place = list(self.scene.position(body.centre))
         turned = list(self.scene.rotation(body.frame)) if isinstance(body, RigidBody) else []
-        return any(entry.free_symbols & {*self.scene.q} for entry in (*place, *turned))
+        every = set().union(*(entry.free_symbols for entry in (*place, *turned)))
+        return every & {*self.scene.q}
+
+    def moves(self, body: Particle | RigidBody) -> bool:
+        """Whether coordinates place or turn a body."""
+        return bool(self.moved_by(body))
 
     def ratio(self, name: str) -> Expr | None:
         """Distances from reactions to mass centres over a length; 1 if one of them is it."""

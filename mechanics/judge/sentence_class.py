@@ -1,7 +1,8 @@
-"""What becomes of a sentence that is compared with the scene: one of three classes, or none.
+"""What becomes of a sentence that is compared with the scene: one of four classes, or none.
 
     The rod is massless.                 against the scene: nothing beside it is shown
     This holds only for small angles.    denies or limits: the same
+    theta is positive to the north.      says how theta counts, which nothing compares: the same
     The rod is made of steel.            is quoted beside the verdict
     Hence we obtain                      connects formulas
 
@@ -29,20 +30,32 @@ class SentenceClass(Enum):
 
     READ = "says what the scene has, or only connects"
     LIMITS = "denies or limits what stands beside it"
+    COUNTS = "says how something of the scene counts, and is not compared"
     QUOTED = "is not compared with anything"
 
 
 def class_of(
     facts: SceneFacts, sentence: Sentence, comparison: Comparison
 ) -> tuple[SentenceClass, str]:
-    """The class of a sentence, and why it is limiting."""
+    """The class of a sentence, and by which words it limits, or says how something counts."""
     driven = facts.inputs or facts.scene.explicit_time
     rest = comparison.rest if driven else p.UNDRIVEN.sub(" ", comparison.rest)
-    if words := _limiting(sentence, rest):
-        return SentenceClass.LIMITS, ", ".join(words[:3])
+    if limiting := _limiting(sentence, rest):
+        return SentenceClass.LIMITS, ", ".join(limiting[:3])
     if _connects(facts, comparison.rest) and not TASK.search(sentence.words):
         return SentenceClass.READ, ""
+    if words := _counts(facts, comparison.rest):
+        return SentenceClass.COUNTS, words
     return SentenceClass.QUOTED, ""
+
+
+def _counts(facts: SceneFacts, rest: str) -> str:
+    """Words for how something of the scene counts, in what nothing compares; empty for none."""
+    plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))
+    names = {facts.own_name(one[1]) for one in p.NAMED.finditer(rest)} & facts.names
+    row = p.WAY if names - facts.parameters.keys() else p.FROM if names else p.THING_AND_WAY
+    way = row.search(plain)
+    return way[0] if way else ""
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:

@@ -12,6 +12,7 @@ import re
 
 QUANTITY = r"(?:moment of inertia|mass|length|half-length|radius|diameter|stiffness|inertia|weight)"
 NAME = "\u27e8(\\w+)\u27e9"
+EMPHASIS = re.compile(rf"\*\*({NAME})\*\*")
 INVERSE = re.compile(
     rf"\b[Tt]he ((?:total |whole )?{QUANTITY} of (?:the )?(?:\w+ )?\w+) (?:is|equals|be) {NAME}"
 )
@@ -45,7 +46,7 @@ def one_form(sentence: str) -> str:
     sentence : str
         With names marked.
     """
-    sentence = PAIR_OF.sub(_pair_of, sentence)
+    sentence = PAIR_OF.sub(_pair_of, EMPHASIS.sub(r"\1", sentence))
     sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
     sentence = INVERSE.sub("\u27e8\\2\u27e9 is the \\1", sentence)
     sentence = BESIDE.sub("\u27e8\\2\u27e9 is the \\1 of the \\3", sentence)

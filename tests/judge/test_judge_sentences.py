@@ -338,7 +338,6 @@ QUOTED = [
     ("cartpole", r"$F$ is a force of gravity."),
     ("cartpole", r"$F$ is the magnetic force on the cart."),
     ("double_pendulum", r"It is a simple pendulum."),
-    ("double_pendulum", r"$\varphi_1$ is the angle the second rod makes with the vertical."),
     ("rod_pendulum", r"\section{The rod is a helix}"),
     ("rod_pendulum", r'"The rod is a helix."'),
 ]
