@@ -55,7 +55,7 @@ def energy_before(text: str, at: int) -> str:
 
 
 EQUILIBRIUM = re.compile(
-    r"equilibri|stationary (?:point|solution)|fixed point"
+    r"equilibri|stationary (?:point|solution)|fixed point|\b(?:rests|balances|is balanced)\b"
     r"|(?:oscillat|vibrat)\w+\s+(?:about|around)\b",
     re.IGNORECASE,
 )
@@ -66,8 +66,10 @@ AWAY = re.compile(
     re.IGNORECASE,
 )
 """What denies that there is an equilibrium."""
-ENDS = re.compile(r"[.;!?](?=\s)|(?<![:\s])\s*\n\s*\n")
-"""Of sentences; what a colon announces is part of its own."""
+ENDS = re.compile(
+    r"[.;!?](?=\s)|(?<![:\s])(?<!\bwhere)(?<!\bif)(?<!\bwhen)(?<!\bat)(?<!\bby)(?<!\bis)\s*\n\s*\n"
+)
+"""Of sentences; what a colon or a function word announces is part of its own."""
 
 
 def sentence_around(text: str, at: int) -> str:

@@ -82,6 +82,7 @@ class Comparison:
 
 def compared(facts: SceneFacts, sentence: str) -> Comparison:
     """A sentence with marks, beside the scene."""
+    sentence = _with_the_angle(facts, sentence)
     conventions: list[Declared] = []
     against: list[str] = []
     unsettled: list[str] = []
@@ -115,6 +116,14 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     )  # fmt: skip
 
 
+def _with_the_angle(facts: SceneFacts, sentence: str) -> str:
+    """A sentence that names no coordinate, with the name of the only angle of a scene."""
+    named = any(facts.own_name(one[1]) in facts.coordinates for one in p.NAMED.finditer(sentence))
+    if named or len(facts.angles) != 1:
+        return sentence
+    return p.THE_ANGLE.sub(f"\u27e8{facts.angles[0].symbol.name}\u27e9", sentence, count=1)
+
+
 def _only_denoted(sentence: str, place: int) -> bool:
     """Whether a name stands there with what it is alone: u is the torque."""
     said = p.DENOTED.match(sentence, place)
@@ -140,6 +149,22 @@ def _half(facts: SceneFacts, said: Said) -> Outcome:
 
 def _twice(facts: SceneFacts, said: Said) -> Outcome:
     return declared(facts, f"twice the length of {name_of(said)}")
+
+
+def _quantity(facts: SceneFacts, unit: str, words: str) -> str:
+    """What a parameter is said to be; ``the rod`` of a mass is the mass of the rod."""
+    words = p.HANGING_PREPOSITION.sub("", words)
+    what = {"kg": "mass", "m": "length"}.get(unit)
+    thing = p.THINGS.fullmatch(words) or p.WITHOUT_A_BODY.fullmatch(words) or facts.bodies(words)
+    return f"{what} of the {words}" if what and thing else words
+
+
+def _to_an_end(facts: SceneFacts, said: Said) -> Outcome:
+    """A length that is said to go to the end of a rod is no half of it."""
+    own = facts.own(said)
+    if facts.unit(own) != "m" or "half" in facts.meaning(own) or has_rod_twice_as_long(facts, own):
+        return None
+    return "" if only_words(said, p.OF_AN_END | facts.words, facts) else None
 
 
 def _whole(facts: SceneFacts, said: Said) -> Outcome:
@@ -176,22 +201,49 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
             return f"{text}, which no body of the scene is"
         return "" if facts.is_called(own, words) else None
     meaning, unit = facts.meaning(own), facts.unit(own)
+    words = _quantity(facts, unit, words)
     if p.SCALED.search(words):
         return text if "/" not in unit else None
     have = f"{text}, the scene's {own} is the {meaning or f'one in {unit}'}"
     if facts.is_called(own, words):
         return ""
-    role = _of_other_role(facts, own, words)
-    if other := _another(facts, own, words) if role is None else role:
+    if (role := _of_other_role(facts, own, words)) == "":
+        return ""
+    if other := role or _another(facts, own, words):
         return f"{have}, and {other} is that"
     wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
     wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
-    of_two = p.OF_TWO.match(said.string, said.end()) is not None
-    wrong = wrong or (words.startswith("total mass") and of_two)
+    of_two = p.OF_TWO.match(said.string, said.end())
+    wrong = wrong or (words.startswith("total mass") and of_two is not None)
     if wrong or _other_distance(facts, said, meaning, words):
         return have
-    known = facts.is_sole(own) or _same_thing(facts, own, words)
-    return None if known else Unverified(own, words)
+    if facts.is_sole(own):
+        return None
+    whose = _same_thing(facts, own, words)
+    if whose is None:
+        return Unverified(own, words)
+    known = frozenset(map(facts.alike, p.OF_QUANTITIES)) | whose
+    return (
+        ""
+        if facts.nouns(words) <= known and not (of_two and p.THINGS.match(of_two["what"]))
+        else None
+    )
+
+
+def _several(facts: SceneFacts, said: Said) -> Outcome:
+    """Names that are called masses, lengths or springs: two rods l1, l2."""
+    names = [facts.own_name(n) for n in p.NAMED.findall(said["names"])]
+    units = next(units for noun, units in p.PLURALS if re.match(noun, said["what"], re.IGNORECASE))
+    if not {*names} <= facts.parameters.keys():
+        return None
+    other = [n for n in names if facts.unit(n) not in (*units, "")]
+    return f"the text has {said['what']} {', '.join(other)}" if other else ""
+
+
+def _input(facts: SceneFacts, said: Said) -> Outcome:
+    """An input that is called a force or a torque, and nothing else."""
+    own = facts.own(said)
+    return "" if own in facts.inputs and facts.is_called(own, said["words"]) else None
 
 
 def exchangeable(facts: SceneFacts, every: Collection[Unverified]) -> tuple[str, ...]:
@@ -218,22 +270,30 @@ def _of_another_place(facts: SceneFacts, words: str) -> bool:
     return len(facts.scene.bodies) > 1 and said is not None and not facts.bodies(said["part"])
 
 
-def _same_thing(facts: SceneFacts, own: str, words: str) -> bool:
-    """Whether words are of the body, the number or the thing that the scene's symbol is of."""
+def _same_thing(facts: SceneFacts, own: str, words: str) -> frozenset[str] | None:
+    """Words by which it is of the body, the number or the thing that the scene's symbol is of.
+
+    None where it is not, or nothing tells.
+    """
     symbol, said = facts.parameters[own], facts.nouns(words)
+    things = frozenset(facts.alike(m[0]) for m in p.THINGS.finditer(words))
+    orders = frozenset().union(*p.ORDINALS.values()) & {*words.split()}
+    if orders and re.search(r"\d$", own):
+        return orders | things if orders <= p.ORDINALS.get(own[-1], frozenset()) else None
+    if numbers := re.findall(r"\d+", words):
+        return things if numbers == re.findall(r"\d+", own) else None
     bodies = [b for b in facts.scene.bodies if facts.nouns(b.name) & said]
     if not bodies and len(facts.scene.bodies) == 1:
         bodies = [*facts.scene.bodies]
     plain = facts.scene.plain
+    of_bodies = frozenset().union(*(facts.nouns(b.name) for b in bodies))
     if re.search(r"\bmass\b", words):
-        return any(plain(b.mass) == symbol for b in bodies)
+        return of_bodies if any(plain(b.mass) == symbol for b in bodies) else None
     if any(isinstance(b, RigidBody) and isinstance(b.inertia, Expr)
            and plain(b.inertia).has(symbol) for b in bodies):  # fmt: skip
-        return True
-    numbers = re.findall(r"\d+", words)
-    if numbers:
-        return numbers == re.findall(r"\d+", own)
-    return bool(facts.nouns(facts.meaning(own)) & said) or _usual_letter(facts, own, words)
+        return of_bodies
+    same = facts.nouns(facts.meaning(own)) & said
+    return same or (frozenset() if _usual_letter(facts, own, words) else None)
 
 
 def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:
@@ -409,11 +469,9 @@ def _on_body(facts: SceneFacts, said: Said) -> Outcome:
     if own not in facts.inputs or len(bodies) != 1 or len(on) != 1 or None in on:
         return None
     if on == {bodies[0].name}:
-        return (
-            ""
-            if only_words(said, {*p.APPLIED, *p.PUSHING, *p.COUNTED, said["body"].lower()})
-            else None
-        )
+        flat = ("horizontal",) if facts.way(own) else ()
+        known = {*p.APPLIED, *p.PUSHING, *p.COUNTED, *flat, said["body"].lower()}
+        return "" if only_words(said, known) else None
     words = f"the text says that {name_of(said)} acts on the {said['body']}"
     return f"{words}, the scene's does on {on.pop()}"
 
@@ -444,6 +502,8 @@ def _massless(facts: SceneFacts, said: Said) -> Outcome:
     if not bodies and link:
         rods = p.ALIKE[0]
         bodies = [b for b in facts.scene.bodies if rods & set(re.findall("[a-z]+", b.name.lower()))]
+    if all(b.mass == 0 for b in bodies) and (bodies or p.WITHOUT_A_BODY.fullmatch(said["body"])):
+        return ""
     if link and not any(isinstance(b, RigidBody) and b.inertia != 0 for b in facts.scene.bodies):
         return ""  # points on what has no mass
     heavy = [b.name for b in bodies if isinstance(b, RigidBody) and b.inertia != 0]
@@ -557,16 +617,17 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     *((row, direction) for row in (*p.DIRECTIONS, *p.DIRECTED)),
     (p.EVERY_ANGLE, every_angle), (p.OPPOSITE, opposite),
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
-    (p.TO_CENTRE, _to_centre), (p.NEGATIVE, negative), (p.TURNS, sense), (p.PUSHES, sense),
+    (p.TO_AN_END, _to_an_end), (p.TO_CENTRE, _to_centre), (p.NEGATIVE, negative),
+    (p.TURNS, sense), (p.PUSHES, sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
     (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
     (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), *((row, _shape) for row in p.SHAPE),
-    (p.DENOTED, _denoted), (p.UNIT, _unit), (p.PER, _of_name),
-    (p.AGAINST, _of_name), (p.FACTOR, _factor),
+    (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.SEVERAL, _several), (p.UNIT, _unit),
+    (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),
     *((row, kind_of_angle) for row in p.KINDS_OF_ANGLE),
-    (p.ABOUT, _about), (p.PLACE, _place), (p.ON_BODY, _on_body),
+    (p.ABOUT, _about), (p.PLACE, _place), *((row, _on_body) for row in p.ON_BODY),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
     (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.ONLY_ONE, _only_one),
     (p.DRIVEN, _driven), (p.FLAT, _flat),

@@ -76,10 +76,7 @@ def direction(facts: SceneFacts, said: Said) -> Outcome:
     """From where a name is counted; that of another thing than its own is not known."""
     way = _way(facts, said["way"])
     sense = (said.groupdict().get("sense") or "").lower().rstrip("+")
-    if way == "vertical":
-        outcome = _along_vertical(facts, said)
-    else:
-        outcome = declared(facts, f"{f'{way} {sense}'.strip()} of {name_of(said)}") if way else None
+    outcome = _along(facts, f"{way} {sense}".strip(), name_of(said))
     if outcome and said.re not in p.DIRECTED:
         return outcome
     own = {*p.COUNTED, *re.findall("[a-z]+", f"{said['way']} {sense}".lower())}
@@ -95,21 +92,21 @@ def _way(facts: SceneFacts, words: str) -> str:
     if "equilibrium" in way:
         falls = facts.has["gravity"] and facts.has["springs"] is False
         return ("upright" if "unstable" in way else "hanging") if falls else ""
-    if "vertical" in way:
-        end = re.search("down|up", way)
+    if "vertical" in way or way.startswith(("point", "straight")):
+        end = re.search("down|up(?!on)", way)
         return f"{end[0]}ward vertical" if end else "vertical"
     return p.WAYS.get(way, way)
 
 
-def _along_vertical(facts: SceneFacts, said: Said) -> Outcome:
+def _along_vertical(facts: SceneFacts, name: str) -> Outcome:
     """An angle with the vertical, whichever end of it, is none with the horizontal."""
-    own = facts.own(said)
+    own = facts.own_name(name)
     quarters = [a.quarter for a in facts.angles if a.symbol.name == own and a.fixed]
     if not quarters or quarters == [None]:
         return None
     if quarters[0] in (1, 3):
         return ""
-    return f"the text says that {name_of(said)} counts from the vertical, {own} does not"
+    return f"the text says that {name} counts from the vertical, {own} does not"
 
 
 def _things_before(facts: SceneFacts, name: str) -> frozenset[str]:
@@ -147,7 +144,8 @@ def things_of(facts: SceneFacts, name: str) -> frozenset[str]:
     if place := re.search(r"\d$", name):
         order = p.ORDINALS.get(place[0], frozenset())
         return (mine - others) | links | order if order else mine - others
-    return (mine | (links if len(facts.angles) == 1 else frozenset())) - others
+    directed = [angle for angle in facts.angles if angle.quarter is not None]
+    return (mine | (links if len(directed) == 1 else frozenset())) - others
 
 
 def opposite(facts: SceneFacts, said: Said) -> Outcome:
@@ -159,11 +157,21 @@ def opposite(facts: SceneFacts, said: Said) -> Outcome:
 
 def every_angle(facts: SceneFacts, said: Said) -> Outcome:
     """From where all angles are counted."""
-    way = p.WAYS.get(said["way"].lower(), said["way"].lower())
-    each = [declared(facts, f"{way} of {angle.symbol.name}") for angle in facts.angles]
+    way = _way(facts, said["way"])
+    each = [_along(facts, way, angle.symbol.name) for angle in facts.angles]
     if not each or None in each:
         return None
+    against = [one for one in each if isinstance(one, str) and one]
+    if against:
+        return against[0]
     return tuple(d for one in each if isinstance(one, tuple) for d in one) or ""
+
+
+def _along(facts: SceneFacts, way: str, name: str) -> Outcome:
+    """An angle that is counted from a way."""
+    if way == "vertical":
+        return _along_vertical(facts, name)
+    return declared(facts, f"{way} of {name}") if way else None
 
 
 def kind_of_angle(facts: SceneFacts, said: Said) -> Outcome:
@@ -256,6 +264,8 @@ def sense(facts: SceneFacts, said: Said) -> Outcome:
     own = facts.own(said)
     way = -1 if said["way"].lower().startswith(("clock", "left")) else 1
     have = facts.way(own)
+    if own in facts.coordinates and not any(a.symbol.name == own for a in facts.angles):
+        return "" if have == way else None  # a page that is mirrored turns its angles, too
     if have:
         return "" if have == way else read_declared([f"other sign of {name_of(said)}"], facts.known)
     if own not in facts.inputs:

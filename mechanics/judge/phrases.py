@@ -13,10 +13,14 @@ from mechanics.claims.prose import SYMBOL
 
 SLOTS = {
     "NAME": r"⟨(?P<name>[A-Za-z]\w*)⟩",
-    "IS": r"(?: ?(?:is|are|be|being|denotes?|means?|stands? for|,|:))?",
+    "IS": (
+        r"(?: ?(?:is|are|be|being|denotes?|means?|stands? for|,|:|\||[-\u2013\u2014]{1,3}(?= )"
+        r"|=(?= ?[a-z]{2})))?"
+    ),
     "THE": r"(?:(?:the|an?|its) )?",
     "COUNTED": r"(?:measured|counted|taken|reckoned)",
     "SENSE": r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise|c?cw\+?) )?",
+    "PLAIN": r"(?!(?:(?:counter|anti)-?)?clockwise\b|c?cw\b)[\w']+",
     "VERTICAL": (
         r"(?:(?:downward|upward)s? vertical"
         r"|vertical(?= (?:down|up)|, (?:down|up)| \((?:down|up))[, (]+(?:down|up)(?:wards?)?\)?)"
@@ -93,25 +97,31 @@ DIRECTIONS = (
 """From where an angle is counted."""
 DIRECTED = (
     phrase(
-        r"(?:\bif )?NAME(?: ?[,:=\u2013\u2014-])? ?(?:[\w']+,? ){0,4}?SENSE(?:[\w']+,? ){0,6}?"
-        r"(?:from|with|to|and|between) THE(?P<way>VERTICAL|ENDS|vertical)\b"
+        r"(?:\bif )?NAME(?: ?[,:=\u2013\u2014-])? ?(?:PLAIN,? ){0,8}?SENSE(?:PLAIN,? ){0,6}?"
+        r"(?:from|with|to|and|between|against) THE(?P<way>VERTICAL|ENDS|vertical)\b"
         r"(?! (?:force|component|plane|direction|motion|speed|velocity|position of))"
     ),
     phrase(
         r"NAME\)?(?:,|:)? ?(?:is )?(?:when |= ?)?(?:zero|0),? ?"
         r"(?:when |if |where |for |at |in |means )?(?:[\w']+ ){0,5}?"
-        r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium)\b"
+        r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium"
+        r"|points? (?:straight |vertically )?(?:up|down)(?:wards?)?|straight (?:up|down))\b"
     ),
 )
 """The same with words between of which each is known: angle of the first pendulum from."""
+THE_ANGLE = re.compile(
+    r"\b(?:(?:the|its) )?(?:(?:rod|pole|pendulum|link|arm|bar|bob|deflection) )?angle"
+    r"(?=,? (?:is |of the \w+ )?(?:measured|counted|from|with the)\b)", re.IGNORECASE,
+)  # fmt: skip
+"""Of a scene that has one."""
 OPPOSITE = phrase(
     rf"⟨=\s?{SYMBOL}\s?=\s?\\?pi\s?⟩ (?:is|corresponds to|denotes|means|describes) THE"
     r"(?P<way>downward|upward|upright|inverted|hanging)\b"
 )
 """Where an angle is half a turn."""
 EVERY_ANGLE = phrase(
-    r"(?:\b(?:both|all|the)|^) (?:the )?angles (?:are )?(?:COUNTED )?from THE"
-    r"(?P<way>VERTICAL|upright|horizontal)\b"
+    r"(?:\b(?:both|all|the) |^)(?:(?:of )?the )?angles (?:are )?(?:COUNTED )?from THE"
+    r"(?P<way>VERTICAL|ENDS|vertical)\b"
 )
 WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
@@ -124,6 +134,11 @@ HALF = phrase(r"NAMEIS THE?half[ -](?:of )?THE(?:total |full |whole )?length\b")
 TWICE = phrase(r"NAMEIS THE?twice (?:of )?THE(?:total |full |whole )?length\b")
 DOUBLE = phrase(r"⟨=\s?2\s?\\?(?P<name>[A-Za-z]\w*)\s?⟩IS THE(?:\w+ )?length\b")
 WHOLE = phrase(r"NAMEIS (?:the|its) (?:(?:full|total|whole|entire) length\b|length of the\b)")
+TO_AN_END = phrase(
+    r"NAMEIS THE(?:(?:total|full|whole) )?length (?:of (?:the |its )?\w+ )?from "
+    r"(?:(?!and\b)[\w']+ ){1,4}?to (?:(?:the|its|other|free|outer|far|lower|upper) ){0,3}"
+    r"(?:end|tip)\b"
+)
 TO_CENTRE = phrase(
     r"NAMEIS THE(?:distance|length) (?:(?:from (?:(?!and\b)[\w']+ ){1,6})?to"
     r"|between (?:(?!and\b)[\w']+ ){1,6}and|of) (?:the|its) (?:\w+(?:'s)? )?CENTRE\b"
@@ -157,7 +172,7 @@ SPRING_LENGTH = phrase(
 )
 UPWARD = phrase(
     r"NAME(?:[- ](?:axis|direction|coordinate))?IS (?:(?:the|a|its|taken|as|and|is|height|position"
-    r"|displacement|coordinate|distance|of|mass|body|bob|cart|block|load),? ){0,6}"
+    r"|displacement|coordinate|distance|way|path|of|mass|body|bob|cart|block|load|⟨\w+⟩),? ){0,6}"
     r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?"
     r"(?:positive |vertically |straight )?(?P<way>downward|upward)s?\b(?! vertical)"
 )
@@ -181,8 +196,9 @@ COUNTS = re.compile(
 """Words for how something counts."""
 FROM = re.compile(
     r"\b(?:measured|counted|reckoned|relative to|with respect to|distance (?:between|of)"
-    r"|(?<!away )from)\b", re.IGNORECASE,
-)  # fmt: skip
+    r"|(?<!away )(?<!hangs )(?<!hanging )(?<!hung )(?<!suspended )from(?! which| whom))\b",
+    re.IGNORECASE,
+)
 """Words for from where something counts."""
 WAY = re.compile(
     FROM.pattern + r"|\b(?:relative|c?cw|clockwise|(?:counter|anti)-?clockwise|upwards?|downwards?"
@@ -194,6 +210,26 @@ WAY = re.compile(
     r")\b", re.IGNORECASE,
 )  # fmt: skip
 """The same, and for which way."""
+MENTION = re.compile(
+    r"(?<![*^/+\[-])⟨(\w+)⟩(?![*^/(+\]-]|\)\*| ?(?:sin|cos|tan)\b| ⟨\w+⟩ ?(?:sin|cos|tan|\*))"
+)
+"""A name that is no factor of a formula in words."""
+PASSING = re.compile(
+    r"\b(?:energ(?:y|ies)|moment(?:um|a)|equations?(?: of motion)?|derivatives?|functions?|terms"
+    r"|components?|accelerations?|velocit(?:y|ies)|speeds?|rates?) (?:of|for|in|to|by) (?:the )?"
+    r"⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*|\b(?:divid|multipl|solv)\w* (?:\w+ )?(?:by|for) ⟨\w+⟩",
+    re.IGNORECASE,
+)
+"""What only names whose an equation is."""
+BESIDE_A_UNIT = re.compile(
+    r"[(\[][kgNradsJ.*·/^\d²³\u207b -]{0,10}⟨m⟩[kgNradsJ.*·/^\d²³\u207b -]{0,10}[)\]]"
+    r"|\bin (?:kg|N|rad|s)? ?[*·/]? ?⟨m⟩[/*^\d]*|⟨m⟩ ?/ ?s"
+)
+"""A letter that is a unit there."""
+ACTING = re.compile(
+    r"\b(?:acts?|acting|appl(?:y|ied|ies)|push\w*|pull\w*|exert\w*|driv\w+|pressing|presses|forces?"
+    r"|torques?|thrusts?|moments?|couple|turns?|brak\w+)\b", re.IGNORECASE,
+)  # fmt: skip
 THING_AND_WAY = re.compile(
     r"\b(?:angles?|positions?|displacements?|deflections?|coordinates?|heights?|forces?|torques?"
     r"|extensions?|x|y|z|axis|axes)\b[^.;]{0,60}?\b"
@@ -206,7 +242,10 @@ THING_AND_WAY = re.compile(
 """The same of what has no name there."""
 LETTERS = (("radius", "rRaA"), ("length", "lL"))
 """With which names of lengths begin."""
-OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=[a-z])")
+OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=(?P<what>[a-z]+))")
+HANGING_PREPOSITION = re.compile(
+    r" (?:from|by|on|in|at|with|to|of|in (?:kg|m|rad|met(?:er|re)s|kilograms|radians))$"
+)
 POSITION_OF = re.compile(
     r"(?:\w+ )?(?:position|displacement|coordinate) of (?:the |its )?"
     r"(?P<part>tip|end|top|bottom|middle|midpoint|hinge|pivot|joint|edge|rim)\b"
@@ -269,7 +308,13 @@ PLACE = phrase(
     r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
     r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
 )
-ON_BODY = phrase(r"NAMEIS THE(?:\w+ ){0,2}force (?:\w+ ){0,1}(?:on|to) (?:the )?(?P<body>\w+)")
+ON_BODY = tuple(
+    phrase(rf"{force} (?:on|to) (?:the |an? )?(?P<body>\w+)")
+    for force in (
+        r"NAMEIS THE(?:\w+ ){0,2}force(?: \w+)?",
+        r"\b(?:\w+ )?force NAME (?:\w+ ){0,2}\w+",
+    )
+)
 DOTS = phrase(
     r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by|(?:is|are|means?"
     r"|denotes?)(?: the)?(?: derivatives?)?) (?:the )?"
@@ -390,16 +435,20 @@ THINGS = re.compile(
 ALIKE = (
     frozenset(("rod", "pole", "pendulum", "bar", "stick", "beam", "link", "arm")),
     frozenset(("cart", "carriage", "trolley", "car", "wagon")),
-    frozenset(("bead", "bob", "particle", "ball")),
+    frozenset(("bead", "bob", "particle", "ball", "load", "payload", "container", "cargo")),
     frozenset(("hoop", "ring", "circle")),
 )
 """Words for one thing, in a scene that uses no two of them."""
 VERTICALS = ("vertical", "horizontal")
 POINTING = words("""
     positive points pointing directed increases increasing grows taken vertically straight axis
-    direction height
+    direction height way path distance is
 """)
 PREVIOUS = frozenset(("previous", "preceding", "other"))
+WITHOUT_A_BODY = re.compile(
+    r"(?:pulley|string|rope|thread|cable|wire|spring|belt|axle|track|rail)s?", re.IGNORECASE
+)
+"""What has no mass where no body is called so."""
 LINKS = ("rod", "string", "thread", "rope", "wire")
 """What angles are of; `ALIKE` has more words for the first."""
 ORDINALS = {
@@ -412,10 +461,11 @@ AXIS = re.compile(r"(?P<sign>negative|positive) (?P<axis>[xyz]) axis")
 GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "constant"))
 TURNING = frozenset(("torque", "moment", "couple"))
 PUSHING = frozenset(("force", "thrust"))
-APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input"))
+APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input", "disturbance"))
 COUNTED = words("""
-    is are be being denotes denote means mean measured counted taken reckoned acts acting angle made
-    makes with and from to on between relative zero when if where for at and generalized coordinate position
+    is are be being against denotes denote means mean measured counted taken reckoned acts acting
+    angle made makes with and from to on between relative zero when if where for at generalized
+    coordinate position inclination rad radians
 """)
 """Words of how and from where something is counted, or acts."""
 PLACES = frozenset(("angle", "position", "displacement", "displacements", "coordinate"))
@@ -446,8 +496,30 @@ ENDPOINTS = frozenset((
     "upper", "lower", "two",
 ))  # fmt: skip
 """Between which a length may be a distance."""
+OF_AN_END = ENDPOINTS | words("is length total full whole from to free other outer far")
+"""Words of a length to an end."""
 TO_A_CENTRE = ENDPOINTS | words("is are denotes distance length from to between and of gravity com")
 """Words of a distance to a mass centre."""
+OF_QUANTITIES = words("""
+    mass masses length inertia moment spring constant stiffness damping damper coefficient radius
+    viscous friction for point rigid circle kg
+""")
+"""Words of what a parameter is, beside those for whose it is."""
+PLURALS = (
+    ("(?:point )?masses|bobs|beads|particles", ("kg",)),
+    ("lengths|rods|links|strings|radii", ("m",)),
+    ("springs|stiffnesses", ("N/m", "N*m", "N*m/rad")),
+)  # fmt: skip
+"""Nouns of several things, and units of what is named behind them."""
+SEVERAL = phrase(
+    r"\b(?P<what>(?:point )?masses|bobs|beads|particles|lengths|rods|links|strings|radii|springs"
+    r"|stiffnesses),? (?P<names>⟨\w+⟩(?:(?:,| and|, and) ?⟨\w+⟩)+)"
+)
+INPUT_NOUN = phrase(
+    r"NAMEIS THE(?P<words>(?:\w+ ){0,3}(?:force|torque|moment|thrust))"
+    r"(?: (?:at|in|about) (?:the |its )?(?:pivot|hinge|joint|pin|axis|axle|base|support|shoulder))?"
+    r"(?=,|;|\)| ?\(| and\b| in\b|\.?$)"
+)
 SMALL = re.compile(
     r"of|the|an?|its|from|to|in|at|on|for|about|by|this|that|each|our|is|are|total|whole|between"
 )
@@ -460,6 +532,7 @@ IDIOMS = re.compile(
     r"|terms (?:of (?:higher|second) order|that (?:include|contain) this factor))"
     r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
     r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b"
+    r"|\bfalls (?=[a-z]+\b)(?!der|die|das|man|es|ein|sich|die)"
     r"|\bif \u27e8\w+\u27e9 (?:is|denotes) the (?:(?:mass|length|position|displacement|radius) of"
     r"|distance (?:from|between|of)|angle (?:the|that|between|from|with|which|made|measured))\b"
     r"|[(\uff08]\s*\u2248\s*(?!0+(?:\.0*)?\D)\d[\d.]*[^()\d\uff08\uff09]{0,9}[)\uff09]"
@@ -485,7 +558,7 @@ CONNECTIVES = words("""
     a an the this that these it its we us our which as so then thus hence therefore because since
     and or to of in on at for from with by into where here there also again now next finally let
     is are be has have obtain obtains get gets give gives giving find write reads read yield yields
-    follow follows become becomes see using
+    follow follows become becomes see using lagrange newton euler
 """)
 """Function words, and the verbs that lead from one formula to the next."""
 PART_OF_DOCUMENT = re.compile(

@@ -180,6 +180,8 @@ class SceneFacts:
         for angle in self.angles:
             if angle.symbol.name == name:
                 return angle.sense if angle.fixed and angle.planar else 0
+        if name in self.coordinates:
+            return self._sideways(self.coordinates[name])
         symbol = next((s for s in scene.input_symbols if s.name == name), Symbol(name, real=True))
         vectors = [(isinstance(x, Torque), scene.vector(x.vector, x.name)) for x in self.loads]
         held = [(turns, vector) for turns, vector in vectors if symbol in vector.free_symbols]
@@ -191,6 +193,16 @@ class SceneFacts:
         if not value.is_number or any(one != 0 for one in (across, up, out) if one is not value):
             return 0
         return 1 if value.is_positive else -1 if value.is_negative else 0
+
+    def _sideways(self, symbol: Symbol) -> int:
+        """1 where a coordinate moves bodies to the right and nowhere else, -1 to the left; or 0."""
+        slopes = [self.scene.position(body.centre).diff(symbol) for body in self.scene.bodies]
+        moved = [slope for slope in slopes if any(slope)]
+        signs = {slope[0] for slope in moved if not (slope[1] or slope[2])}
+        if len(signs) != 1 or len(moved) != len([s for s in moved if s[0] in signs]):
+            return 0
+        (sign,) = signs
+        return 1 if sign.is_positive else -1 if sign.is_negative else 0
 
     def is_absolute(self, name: str) -> bool | None:
         """Whether a coordinate is counted from what is fixed: a body's place holds no other.

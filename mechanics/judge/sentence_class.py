@@ -30,7 +30,7 @@ class SentenceClass(Enum):
 
     READ = "says what the scene has, or only connects"
     LIMITS = "denies or limits what stands beside it"
-    COUNTS = "says how something of the scene counts, and is not compared"
+    COUNTS = "says how or what something of the scene is, and is not compared"
     QUOTED = "is not compared with anything"
 
 
@@ -55,7 +55,24 @@ def _counts(facts: SceneFacts, rest: str) -> str:
     names = {facts.own_name(one[1]) for one in p.NAMED.finditer(rest)} & facts.names
     row = p.WAY if names - facts.parameters.keys() else p.FROM if names else p.THING_AND_WAY
     way = row.search(plain)
-    return way[0] if way else ""
+    return way[0] if way else _spoken_of(facts, rest)
+
+
+def _spoken_of(facts: SceneFacts, rest: str) -> str:
+    """A name of which a sentence says what it is: an input, or a parameter that may be exchanged.
+
+    A text may exchange two of one unit, or let an input act elsewhere. Empty for none.
+    """
+    left = p.PASSING.sub(" ", p.BESIDE_A_UNIT.sub(" ", rest))
+    plain = MARK.sub(" ", left)
+    if all(w in p.CONNECTIVES for w in re.findall("[a-zà-ÿ]{2,}", plain.lower())):
+        return ""
+    for one in p.MENTION.finditer(left):
+        own = facts.own_name(one[1])
+        acts = own in facts.inputs and p.ACTING.search(plain)
+        if acts or (own in facts.parameters and not facts.is_sole(own)):
+            return one[1]
+    return ""
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:

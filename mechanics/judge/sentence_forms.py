@@ -6,6 +6,8 @@ The cart has the mass ⟨M⟩.                        ⟨M⟩ is the mass of the
 ⟨R⟩ | radius of the bowl                          ⟨R⟩ is the radius of the bowl
 ⟨M⟩ and ⟨m⟩ are the masses of the cart and the pole, respectively
 The masses of the cart and the pole are ⟨M⟩ and ⟨m⟩.
+The second bob ⟨m2⟩ hangs from it.                ⟨m2⟩ is the second bob
+The beam weighs ⟨m⟩.                              ⟨m⟩ is the mass of the beam
 """
 
 import re
@@ -14,7 +16,19 @@ QUANTITY = r"(?:moment of inertia|mass|length|half-length|radius|diameter|stiffn
 NAME = "\u27e8(\\w+)\u27e9"
 EMPHASIS = re.compile(rf"\*\*({NAME})\*\*")
 INVERSE = re.compile(
-    rf"\b[Tt]he ((?:total |whole )?{QUANTITY} of (?:the )?(?:\w+ )?\w+) (?:is|equals|be) {NAME}"
+    rf"(?:\b[Tt]he |^)((?:total |whole )?(?i:{QUANTITY}) of (?:the )?(?:\w+ )?\w+)"
+    rf"(?: is| equals| be|:) {NAME}"
+)
+ORDINAL = "(?:first|second|third|upper|lower|inner|outer)"
+APPOSED = re.compile(
+    rf"\b([Tt]he |[Aa] )({ORDINAL} mass|(?:{ORDINAL} )?(?:bob|bead|particle|ball|rod|pole|bar"
+    r"|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge)) "
+    rf"{NAME}(?! (?:is|denotes|be)\b)"
+)
+WEIGHS = re.compile(rf"\b((?:{ORDINAL} )?\w+) (?:which |that )?weighs {NAME}")
+ROUND = re.compile(
+    r"\b([Tt]he )(\w+)( is an? (?:\w+ ){0,2}(?:hoop|ring|dis[ck]|cylinder|sphere|ball)) of mass "
+    rf"{NAME}"
 )
 OWNED = re.compile(
     rf"\b((?:(?:torsion(?:al)?|rotational) )?\w+) (?:of|has|with|have) (?:the |a |an )?"
@@ -25,7 +39,7 @@ BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
 LISTED = re.compile(
     rf"{NAME} ?(?:is|:|=|[-\u2013\u2014]+|\|) "
     r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
-    rf"(?=(?:[a-z]+ ){{0,2}}?{QUANTITY}\b)"
+    rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b))"
 )
 """A row of a table or a list: R | radius of the bowl."""
 PAIR = re.compile(
@@ -48,6 +62,9 @@ def one_form(sentence: str) -> str:
     """
     sentence = PAIR_OF.sub(_pair_of, EMPHASIS.sub(r"\1", sentence))
     sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
+    sentence = ROUND.sub("\\1\\2\\3, \u27e8\\4\u27e9 is the mass of the \\2", sentence)
+    sentence = WEIGHS.sub("\u27e8\\2\u27e9 is the mass of the \\1,", sentence)
+    sentence = APPOSED.sub("\\1\\2, \u27e8\\3\u27e9 is the \\2,", sentence)
     sentence = INVERSE.sub("\u27e8\\2\u27e9 is the \\1", sentence)
     sentence = BESIDE.sub("\u27e8\\2\u27e9 is the \\1 of the \\3", sentence)
     return OWNED.sub(_owned, sentence)

@@ -3,7 +3,6 @@
 f, and functions of its file that it calls    a.cpp, a.m    words of other cells of a notebook
 """
 
-import ast
 import inspect
 import re
 from collections.abc import Iterable
@@ -13,7 +12,7 @@ from pathlib import Path
 from types import FunctionType, MethodType
 from typing import Any
 
-from mechanics.claims.code.comments import EQUATION, SENTENCE, comments, without_comments
+from mechanics.claims.code.comments import comments, without_comments
 from mechanics.claims.code.python.closure_numbers import held
 from mechanics.claims.code.python.containers import library
 from mechanics.claims.code.python.objects import methods_used, names_in
@@ -23,8 +22,11 @@ from mechanics.errors import InputError
 
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
-INSIDE = re.compile(r"^(?!#)[^\n]*", re.MULTILINE)
-"""Lines that are no comments of the file."""
+NAMED = re.compile(
+    r"^(?P<code>[ \t]*(?:self\.)?[\"']?(?P<name>[A-Za-z]\w*)[\"']?[ \t]*(?::|=(?!=))[^#\n]*)"
+    r"#[ \t]*(?P<words>[^\n]+)", re.MULTILINE,
+)  # fmt: skip
+"""A line that gives a value or a type to one name, with a comment behind it."""
 MOST = 64
 """Functions that one calls."""
 
@@ -206,8 +208,11 @@ def _source(function: FunctionType) -> Source:
 
 
 def on_the_file(code: str) -> list[Beside]:
-    """What a file in Python says outside of its functions, and all equations of its comments."""
-    words = [ast.get_docstring(ast.parse(code)) or "", *comments(INSIDE.sub("", code), ".py")]
-    said = (line for one in comments(code, ".py") for line in one.splitlines())
-    words += [line for line in said if EQUATION.search(line) and not SENTENCE.search(line)]
-    return [Beside("\n\n".join(words))] if any(words) else []
+    """What a file in Python says, with the name before a comment behind what it is given to."""
+    words = list(comments(NAMED.sub(_with_its_name, code), ".py"))
+    return [Beside("\n\n".join(words))] if words else []
+
+
+def _with_its_name(line: re.Match[str]) -> str:
+    """``self.l = 0.5  # half the pole`` says that of l."""
+    return line[0] if ":" in line["words"] else f"{line['code']}# {line['name']}: {line['words']}"
