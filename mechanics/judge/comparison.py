@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from sympy import Expr, Rational
 
 from mechanics.claims.declared_conventions import Declared, read_declared
+from mechanics.errors import MechanicsError
 from mechanics.judge import phrases as p
 from mechanics.judge.counting import (
     aligned,
@@ -35,7 +36,7 @@ from mechanics.judge.outcome import Outcome, Said, Unsettled, Unverified
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
-from mechanics.scene.loads import Force, Spring
+from mechanics.scene.loads import Force, Spring, Torque
 from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.symbolic import is_zero
 
@@ -49,6 +50,7 @@ HEADS = (
 """First nouns of what a name is, and their units."""
 SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|density|unit)\b", re.I)
 TORSION = re.compile(r"\b(?:torsion(?:al)?|rotational)\b", re.IGNORECASE)
+JOINT = re.compile(r"\b(?:hinge|pivot|pin|joint|bearing)\b", re.IGNORECASE)
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
@@ -71,6 +73,8 @@ class Comparison:
         Of it what nothing compares.
     unverified : tuple of Unverified
         Parameters of which the scene does not tell whether they are what it says.
+    verified : tuple of str
+        Parameters that are what it says.
     """
 
     conventions: tuple[Declared, ...]
@@ -78,6 +82,7 @@ class Comparison:
     unsettled: tuple[str, ...]
     rest: str
     unverified: tuple[Unverified, ...] = ()
+    verified: tuple[str, ...] = ()
 
 
 def compared(facts: SceneFacts, sentence: str) -> Comparison:
@@ -87,6 +92,7 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     against: list[str] = []
     unsettled: list[str] = []
     unverified: list[Unverified] = []
+    verified: list[str] = []
     rest = list(sentence)
     for found, spans in _found(facts, sentence):
         if found is None:
@@ -100,6 +106,8 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
             unsettled.append(found.words)
         elif found:
             against.append(found)
+        elif found == "":
+            verified += p.VERIFIED.findall(sentence[spans[0][0] : spans[0][1]])
         for start, end in spans:
             rest[start:end] = " " * (end - start)
     left = "".join(rest)
@@ -112,7 +120,7 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
         unsettled.append(f"what the text says of {more[0]} beside that is not read")
     return Comparison(
         tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left,
-        tuple(unverified),
+        tuple(unverified), tuple(map(facts.own_name, verified)),
     )  # fmt: skip
 
 
@@ -243,7 +251,8 @@ def _several(facts: SceneFacts, said: Said) -> Outcome:
 def _input(facts: SceneFacts, said: Said) -> Outcome:
     """An input that is called a force or a torque, and nothing else."""
     own = facts.own(said)
-    return "" if own in facts.inputs and facts.is_called(own, said["words"]) else None
+    words = re.sub(r" of (?:the |a )?(?:motor|actuator|drive|engine|servo)$", "", said["words"])
+    return "" if own in facts.inputs and facts.is_called(own, words) else None
 
 
 def exchangeable(facts: SceneFacts, every: Collection[Unverified]) -> tuple[str, ...]:
@@ -361,6 +370,8 @@ def _other_kind(unit: str, words: str) -> bool:
     head = BEHIND_HEAD.split(p.OF_INERTIA.sub("inertia", words))[0]
     if not unit or SCALE.search(words):
         return False
+    if re.search(r"\b(?:damping|friction)\b", words) and JOINT.search(words):
+        return dimension_of_unit("N*s/m", "") == dimension_of_unit(unit, "")
     for noun, of in HEADS:
         if re.search(rf"\b(?:{noun})$", head.strip()):
             turns = noun == "stiffness" and TORSION.search(words)
@@ -378,6 +389,22 @@ def _other_sort(facts: SceneFacts, own: str, words: str) -> bool:
 
 def _unit(facts: SceneFacts, said: Said) -> Outcome:
     return f"the text says {said['all'] or name_of(said)} in {bare(said['unit'])}"
+
+
+def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
+    """A unit of another dimension than the scene's."""
+    own, stated = (
+        facts.own(said),
+        re.sub(r"[ ·]+|(?<=[Nm])(?=[ms])", "*", bare(said["unit"]).replace("²", "^2")),
+    )
+    try:
+        one = dimension_of_unit(stated.strip("*").replace("*/", "/").replace("/*", "/"), "")
+        other = dimension_of_unit(facts.unit(own), "") if facts.unit(own) else one
+    except MechanicsError:
+        return None
+    if one == other or own not in facts.parameters:
+        return None
+    return f"the text says {name_of(said)} in {bare(said['unit'])}, it is in {facts.unit(own)}"
 
 
 def _dots(facts: SceneFacts, said: Said) -> Outcome:
@@ -439,6 +466,9 @@ def _about(facts: SceneFacts, said: Said) -> Outcome:
     if re.search(r"\binertia\b", said[0]) and p.CENTRAL.match(said.string, said.start("to")):
         words = f"the text says that {name_of(said)} is about the mass centre, which it is not"
         return words if about_centre(facts, own) is False else None
+    if re.search(r"\binertia\b", said[0]) and p.OUTSIDE.match(said["to"]):
+        words = f"the text says that {name_of(said)} is about the {said['to']}"
+        return f"{words}, it is about the mass centre" if about_centre(facts, own) else None
     if "inertia" not in meaning or facts.alike(said["to"]) in facts.nouns(meaning):
         return None
     return f"the text says that {name_of(said)} is about the {said['to']}, which it is not"
@@ -465,12 +495,14 @@ def _place(facts: SceneFacts, said: Said) -> Outcome:
 def _on_body(facts: SceneFacts, said: Said) -> Outcome:
     """A force that is said to act on a body does."""
     own, bodies = facts.own(said), facts.bodies(said["body"])
-    on = {x.on for x in facts.loads if isinstance(x, Force) and own in facts.names_in(x)}
+    kind = Force if said["sort"].lower() == "force" else Torque
+    on = {x.on for x in facts.loads if isinstance(x, kind) and own in facts.names_in(x)}
     if own not in facts.inputs or len(bodies) != 1 or len(on) != 1 or None in on:
         return None
     if on == {bodies[0].name}:
         flat = ("horizontal",) if facts.way(own) else ()
-        known = {*p.APPLIED, *p.PUSHING, *p.COUNTED, *flat, said["body"].lower()}
+        sort = p.PUSHING if kind is Force else p.TURNING
+        known = {*p.APPLIED, *sort, *p.PUSHES_ON, *p.COUNTED, *flat, said["body"].lower()}
         return "" if only_words(said, known) else None
     words = f"the text says that {name_of(said)} acts on the {said['body']}"
     return f"{words}, the scene's does on {on.pop()}"
@@ -622,7 +654,8 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
     (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
     (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), *((row, _shape) for row in p.SHAPE),
-    (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.SEVERAL, _several), (p.UNIT, _unit),
+    (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.EXERTED, _input),
+    (p.SEVERAL, _several), (p.UNIT, _unit), (p.STATED_UNIT, _stated_unit),
     (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),

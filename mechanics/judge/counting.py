@@ -213,7 +213,7 @@ def counted_from(facts: SceneFacts, said: Said) -> Outcome:
 
 def vertical_sense(facts: SceneFacts, said: Said) -> Outcome:
     """A coordinate or an axis that is said to count against gravity, or along it."""
-    own, way = facts.own(said), 1 if said["way"].lower() == "upward" else -1
+    own, way = facts.own(said), 1 if said["way"].lower().startswith("up") else -1
     have = upward(facts, own)
     if not have:
         return None
@@ -222,7 +222,7 @@ def vertical_sense(facts: SceneFacts, said: Said) -> Outcome:
         return "" if only_words(said, known, facts) else None
     if own in facts.coordinates:
         return read_declared([f"other sign of {name_of(said)}"], facts.known)
-    return f"the text says that {name_of(said)} points {said['way']}s, the scene's does not"
+    return f"the text says that {name_of(said)} points {said['way']}, the scene's does not"
 
 
 def from_equilibrium(facts: SceneFacts, said: Said) -> Outcome:

@@ -63,6 +63,10 @@ def phrase(pattern: str) -> re.Pattern[str]:
 
 NAMED = re.compile("⟨(\\w+)⟩")
 """A name by itself."""
+VERIFIED = re.compile(
+    r"⟨(\w+)⟩ ?(?:is|are|be|being|denotes?|means?|,|:|\||[-\u2013\u2014]+|=)? ?(?:the|an?|its) "
+)
+"""One that is said to be something."""
 
 
 def words(text: str) -> frozenset[str]:
@@ -77,7 +81,7 @@ DIRECTIONS = (
     ),
     phrase(
         r"NAMEIS (?:the |its )?(?:angle|inclination|elevation) (?:(?!from\b)[\w']+ ){0,6}?"
-        r"(?:with|and|to|above|from) THE(?P<way>VERTICAL|horizontal|floor|ground)\b"
+        r"(?:with|and|to|above|from) THE(?P<way>VERTICAL|horizontal|floor|ground|rail|track)\b"
     ),
     phrase(r"NAMEIS (?:COUNTED )?from THE(?P<way>top|highest|bottom|lowest|below|above)\b"),
     phrase(
@@ -127,7 +131,7 @@ WAYS = {
     "downward": "hanging", "upward": "upright", "inverted": "upright", "top": "upright",
     "highest": "upright", "hangs": "hanging", "bottom": "hanging", "lowest": "hanging",
     "below": "hanging", "above": "upright",
-    "floor": "horizontal", "ground": "horizontal",
+    "floor": "horizontal", "ground": "horizontal", "rail": "horizontal", "track": "horizontal",
 }  # fmt: skip
 """Ways as conventions call them."""
 HALF = phrase(r"NAMEIS THE?half[ -](?:of )?THE(?:total |full |whole )?length\b")
@@ -152,6 +156,7 @@ PUSHES = phrase(r"NAMEACTS (?:to (?:the )?)?(?P<way>left|right|leftwards?|rightw
 
 UNIT = phrase(
     r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
+    r"(?:(?!in\b|not\b)[a-z]+ ){0,5}?"
     r"(?:measured |given |taken |expressed )?in (?P<unit>(?:degrees|deg|grad(?:ian)?s?"
     r"|(?:centi|milli|kilo(?!gram))\w+|[cmk]m|kN|minutes|hours|inch(?:es)?|feet|pounds)\b"
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
@@ -165,7 +170,9 @@ OF_LENGTH = phrase(
     r"\b(?:of|with|has|have|having|and) THE(?:(?:total|full|whole|overall) )?length NAME"
 )
 EXTENSION = phrase(
-    r"NAMEIS THE(?:\w+ )?(?:extension|elongation|stretch|compression)(?! of (?:the )?(?:rod|arm))\b"
+    r"NAMEIS (?:THE(?:\w+ )?(?:extension|elongation|stretch|compression)"
+    r"(?! of (?:the )?(?:rod|arm))"
+    r"|how (?:much|far) (?:the )?spring is (?:stretched|extended|elongated))\b"
 )
 SPRING_LENGTH = phrase(
     r"NAMEIS THE(?:(?:current|instantaneous|total|stretched|actual) )?length of (?:the )?spring\b"
@@ -174,9 +181,10 @@ UPWARD = phrase(
     r"NAME(?:[- ](?:axis|direction|coordinate))?IS (?:(?:the|a|its|taken|as|and|is|height|position"
     r"|displacement|coordinate|distance|way|path|of|mass|body|bob|cart|block|load|⟨\w+⟩),? ){0,6}"
     r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?"
-    r"(?:positive |vertically |straight )?(?P<way>downward|upward)s?\b(?! vertical)"
+    r"(?:positive |vertically |straight )?(?P<way>(?:down|up)ward|(?<=pointing )(?:down|up)"
+    r"|(?<=points )(?:down|up))s?\b(?! vertical)"
 )
-ROUND = r"(?:hoop|ring|dis[ck]|cylinder|tube|shell|sphere|ball)"
+ROUND = r"(?:hoop|ring|pipe|dis[ck]|cylinder|tube|shell|sphere|ball)"
 SHAPE = (
     phrase(
         r"\bthe (?P<body>\w+) (?:is|being|be|has the form of) (?:modell?ed as |taken as )?"
@@ -304,17 +312,36 @@ FROM_EQUILIBRIUM = phrase(
 )
 ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
 CENTRAL = phrase(r"CENTRE\b")
+OUTSIDE = re.compile(r"(?:pivot|hinge|joint|pin|support|suspension|end|foot)\b", re.IGNORECASE)
+"""What is no mass centre."""
+STATED_UNIT = phrase(
+    r"NAME[^⟨.;]{0,60}?(?: in |, ?|[(\[])"
+    r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J)(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
+)
+"""A unit of the scene's kind."""
 PLACE = phrase(
     r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
     r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
 )
-ON_BODY = tuple(
-    phrase(rf"{force} (?:on|to) (?:the |an? )?(?P<body>\w+)")
-    for force in (
-        r"NAMEIS THE(?:\w+ ){0,2}force(?: \w+)?",
-        r"\b(?:\w+ )?force NAME (?:\w+ ){0,2}\w+",
-    )
+ON_BODY = (
+    phrase(
+        r"NAMEIS THE(?:\w+ ){0,2}(?P<sort>force|torque|moment)(?: \w+)? (?:on|to) "
+        r"(?:the |an? )?(?P<body>\w+)"
+    ),
+    phrase(
+        r"\b(?:\w+ )?(?P<sort>force|torque|moment) NAME (?:\w+ ){0,2}\w+ (?:on|to) "
+        r"(?:the |an? )?(?P<body>\w+)"
+    ),
+    phrase(
+        r"\b(?:\w+ )?(?P<sort>force|torque|moment) NAME (?:pushes|pulls|drives|moves|turns) "
+        r"(?:the |an? )?(?P<body>\w+)"
+    ),
 )
+EXERTED = phrase(
+    r"\b(?:motor|actuator|drive|engine|servo) (?:exerts|applies|delivers|produces|gives|with) "
+    r"THE(?P<words>(?:\w+ )?(?:force|torque|moment)) NAME(?=[.,;)]|$| and\b)"
+)
+"""An input of which no more is said."""
 DOTS = phrase(
     r"(?<!\\)\b(?:over)?(?:dots?|primes?)\b[^.;⟨⟩]{0,50}\b(?:with respect to|by|(?:is|are|means?"
     r"|denotes?)(?: the)?(?: derivatives?)?) (?:the )?"
@@ -357,8 +384,14 @@ VALUE = phrase(
     r"⟨=\s?(?P<factor>\d+)\s?\\?(?P<name>[A-Za-z]\w*)\s?⟩"
 )
 SORT = phrase(r"\b(?P<sort>physical|compound|simple|mathematical) pendulum\b")
-FLAT = phrase(r"\b(?:in|on) a horizontal (?:plane|table)\b")
-STILL = phrase(r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?(?:fixed|clamped|locked|at rest)\b")
+FLAT = phrase(
+    r"\b(?:in|on) (?:a|the) (?:smooth |frictionless )?(?:horizontal|level) (?:air )?"
+    r"(?:plane|table)\b"
+)
+STILL = phrase(
+    r"\b(?P<body>\w+) (?:is|are) (?:held |kept )?"
+    r"(?:fixed|clamped|locked|screwed|bolted|glued|welded|nailed|at rest)\b"
+)
 ONLY_ONE = phrase(
     r"\bonly (?:the )?(?P<body>\w+) (?:moves|(?:has|have|possesses|contributes)"
     r"(?: to)? (?:any |a )?(?:changing |varying |variable )?"
@@ -461,6 +494,7 @@ AXIS = re.compile(r"(?P<sign>negative|positive) (?P<axis>[xyz]) axis")
 GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "constant"))
 TURNING = frozenset(("torque", "moment", "couple"))
 PUSHING = frozenset(("force", "thrust"))
+PUSHES_ON = words("pushes pulls drives moves turns exerts is acts applied acting")
 APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input", "disturbance"))
 COUNTED = words("""
     is are be being against denotes denote means mean measured counted taken reckoned acts acting
@@ -513,10 +547,11 @@ PLURALS = (
 """Nouns of several things, and units of what is named behind them."""
 SEVERAL = phrase(
     r"\b(?P<what>(?:point )?masses|bobs|beads|particles|lengths|rods|links|strings|radii|springs"
-    r"|stiffnesses),? (?P<names>⟨\w+⟩(?:(?:,| and|, and) ?⟨\w+⟩)+)"
+    r"|stiffnesses),? (?P<names>⟨\w+⟩(?:(?: ?,| and| ?, and) ?⟨\w+⟩)+)"
 )
 INPUT_NOUN = phrase(
-    r"NAMEIS THE(?P<words>(?:\w+ ){0,3}(?:force|torque|moment|thrust))"
+    r"NAMEIS THE(?P<words>(?:\w+ ){0,3}(?:force|torque|moment|thrust)"
+    r"(?: of (?:the |a )?(?:motor|actuator|drive|engine|servo))?)"
     r"(?: (?:at|in|about) (?:the |its )?(?:pivot|hinge|joint|pin|axis|axle|base|support|shoulder))?"
     r"(?=,|;|\)| ?\(| and\b| in\b|\.?$)"
 )

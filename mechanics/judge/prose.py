@@ -103,6 +103,8 @@ def prose_of(
     unjudged: dict[str, None] = {}
     unsettled: dict[str, None] = {}
     unverified: dict[Unverified, None] = {}
+    verified: set[str] = set()
+    about: dict[Limit, str] = {}
     turned, unread = False, ""
     for sentence in every:
         if sentence.unread:
@@ -112,6 +114,7 @@ def prose_of(
         against |= dict.fromkeys(found.against)
         unsettled |= dict.fromkeys(found.unsettled)
         unverified |= dict.fromkeys(found.unverified)
+        verified |= {*found.verified}
         turned |= senses(facts, sentence.marked)
         unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
         if sentence.comment:
@@ -127,9 +130,14 @@ def prose_of(
             words = (
                 f"the text says '{sentence.words[:120]}', which is compared with nothing ({why})"
             )
-            limits[Limit(words, sentence.words)] = None
+            about[Limit(words, sentence.words)] = why
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
+    for limit, names_there in about.items():
+        if all(facts.is_left(facts.own_name(n), verified) for n in names_there.split(", ")):
+            unjudged[limit.sentence] = None
+        else:
+            limits[limit] = None
     against |= dict.fromkeys(exchangeable(facts, unverified))
     if turned and unread:  # one of two signs alone turns what is right with both
         unsettled[f"the text says '{unread}' of more than is read"] = None

@@ -59,7 +59,7 @@ def _counts(facts: SceneFacts, rest: str) -> str:
 
 
 def _spoken_of(facts: SceneFacts, rest: str) -> str:
-    """A name of which a sentence says what it is: an input, or a parameter that may be exchanged.
+    """Names of which a sentence says what they are: inputs, and parameters that may be exchanged.
 
     A text may exchange two of one unit, or let an input act elsewhere. Empty for none.
     """
@@ -67,12 +67,9 @@ def _spoken_of(facts: SceneFacts, rest: str) -> str:
     plain = MARK.sub(" ", left)
     if all(w in p.CONNECTIVES for w in re.findall("[a-zà-ÿ]{2,}", plain.lower())):
         return ""
-    for one in p.MENTION.finditer(left):
-        own = facts.own_name(one[1])
-        acts = own in facts.inputs and p.ACTING.search(plain)
-        if acts or (own in facts.parameters and not facts.is_sole(own)):
-            return one[1]
-    return ""
+    acts = p.ACTING.search(plain) is not None
+    names = dict.fromkeys(one[1] for one in p.MENTION.finditer(left))
+    return ", ".join(name for name in names if facts.may_be_other(facts.own_name(name), acts))
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:

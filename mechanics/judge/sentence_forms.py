@@ -22,8 +22,16 @@ INVERSE = re.compile(
 ORDINAL = "(?:first|second|third|upper|lower|inner|outer)"
 APPOSED = re.compile(
     rf"\b([Tt]he |[Aa] )({ORDINAL} mass|(?:{ORDINAL} )?(?:bob|bead|particle|ball|rod|pole|bar"
-    r"|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge)) "
+    r"|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge"
+    r"|load|beam|pulley|hoop|plate)) "
     rf"{NAME}(?! (?:is|denotes|be)\b)"
+)
+BY_WE_MEAN = re.compile(rf"\b[Bb]y {NAME} we (?:mean|denote|understand)")
+AXIS_OF = re.compile(rf"\baxis of {NAME}")
+BRACKETED = re.compile(rf"\b(\w+) \((?:of )?({QUANTITY} {NAME}) ?\)")
+SUBJECT = re.compile(
+    r"\b([Tt]he \w+)( is (?:[a-z-]+(?: and|,)? ){1,4}),? ?"
+    rf"(?=(?:of|with) (?:the )?{QUANTITY} {NAME})"
 )
 WEIGHS = re.compile(rf"\b((?:{ORDINAL} )?\w+) (?:which |that )?weighs {NAME}")
 ROUND = re.compile(
@@ -39,7 +47,8 @@ BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
 LISTED = re.compile(
     rf"{NAME} ?(?:is|:|=|[-\u2013\u2014]+|\|) "
     r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
-    rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b))"
+    rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b|(?:viscous )?(?:damping|friction) (?:in|of|at)\b"
+    r"|(?:cart|trolley|carriage|pole|bob|load|rod|ball|beam)\b))"
 )
 """A row of a table or a list: R | radius of the bowl."""
 PAIR = re.compile(
@@ -60,6 +69,8 @@ def one_form(sentence: str) -> str:
     sentence : str
         With names marked.
     """
+    sentence = BY_WE_MEAN.sub("\u27e8\\1\u27e9 is", AXIS_OF.sub("\u27e8\\1\u27e9 axis", sentence))
+    sentence = SUBJECT.sub(r"\1\2; \1 ", BRACKETED.sub(r"\1 of \2", sentence))
     sentence = PAIR_OF.sub(_pair_of, EMPHASIS.sub(r"\1", sentence))
     sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
     sentence = ROUND.sub("\\1\\2\\3, \u27e8\\4\u27e9 is the mass of the \\2", sentence)

@@ -1,0 +1,198 @@
+"""How something counts and what it is, as a text says it: compared with the scene, or left open."""
+
+from pathlib import Path
+
+import pytest
+
+from benchmarks.corpus.load import HERE, scene_of
+from mechanics import check
+from mechanics.grading.submission import things_in
+from mechanics.scene import Scene
+from systems import rod_pendulum
+
+SCENES = HERE / "scenes"
+OPEN, RIGHT, WRONG = "UNDECIDED", "PROVED", "REFUTED"
+ROD = r"$$\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3}{ml^2}u$$"
+BOBS = r"$$V = -(m_1+m_2)gl_1\cos\phi_1 - m_2gl_2\cos\phi_2$$"
+CART = r"$$(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F$$"
+CHAIN = r"$$3m\ddot x_1 + 2kx_1 - kx_2 = 0$$"
+WIRE = r"$$(1 + 4a^2x^2)\ddot x + 4a^2x\dot x^2 + 2agx = 0$$"
+POLAR = r"$$m\ddot r = mr\dot\theta^2 + mg\cos\theta - k(r-b)$$"
+WEDGE = r"$$(M+m)\ddot{X} = m\cos\alpha\,\ddot{x}$$"
+HINGED = r"$$(M+m)\ddot x + b\dot x + ml\ddot\theta\cos\theta - ml\dot\theta^2\sin\theta = F$$"
+
+CASES: dict[str, tuple[str, str, str, str]] = {
+    # from where
+    "upright with its unit": (
+        "rod_pendulum", r"$\theta$ is the angle of the rod in rad from the upright.", ROD, RIGHT,
+    ),
+    "hanging, of the rod": (
+        "rod_pendulum", r"$\theta$: angle of the rod from the downward vertical", ROD, WRONG,
+    ),
+    "from the vertical, upwards in brackets": (
+        "rod_pendulum", r"$\theta$: angle of the rod from vertical (up)", ROD, RIGHT,
+    ),
+    "the angle alone": (
+        "rod_pendulum", r"The angle is measured from the upright position.", ROD, RIGHT,
+    ),
+    "the angle alone, hanging": (
+        "rod_pendulum", r"The angle is measured from the hanging position.", ROD, WRONG,
+    ),
+    "where the rod points up": (
+        "rod_pendulum", r"$\theta$ is zero when the rod points straight up.", ROD, RIGHT,
+    ),
+    "where the rod points down": (
+        "rod_pendulum", r"$\theta$ is zero when the rod points straight down.", ROD, WRONG,
+    ),
+    "the stable equilibrium": (
+        "double_pendulum", r"$\phi_1$ is 0 when the first rod is in stable equilibrium.", BOBS,
+        RIGHT,
+    ),
+    "an axis": (
+        "double_pendulum", r"$\phi_1$ is measured from the negative y-axis.", BOBS, RIGHT,
+    ),
+    "with the rail": (
+        "cartpole", r"$\theta$ is the angle which the pole makes with the rail.", CART, WRONG,
+    ),
+    "both from hanging": ("double_pendulum", "Both angles are from hanging.", BOBS, RIGHT),
+    "both from the vertical": (
+        "double_pendulum", "Both angles are measured from the vertical.", BOBS, RIGHT,
+    ),
+    "of the other rod": (
+        "double_pendulum", r"$\phi_1$ is the angle of the second rod with the vertical.", BOBS,
+        OPEN,
+    ),
+    "from what nobody knows": (
+        "rod_pendulum", r"$\theta$ is measured from the mark of the hall sensor.", ROD, OPEN,
+    ),
+    "from equilibrium": (
+        "two_mass_chain", r"$x_1$ and $x_2$ are the displacements from equilibrium.", CHAIN, RIGHT,
+    ),
+    "relative to the wall": (
+        "two_mass_chain", r"$x_2$ is the displacement relative to the wall.", CHAIN, RIGHT,
+    ),
+    # which way
+    "to the right": ("cartpole", r"The coordinate $x$ grows to the right.", CART, RIGHT),
+    "to nobody knows where": ("cartpole", r"$x$ is positive towards the door.", CART, OPEN),
+    # of lengths and springs
+    "by a length we mean": (
+        "spring_pendulum.py:polar", "By $r$ we mean the elongation of the spring.", POLAR, OPEN,
+    ),
+    "by a length we mean the length": (
+        "spring_pendulum.py:polar", "By $r$ we mean the length of the spring.", POLAR, RIGHT,
+    ),
+    "to the free end": (
+        "rod_pendulum", r"$l$ is the length of the rod from the axis to its free end.", ROD, RIGHT,
+    ),
+    # whose a parameter is
+    "the trolley in brackets": (
+        "cartpole", r"The trolley (mass $m_c$) runs on a rail.", CART, RIGHT,
+    ),
+    "the trolley in brackets, exchanged": (
+        "cartpole", r"The trolley (mass $m_p$) runs on a rail.", CART, OPEN,
+    ),
+    "what is left": (
+        "cartpole", r"The cart weighs $m_c$, and $m_p$ is the mass of what it balances.", CART,
+        RIGHT,
+    ),
+    "apposed": ("double_pendulum", r"The second bob $m_2$ hangs from the first.", BOBS, RIGHT),
+    "apposed, exchanged": (
+        "double_pendulum", r"The second bob $m_1$ hangs from the first.", BOBS, OPEN,
+    ),
+    "at the ceiling": (
+        "double_pendulum", r"$l_2$ is the rod at the ceiling.", BOBS, OPEN,
+    ),
+    "only masses": (
+        "double_pendulum", r"Two point masses $m_1$, $m_2$ on massless rods $l_1$, $l_2$.", BOBS,
+        RIGHT,
+    ),
+    "about the hinge": (
+        "cart_poles.py:ctms", r"$I$ is the moment of inertia of the pendulum about its hinge.",
+        HINGED, OPEN,
+    ),
+    "about the mass centre": (
+        "cart_poles.py:ctms", r"$I$ is its moment of inertia about the centre of mass.", HINGED,
+        RIGHT,
+    ),
+    "friction in the hinge": (
+        "cart_poles.py:ctms", r"$b$ is the friction in the hinge of the pendulum.", HINGED, OPEN,
+    ),
+    "a unit of another kind": (
+        "oscillators.py:linear", r"$k$ is a damping constant in N s/m.",
+        r"$$m\ddot x + c\dot x + kx = 0$$", OPEN,
+    ),
+    "its unit": (
+        "oscillators.py:linear", r"$k$ is a constant in N/m.", r"$$m\ddot x + c\dot x + kx = 0$$",
+        RIGHT,
+    ),
+    # on what an input acts
+    "a horizontal force on the cart": (
+        "cartpole", r"$F$ is a horizontal force on the cart.", CART, RIGHT,
+    ),
+    "a force that pushes the cart": ("cartpole", r"The force $F$ pushes the cart.", CART, RIGHT),
+    "a force on the bob": (
+        "cartpole", r"The force $F$ is applied to the tip of the pole.", CART, OPEN,
+    ),
+    "a torque of a motor": ("rod_pendulum", r"A motor exerts the torque $u$.", ROD, RIGHT),
+    # what rests, and what is flat
+    "bolted": ("cartpole", "The cart is bolted to the floor.", CART, OPEN),
+    "an axis that points down": (
+        "planar_wire.py:wire", "The axis of $y$ is pointing down.", WIRE, OPEN,
+    ),
+    "a table": (
+        "spring_pendulum.py:polar", "The mass slides on a horizontal air table.", POLAR, OPEN,
+    ),
+    "pulleys": (
+        "atwood", "The pulleys have no mass.",
+        r"$$m_1\ddot x + m_2(\ddot x-\ddot y) + m_3(\ddot x+\ddot y) = (m_1-m_2-m_3)g$$", RIGHT,
+    ),
+    "it falls": ("rod_pendulum", "Left alone the rod falls down.", ROD, RIGHT),
+}  # fmt: skip
+
+
+def scene(name: str) -> Scene:
+    file, _, function = name.partition(":")
+    path = SCENES / file if function else Path("systems", f"{file}.py")
+    return scene_of(path, function or "scene")
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_what_a_text_says_is_compared_or_leaves_its_page_open(case: str) -> None:
+    name, said, formula, expected = CASES[case]
+    assert check(scene(name), f"{said}\n{formula}", blame=False).verdict.name == expected
+
+
+@pytest.mark.parametrize("said", ["measured from the mark of the sensor", "positive to the north"])
+def test_formulas_alone_are_judged_without_it(said: str) -> None:
+    text = rf"$\theta$ is {said}. {ROD}"
+    answer = check(rod_pendulum.scene(), text, blame=False)
+    assert answer.verdict.name == OPEN
+    assert "--only formulas" in str(answer)
+    assert check(rod_pendulum.scene(), text, only=["formulas"], blame=False).verdict.name == RIGHT
+
+
+FUNCTION = """from math import sin
+
+
+def acceleration(theta, theta_dot, u, m, l, g):
+    return 3*g/(2*l)*sin(theta) + 3*u/(m*l**2)
+"""
+RODS = "class Rod:\n    def __init__(self, l):\n        self.l = l  # "
+BESIDE = {
+    "a field": (f"{RODS}half the length of the rod\n", OPEN),
+    "the field": (f"{RODS}length of the rod\n", RIGHT),
+    "a class": ('class Rod:\n    """theta counts from the mark of the sensor."""\n', OPEN),
+    "the class": ('class Rod:\n    """theta is measured from the upward vertical."""\n', RIGHT),
+    "a message": (
+        'def start(theta):\n    print("theta is measured from the mark of the sensor")\n', OPEN,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", BESIDE)
+def test_all_words_of_a_file_of_python_count(tmp_path: Path, case: str) -> None:
+    beside, expected = BESIDE[case]
+    path = tmp_path / "rod.py"
+    path.write_text(f"{FUNCTION}\n\n{beside}")
+    things = things_in(path, function="acceleration", run_python=True)
+    assert check(rod_pendulum.scene(), things, blame=False).verdict.name == expected
