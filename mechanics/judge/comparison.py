@@ -7,7 +7,7 @@ where $m$ is the mass of the rod,            as the scene has it
 """
 
 import re
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from sympy import Expr, Rational
@@ -32,7 +32,7 @@ from mechanics.judge.counting import (
     vertical_sense,
 )
 from mechanics.judge.geometry_facts import about_centre, has_rod_twice_as_long, other_shape
-from mechanics.judge.outcome import Outcome, Said, Unsettled, Unverified
+from mechanics.judge.outcome import Outcome, Said, Unsettled
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
@@ -71,8 +71,6 @@ class Comparison:
         What makes statements others than those that are read, in words.
     rest : str
         Of it what nothing compares.
-    unverified : tuple of Unverified
-        Parameters of which the scene does not tell whether they are what it says.
     verified : tuple of str
         Parameters that are what it says.
     """
@@ -81,7 +79,6 @@ class Comparison:
     against: tuple[str, ...]
     unsettled: tuple[str, ...]
     rest: str
-    unverified: tuple[Unverified, ...] = ()
     verified: tuple[str, ...] = ()
 
 
@@ -91,14 +88,10 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     conventions: list[Declared] = []
     against: list[str] = []
     unsettled: list[str] = []
-    unverified: list[Unverified] = []
     verified: list[str] = []
     rest = list(sentence)
     for found, spans in _found(facts, sentence):
         if found is None:
-            continue
-        if isinstance(found, Unverified):
-            unverified.append(found)
             continue
         if isinstance(found, tuple):
             conventions += found
@@ -120,7 +113,7 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
         unsettled.append(f"what the text says of {more[0]} beside that is not read")
     return Comparison(
         tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left,
-        tuple(unverified), tuple(map(facts.own_name, verified)),
+        tuple(map(facts.own_name, verified)),
     )  # fmt: skip
 
 
@@ -229,7 +222,7 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
         return None
     whose = _same_thing(facts, own, words)
     if whose is None:
-        return Unverified(own, words)
+        return None
     known = frozenset(map(facts.alike, p.OF_QUANTITIES)) | whose
     return (
         ""
@@ -253,24 +246,6 @@ def _input(facts: SceneFacts, said: Said) -> Outcome:
     own = facts.own(said)
     words = re.sub(r" of (?:the |a )?(?:motor|actuator|drive|engine|servo)$", "", said["words"])
     return "" if own in facts.inputs and facts.is_called(own, words) else None
-
-
-def exchangeable(facts: SceneFacts, every: Collection[Unverified]) -> tuple[str, ...]:
-    """What a text says of several parameters of one unit, none of it compared: they may be
-    exchanged.
-
-    Parameters
-    ----------
-    facts : SceneFacts
-    every : collection of Unverified
-        Of the whole text.
-    """
-    names = {one.name for one in every}
-    units = [facts.unit(name) for name in names]
-    return tuple(
-        f"the text says that {one.name} is the {one.words}, which nothing compares"
-        for one in every if units.count(facts.unit(one.name)) > 1
-    )  # fmt: skip
 
 
 def _of_another_place(facts: SceneFacts, words: str) -> bool:

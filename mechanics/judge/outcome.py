@@ -1,8 +1,8 @@
 """What comes of a sentence beside the scene.
 
-empty words    as the scene has it          Unsettled     statements are others than those read
-words          the scene has it otherwise   Unverified    the scene does not tell, of a parameter
-conventions    the scene counts otherwise   None          the scene does not tell
+empty words    as the scene has it          Unsettled   statements are others than those read
+words          the scene has it otherwise   None        the scene does not tell
+conventions    the scene counts otherwise
 """
 
 import re
@@ -20,12 +20,4 @@ class Unsettled:
     words: str
 
 
-@dataclass(frozen=True)
-class Unverified:
-    """A parameter of which nothing of the scene tells whether it is what the text says."""
-
-    name: str
-    words: str
-
-
-Outcome = str | tuple[Declared, ...] | Unsettled | Unverified | None
+Outcome = str | tuple[Declared, ...] | Unsettled | None

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.judge.comparison import Unverified, compared, exchangeable, senses
+from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
@@ -102,7 +102,6 @@ def prose_of(
     limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
     unsettled: dict[str, None] = {}
-    unverified: dict[Unverified, None] = {}
     verified: set[str] = set()
     about: dict[Limit, str] = {}
     turned, unread = False, ""
@@ -113,7 +112,6 @@ def prose_of(
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
         unsettled |= dict.fromkeys(found.unsettled)
-        unverified |= dict.fromkeys(found.unverified)
         verified |= {*found.verified}
         turned |= senses(facts, sentence.marked)
         unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
@@ -138,7 +136,6 @@ def prose_of(
             unjudged[limit.sentence] = None
         else:
             limits[limit] = None
-    against |= dict.fromkeys(exchangeable(facts, unverified))
     if turned and unread:  # one of two signs alone turns what is right with both
         unsettled[f"the text says '{unread}' of more than is read"] = None
     for text, notation in written.items():

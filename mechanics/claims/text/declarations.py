@@ -31,7 +31,8 @@ RECORD = re.compile(
 DECLARED = re.compile(
     r"^[ \t]*(?:(?:end|endfunction|return|nothing|equation|algorithm)\b[ \t]*\w*[ \t]*;?"
     r"|(?:global|persistent|clear|clc|close|format|load|addpath|disp)\b[^\n=]*"
-    r"|(?:(?:parameter|constant|Real)\b[^\n;]*;?[ \t]*)+"
+    r"|(?:(?:(?:final|input|output|flow|discrete)[ \t]+)*(?:parameter|constant|Real)\b[^\n;]*;?"
+    r"[ \t]*)+"
     r"|[\w, ()]+=[ \t]*(?:p|params|par)[ \t]*;?)[ \t\r]*$",
     re.MULTILINE,
 )
