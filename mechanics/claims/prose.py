@@ -55,7 +55,8 @@ def energy_before(text: str, at: int) -> str:
 
 
 EQUILIBRIUM = re.compile(
-    r"equilibri|stationary (?:point|solution)|fixed point|\b(?:rests|balances|is balanced)\b"
+    r"equilibri|stationary (?:point|solution)|fixed point"
+    r"|\b(?:rests|balances|is balanced|(?:rests|held) horizontally)\s+(?:when|where|if|with)\b"
     r"|(?:oscillat|vibrat)\w+\s+(?:about|around)\b",
     re.IGNORECASE,
 )

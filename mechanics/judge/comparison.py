@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sympy import Expr, Rational
+from sympy import Expr
 
 from mechanics.claims.declared_conventions import Declared, read_declared
 from mechanics.errors import MechanicsError
@@ -33,16 +33,15 @@ from mechanics.judge.counting import (
 )
 from mechanics.judge.geometry_facts import about_centre, has_rod_twice_as_long, other_shape
 from mechanics.judge.outcome import Outcome, Said, Unsettled
-from mechanics.judge.scene_facts import SceneFacts
+from mechanics.judge.scene_facts import RATIOS, SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
 from mechanics.scene.loads import Force, Spring, Torque
 from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.symbolic import is_zero
 
-RATIOS = (Rational(1), Rational(1, 2))
 HEADS = (
-    (r"inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness", "N/m"),
+    (r"inertia", "kg*m^2"), (r"mass", "kg"), (r"stiffness|spring constant", "N/m"),
     (r"length|radius|diameter|distance|height|width", "m"), (r"torque|moment|couple", "N*m"),
     (r"force|weight", "N"), (r"acceleration|gravity", "m/s^2"),
     (r"(?<!angular )(?:speed|velocity)", "m/s"),
@@ -52,7 +51,6 @@ SCALE = re.compile(r"\b(?:per|constant|coefficient|ratio|number|factor|arm|densi
 TORSION = re.compile(r"\b(?:torsion(?:al)?|rotational)\b", re.IGNORECASE)
 JOINT = re.compile(r"\b(?:hinge|pivot|pin|joint|bearing)\b", re.IGNORECASE)
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
-MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
 
@@ -72,7 +70,7 @@ class Comparison:
     rest : str
         Of it what nothing compares.
     verified : tuple of str
-        Parameters that are what it says.
+        Names that are what it says.
     """
 
     conventions: tuple[Declared, ...]
@@ -169,7 +167,8 @@ def _to_an_end(facts: SceneFacts, said: Said) -> Outcome:
 
 
 def _whole(facts: SceneFacts, said: Said) -> Outcome:
-    if "half" not in facts.meaning(facts.own(said)):
+    own = facts.own(said)
+    if "half" not in facts.meaning(own) and not has_rod_twice_as_long(facts, own):
         return None
     return read_declared([f"twice the length of {name_of(said)}"], facts.known)
 
@@ -206,16 +205,16 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
     if p.SCALED.search(words):
         return text if "/" not in unit else None
     have = f"{text}, the scene's {own} is the {meaning or f'one in {unit}'}"
+    behind = said.string[said.start("words") + len(said["words"].rstrip()) :]
     if facts.is_called(own, words):
-        return ""
+        return None if p.SHARED.search(said["words"]) or p.SHARED.match(behind) else ""
     if (role := _of_other_role(facts, own, words)) == "":
         return ""
     if other := role or _another(facts, own, words):
         return f"{have}, and {other} is that"
     wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
     wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
-    of_two = p.OF_TWO.match(said.string, said.end())
-    wrong = wrong or (words.startswith("total mass") and of_two is not None)
+    wrong = wrong or (words.startswith("total mass") and p.OF_TWO.match(behind) is not None)
     if wrong or _other_distance(facts, said, meaning, words):
         return have
     if facts.is_sole(own):
@@ -224,11 +223,7 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
     if whose is None:
         return None
     known = frozenset(map(facts.alike, p.OF_QUANTITIES)) | whose
-    return (
-        ""
-        if facts.nouns(words) <= known and not (of_two and p.THINGS.match(of_two["what"]))
-        else None
-    )
+    return "" if facts.nouns(words) <= known and not p.SHARED.match(behind) else None
 
 
 def _several(facts: SceneFacts, said: Said) -> Outcome:
@@ -244,6 +239,8 @@ def _several(facts: SceneFacts, said: Said) -> Outcome:
 def _input(facts: SceneFacts, said: Said) -> Outcome:
     """An input that is called a force or a torque, and nothing else."""
     own = facts.own(said)
+    if said.groupdict().get("at") and not (facts.turns(own) == {True} and facts.is_hinged_once):
+        return None
     words = re.sub(r" of (?:the |a )?(?:motor|actuator|drive|engine|servo)$", "", said["words"])
     return "" if own in facts.inputs and facts.is_called(own, words) else None
 
@@ -276,7 +273,9 @@ def _same_thing(facts: SceneFacts, own: str, words: str) -> frozenset[str] | Non
     if any(isinstance(b, RigidBody) and isinstance(b.inertia, Expr)
            and plain(b.inertia).has(symbol) for b in bodies):  # fmt: skip
         return of_bodies
-    same = facts.nouns(facts.meaning(own)) & said
+    others = (facts.nouns(facts.meaning(n)) for n in facts.parameters
+              if n != own and facts.unit(n) == facts.unit(own))  # fmt: skip
+    same = (facts.nouns(facts.meaning(own)) & said).difference(*others)
     return same or (frozenset() if _usual_letter(facts, own, words) else None)
 
 
@@ -349,7 +348,7 @@ def _other_kind(unit: str, words: str) -> bool:
         return dimension_of_unit("N*s/m", "") == dimension_of_unit(unit, "")
     for noun, of in HEADS:
         if re.search(rf"\b(?:{noun})$", head.strip()):
-            turns = noun == "stiffness" and TORSION.search(words)
+            turns = noun.startswith("stiffness") and TORSION.search(words)
             return dimension_of_unit("N*m" if turns else of, "") != dimension_of_unit(unit, "")
     return False
 
@@ -635,7 +634,7 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),
     *((row, kind_of_angle) for row in p.KINDS_OF_ANGLE),
-    (p.ABOUT, _about), (p.PLACE, _place), *((row, _on_body) for row in p.ON_BODY),
+    (p.ABOUT, _about), *((row, _place) for row in p.PLACE), *((row, _on_body) for row in p.ON_BODY),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),
     (p.VALUE, _value), (p.SORT, _sort), (p.STILL, _still), (p.ONLY_ONE, _only_one),
     (p.DRIVEN, _driven), (p.FLAT, _flat),

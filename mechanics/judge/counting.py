@@ -169,6 +169,9 @@ def every_angle(facts: SceneFacts, said: Said) -> Outcome:
 
 def _along(facts: SceneFacts, way: str, name: str) -> Outcome:
     """An angle that is counted from a way."""
+    if have := facts.inclination(facts.own_name(name)):
+        words = f"the text says that {name} counts from the {way}, it does from the {have}"
+        return "" if way == have else words if way in p.VERTICALS else None
     if way == "vertical":
         return _along_vertical(facts, name)
     return declared(facts, f"{way} of {name}") if way else None
@@ -185,7 +188,7 @@ def kind_of_angle(facts: SceneFacts, said: Said) -> Outcome:
         some = [n for n in some if n != every[0]]
     other = [n for n in some if facts.is_absolute(n) is not absolute]
     if not other:
-        return None
+        return "" if groups.get("name") and some else None
     return f"the text says {bare(said[0])!r}, {', '.join(other)} of the scene is not"
 
 

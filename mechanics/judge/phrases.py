@@ -93,6 +93,10 @@ DIRECTIONS = (
         rf"(?:at|for|when|where|if) ⟨=\s?{SYMBOL}\s?=\s?0\s?⟩"
     ),
     phrase(
+        rf"\b(?:at|for|where|when|if) ⟨=\s?{SYMBOL}\s?=\s?0\s?⟩,? THE\w+ (?:is |stands |points )?"
+        r"(?:at |in )?THE(?P<way>hangs|hanging|upright|horizontal|lowest|highest|top|bottom)\b"
+    ),
+    phrase(
         rf"⟨=\s?{SYMBOL}\s?=\s?0\s?⟩ "
         r"(?:is|corresponds to|denotes|means|describes|in|at|being) THE"
         r"(?P<way>downward|upward|upright|inverted|hanging|horizontal)\b"
@@ -212,7 +216,8 @@ WAY = re.compile(
     FROM.pattern + r"|\b(?:relative|c?cw|clockwise|(?:counter|anti)-?clockwise|upwards?|downwards?"
     r"|left|right(?!-hand side)|positive|negative|opposite|revers\w+|against|towards?|backwards?"
     r"|inwards?|outwards?|uphill|downhill|hangs|hanging|upright|inverted(?! pendulum)|aligned"
-    r"|zero (?:when|if|where|at|for|in|means)"
+    r"|zero (?:when|if|where|at|for|in|means)|sinks?|rises?|climbs?|descend\w*|ascend\w*"
+    r"|(?:comes?|gone|goe?s?|moved?s?|slides?|runs?) (?:up|down)"
     r"|(?:with|to|above|between|and|about|around|of|at) (?:(?:the|its|their|static) ){0,2}"
     r"(?:vertical|horizontal|equilibrium)(?! (?:diameter|axis|plane|circle|motion|component))"
     r")\b", re.IGNORECASE,
@@ -225,7 +230,13 @@ MENTION = re.compile(
 PASSING = re.compile(
     r"\b(?:energ(?:y|ies)|moment(?:um|a)|equations?(?: of motion)?|derivatives?|functions?|terms"
     r"|components?|accelerations?|velocit(?:y|ies)|speeds?|rates?) (?:of|for|in|to|by) (?:the )?"
-    r"⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*|\b(?:divid|multipl|solv)\w* (?:\w+ )?(?:by|for) ⟨\w+⟩",
+    r"⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*|\b(?:divid|multipl|solv)\w* (?:\w+ )?(?:by|for) ⟨\w+⟩"
+    r"|(?:⟨\w+⟩(?:,| and|, and)? )+(?:is|are) (?:all |both )?"
+    r"(?:positive|constants?|given|known|parameters?|fixed)\b"
+    r"(?! (?:to|in|on|when|if|for|towards?|up|down|left|right|clock|counter|anti))"
+    r"|\b(?:eliminat|cancel|substitut)\w* ⟨\w+⟩|⟨\w+⟩ (?:cancels|drops out|vanishes)"
+    r"|\b(?:deriv|differentiat)\w*[^.;]{0,40}? with respect to ⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*"
+    r"|^From |\bfrom (?:the )?(?:\w+ )?(?:equations?|geometry|figure|laws?|lagrangian|energy)\b",
     re.IGNORECASE,
 )
 """What only names whose an equation is."""
@@ -234,11 +245,19 @@ BESIDE_A_UNIT = re.compile(
     r"|\bin (?:kg|N|rad|s)? ?[*·/]? ?⟨m⟩[/*^\d]*|⟨m⟩ ?/ ?s"
 )
 """A letter that is a unit there."""
+PLACED = re.compile(
+    r"\b(?:positions?|displacements?|coordinates? of|altitude|heights?|depths?|distances?"
+    r"|deflections?|angle (?:of|for|between|in)|angular velocity (?:of|along|about|vector)"
+    r"|horizontal)\b",
+    re.IGNORECASE,
+)
+"""What a coordinate may be said to be."""
 ACTING = re.compile(
     r"\b(?:acts?|acting|appl(?:y|ied|ies)|push\w*|pull\w*|exert\w*|driv\w+|pressing|presses|forces?"
     r"|torques?|thrusts?|moments?|couple|turns?|brak\w+)\b", re.IGNORECASE,
 )  # fmt: skip
 THING_AND_WAY = re.compile(
+    r"\b(?:it|they|both) (?:acts?|points?|counts?|pushes|pulls|grows?|increases?)\b|"
     r"\b(?:angles?|positions?|displacements?|deflections?|coordinates?|heights?|forces?|torques?"
     r"|extensions?|x|y|z|axis|axes)\b[^.;]{0,60}?\b"
     r"(?:(?:is|are|being|as|taken|,|\() ?(?:\w+ ){0,2}?"
@@ -250,7 +269,17 @@ THING_AND_WAY = re.compile(
 """The same of what has no name there."""
 LETTERS = (("radius", "rRaA"), ("length", "lL"))
 """With which names of lengths begin."""
-OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=(?P<what>[a-z]+))")
+OF_TWO = re.compile(r" ?and (?:(?:the|its|a) )?(?=[a-z])")
+SHARED = re.compile(
+    r"(?:^| )(?:and|with|plus|including) (?:(?:the|its|a) )?(?:first|second|third|upper|lower|other"
+    r"|(?:rod|pole|pendulum|bar|link|arm|cart|carriage|trolley|bob|ball|bead|mass|body|load|wheel)s?)\b"
+)
+"""What a quantity is said to be of, too."""
+SIZES = re.compile(
+    r"\b(?:half|halves|twice|double|third|quarter|part|every\w*|all|together|total|whole|plus|sum"
+    r"|including|both|combined|reduced|equivalent|effective)\b", re.IGNORECASE,
+)  # fmt: skip
+"""Of which a part or a sum of quantities is said."""
 HANGING_PREPOSITION = re.compile(
     r" (?:from|by|on|in|at|with|to|of|in (?:kg|m|rad|met(?:er|re)s|kilograms|radians))$"
 )
@@ -319,9 +348,16 @@ STATED_UNIT = phrase(
     r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J)(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
 )
 """A unit of the scene's kind."""
-PLACE = phrase(
-    r"NAMEIS THE(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
-    r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
+PLACE = (
+    phrase(
+        r"NAMEIS THE(?:horizontal |vertical |lateral )?"
+        r"(?:position|displacement|coordinate|deflection) of (?:(?:the|its) )?"
+        r"(?:CENTRE of (?:the )?)?(?P<body>\w+)"
+    ),
+    phrase(
+        r"NAMEIS THE(?P<body>\w+)(?:'s)? (?:horizontal )?(?:position|displacement|coordinate)\b"
+    ),
+    phrase(r"\b(?P<body>\w+)(?:'s)? (?:position|displacement|coordinate) \(? ?NAME"),
 )
 ON_BODY = (
     phrase(
@@ -499,7 +535,7 @@ APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "inpu
 COUNTED = words("""
     is are be being against denotes denote means mean measured counted taken reckoned acts acting
     angle made makes with and from to on between relative zero when if where for at generalized
-    coordinate position inclination rad radians
+    coordinate position inclination rad radians that which
 """)
 """Words of how and from where something is counted, or acts."""
 PLACES = frozenset(("angle", "position", "displacement", "displacements", "coordinate"))
@@ -552,7 +588,8 @@ SEVERAL = phrase(
 INPUT_NOUN = phrase(
     r"NAMEIS THE(?P<words>(?:\w+ ){0,3}(?:force|torque|moment|thrust)"
     r"(?: of (?:the |a )?(?:motor|actuator|drive|engine|servo))?)"
-    r"(?: (?:at|in|about) (?:the |its )?(?:pivot|hinge|joint|pin|axis|axle|base|support|shoulder))?"
+    r"(?P<at> (?:at|in|about) (?:the |its )?"
+    r"(?:pivot|hinge|joint|pin|axis|axle|base|support|shoulder))?"
     r"(?=,|;|\)| ?\(| and\b| in\b|\.?$)"
 )
 SMALL = re.compile(

@@ -16,6 +16,7 @@ from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
+from mechanics.judge.phrases import SIZES
 from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
@@ -132,7 +133,8 @@ def prose_of(
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
     for limit, names_there in about.items():
-        if all(facts.is_left(facts.own_name(n), verified) for n in names_there.split(", ")):
+        left = all(facts.is_left(facts.own_name(n), verified) for n in names_there.split(", "))
+        if left and not SIZES.search(limit.sentence):
             unjudged[limit.sentence] = None
         else:
             limits[limit] = None

@@ -79,11 +79,16 @@ class SceneFacts:
         """Whether no other parameter has the unit of one: nothing can be exchanged with it."""
         return [self.unit(one) for one in self.parameters].count(self.unit(name)) == 1
 
-    def may_be_other(self, name: str, acts: bool) -> bool:
-        """Whether it is an input, where a force acts, or a parameter of a unit that others have."""
-        return (acts and name in self.inputs) or (
-            name in self.parameters and not self.is_sole(name)
-        )
+    def may_be_other(self, name: str, *, acts: bool, placed: bool) -> bool:
+        """Whether what a sentence says of a name may be of another one, or of another body.
+
+        Parameters
+        ----------
+        acts, placed : bool
+            Whether the sentence speaks of what acts, and of places and angles.
+        """
+        exchanged = name in self.parameters and not self.is_sole(name)
+        return exchanged or (acts and name in self.inputs) or (placed and name in self.coordinates)
 
     def is_left(self, name: str, verified: Collection[str]) -> bool:
         """Whether all other parameters of its unit are verified, so that it is the one left."""
@@ -215,6 +220,27 @@ class SceneFacts:
             return 0
         (sign,) = signs
         return 1 if sign.is_positive else -1 if sign.is_negative else 0
+
+    @property
+    def is_hinged_once(self) -> bool:
+        """Whether it has one body and one angle, so that there is one place for a torque."""
+        return len(self.scene.bodies) == 1 and len(self.angles) == 1
+
+    def inclination(self, name: str) -> str:
+        """Whether a parameter is an angle with the vertical or the horizontal; or empty.
+
+        By how coordinates move bodies where it is zero.
+        """
+        scene, symbol = self.scene, self.parameters.get(name)
+        fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
+        if symbol is None or len(fields) != 1 or self.unit(name) != "rad":
+            return ""
+        slopes = [scene.position(b.centre).diff(q) for b in scene.bodies for q in scene.q]
+        at_zero = [s.subs(symbol, 0) for s in slopes if s.has(symbol)]
+        flat = {is_zero(s.dot(fields[0])) for s in at_zero}
+        upright = {is_zero(s.dot(s) * fields[0].dot(fields[0]) - s.dot(fields[0]) ** 2)
+                   for s in at_zero}  # fmt: skip
+        return "horizontal" if flat == {True} else "vertical" if upright == {True} else ""
 
     def is_absolute(self, name: str) -> bool | None:
         """Whether a coordinate is counted from what is fixed: a body's place holds no other.

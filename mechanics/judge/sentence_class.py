@@ -44,32 +44,35 @@ def class_of(
         return SentenceClass.LIMITS, ", ".join(limiting[:3])
     if _connects(facts, comparison.rest) and not TASK.search(sentence.words):
         return SentenceClass.READ, ""
-    if words := _counts(facts, comparison.rest):
+    if words := _counts(facts, sentence.marked, comparison.rest):
         return SentenceClass.COUNTS, words
     return SentenceClass.QUOTED, ""
 
 
-def _counts(facts: SceneFacts, rest: str) -> str:
-    """Words for how something of the scene counts, in what nothing compares; empty for none."""
-    plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))
-    names = {facts.own_name(one[1]) for one in p.NAMED.finditer(rest)} & facts.names
+def _counts(facts: SceneFacts, sentence: str, rest: str) -> str:
+    """Words for how something of a sentence counts, in what nothing compares; empty for none."""
+    plain = MARK.sub(" ", p.PASSING.sub(" ", p.IDIOMS.sub(" ", rest)))
+    names = {facts.own_name(one[1]) for one in p.NAMED.finditer(sentence)} & facts.names
     row = p.WAY if names - facts.parameters.keys() else p.FROM if names else p.THING_AND_WAY
     way = row.search(plain)
     return way[0] if way else _spoken_of(facts, rest)
 
 
 def _spoken_of(facts: SceneFacts, rest: str) -> str:
-    """Names of which a sentence says what they are: inputs, and parameters that may be exchanged.
+    """Names of which a sentence says what they are, and may say otherwise than the scene.
 
-    A text may exchange two of one unit, or let an input act elsewhere. Empty for none.
+    A text may exchange two parameters of one unit, let an input act elsewhere, or make a
+    coordinate the place of something else. Empty for none.
     """
     left = p.PASSING.sub(" ", p.BESIDE_A_UNIT.sub(" ", rest))
     plain = MARK.sub(" ", left)
     if all(w in p.CONNECTIVES for w in re.findall("[a-zà-ÿ]{2,}", plain.lower())):
         return ""
-    acts = p.ACTING.search(plain) is not None
+    acts, placed = (row.search(plain) is not None for row in (p.ACTING, p.PLACED))
     names = dict.fromkeys(one[1] for one in p.MENTION.finditer(left))
-    return ", ".join(name for name in names if facts.may_be_other(facts.own_name(name), acts))
+    return ", ".join(
+        name for name in names if facts.may_be_other(facts.own_name(name), acts=acts, placed=placed)
+    )
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:

@@ -13,13 +13,13 @@ The beam weighs ⟨m⟩.                              ⟨m⟩ is the mass of the
 import re
 
 QUANTITY = r"(?:moment of inertia|mass|length|half-length|radius|diameter|stiffness|inertia|weight)"
+ORDINAL = "(?:first|second|third|upper|lower|inner|outer)"
 NAME = "\u27e8(\\w+)\u27e9"
 EMPHASIS = re.compile(rf"\*\*({NAME})\*\*")
 INVERSE = re.compile(
     rf"(?:\b[Tt]he |^)((?:total |whole )?(?i:{QUANTITY}) of (?:the )?(?:\w+ )?\w+)"
     rf"(?: is| equals| be|:) {NAME}"
 )
-ORDINAL = "(?:first|second|third|upper|lower|inner|outer)"
 APPOSED = re.compile(
     rf"\b([Tt]he |[Aa] )({ORDINAL} mass|(?:{ORDINAL} )?(?:bob|bead|particle|ball|rod|pole|bar"
     r"|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge"
@@ -30,22 +30,22 @@ BY_WE_MEAN = re.compile(rf"\b[Bb]y {NAME} we (?:mean|denote|understand)")
 AXIS_OF = re.compile(rf"\baxis of {NAME}")
 BRACKETED = re.compile(rf"\b(\w+) \((?:of )?({QUANTITY} {NAME}) ?\)")
 SUBJECT = re.compile(
-    r"\b([Tt]he \w+)( is (?:[a-z-]+(?: and|,)? ){1,4}),? ?"
+    r"(?:^|(?<=; ))([Tt]he \w+)( is (?:[a-z-]+(?: and|,)? ){1,4}),? ?"
     rf"(?=(?:of|with) (?:the )?{QUANTITY} {NAME})"
 )
-WEIGHS = re.compile(rf"\b((?:{ORDINAL} )?\w+) (?:which |that )?weighs {NAME}")
+WEIGHS = re.compile(rf"(?:^|(?<=[,;] )|(?<=and ))[Tt]he ((?:{ORDINAL} )?\w+) weighs {NAME}")
 ROUND = re.compile(
     r"\b([Tt]he )(\w+)( is an? (?:\w+ ){0,2}(?:hoop|ring|dis[ck]|cylinder|sphere|ball)) of mass "
     rf"{NAME}"
 )
 OWNED = re.compile(
-    rf"\b((?:(?:torsion(?:al)?|rotational) )?\w+) (?:of|has|with|have) (?:the |a |an )?"
-    rf"({QUANTITY}) {NAME}"
+    rf"\b((?:{ORDINAL} )?(?:(?:torsion(?:al)?|rotational) )?\w+) (?:of|has|with|have) "
+    rf"(?:the |a |an )?({QUANTITY}) {NAME}"
     rf"(?:(?:,| and) (?:of )?(?:the |a )?({QUANTITY}) {NAME})?"
 )
 BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
 LISTED = re.compile(
-    rf"{NAME} ?(?:is|:|=|[-\u2013\u2014]+|\|) "
+    rf"{NAME} ?(?:is |:|=|[-\u2013\u2014]+|\||(?={QUANTITY} of (?:the )?\w)) ?"
     r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
     rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b|(?:viscous )?(?:damping|friction) (?:in|of|at)\b"
     r"|(?:cart|trolley|carriage|pole|bob|load|rod|ball|beam)\b))"

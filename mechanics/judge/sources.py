@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
+from keyword import iskeyword
 from pathlib import Path
 from types import FunctionType, MethodType
 from typing import Any
@@ -22,7 +23,7 @@ from mechanics.errors import InputError
 
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
-NAMED = re.compile(
+ASSIGNED = re.compile(
     r"^(?P<code>[ \t]*(?:self\.)?[\"']?(?P<name>[A-Za-z]\w*)[\"']?[ \t]*(?::|=(?!=))[^#\n]*)"
     r"#[ \t]*(?P<words>[^\n]+)", re.MULTILINE,
 )  # fmt: skip
@@ -209,10 +210,13 @@ def _source(function: FunctionType) -> Source:
 
 def on_the_file(code: str) -> list[Beside]:
     """What a file in Python says, with the name before a comment behind what it is given to."""
-    words = list(comments(NAMED.sub(_with_its_name, code), ".py"))
+    words = list(comments(ASSIGNED.sub(_with_its_name, code), ".py"))
     return [Beside("\n\n".join(words))] if words else []
 
 
 def _with_its_name(line: re.Match[str]) -> str:
     """``self.l = 0.5  # half the pole`` says that of l."""
-    return line[0] if ":" in line["words"] else f"{line['code']}# {line['name']}: {line['words']}"
+    quotes = line["code"].count('"') + line["code"].count("'")
+    if ":" in line["words"] or iskeyword(line["name"]) or quotes % 2:
+        return line[0]
+    return f"{line['code']}# {line['name']}: {line['words']}"
