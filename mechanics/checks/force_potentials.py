@@ -80,6 +80,24 @@ def _sums(scene: Scene) -> Iterator[tuple[Expr, tuple[str, ...]]]:
 
 
 def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
+    """Potentials of loads, and of those together that have none alone: a coupled spring's."""
+    left: dict[str, list[Expr]] = {}
+    for name, forces in _conservative(scene, inputs):
+        potential = _potential(scene, forces)
+        if potential is None:
+            left[name] = forces
+        else:
+            yield name, _from_rest(scene, potential, forces) if inputs else potential
+    if len(left) > 1:
+        forces = [canonical(Add(*some)) for some in zip(*left.values(), strict=True)]
+        potential = _potential(scene, forces)
+        if potential is not None:
+            names = " and ".join(left)
+            yield names, _from_rest(scene, potential, forces) if inputs else potential
+
+
+def _conservative(scene: Scene, inputs: bool) -> Iterator[tuple[str, list[Expr]]]:
+    """Generalized forces of loads at rest, where coordinates and constants alone make them."""
     constants = {*scene.q, *scene.parameters}
     rates = (plain_symbol(q, 1) for q in scene.coordinates)
     rest = dict.fromkeys((*rates, *scene.u), S.Zero)
@@ -93,9 +111,7 @@ def _potentials(scene: Scene, inputs: bool) -> Iterator[tuple[str, Expr]]:
         vector = scene.vector(load.vector, load.name).subs(rest)
         forces = [_at_rest(canonical(vector.dot(arm))) for arm in arms(scene, load)]
         if all(operations(Q) <= LARGEST and Q.free_symbols <= constants for Q in forces):
-            potential = _potential(scene, forces)
-            if potential is not None:
-                yield load.name, _from_rest(scene, potential, forces) if inputs else potential
+            yield load.name, forces
 
 
 def _at_rest(force: Expr) -> Expr:

@@ -28,6 +28,7 @@ from mechanics.judge.counting import (
     negative,
     only_words,
     opposite,
+    places,
     sense,
     vertical_sense,
 )
@@ -199,7 +200,7 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
             return f"{text}, which {own} of the scene is not"
         if own in facts.coordinates and _of_another_place(facts, words):
             return f"{text}, which no body of the scene is"
-        return "" if facts.is_called(own, words) else None
+        return "" if facts.is_called(own, words) or places(facts, own, words) else None
     meaning, unit = facts.meaning(own), facts.unit(own)
     words = _quantity(facts, unit, words)
     if p.SCALED.search(words):
@@ -362,7 +363,7 @@ def _other_sort(facts: SceneFacts, own: str, words: str) -> bool:
 
 
 def _unit(facts: SceneFacts, said: Said) -> Outcome:
-    return f"the text says {said['all'] or name_of(said)} in {bare(said['unit'])}"
+    return f"the text says {said.groupdict().get('all') or name_of(said)} in {bare(said['unit'])}"
 
 
 def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
@@ -443,7 +444,11 @@ def _about(facts: SceneFacts, said: Said) -> Outcome:
     if re.search(r"\binertia\b", said[0]) and p.OUTSIDE.match(said["to"]):
         words = f"the text says that {name_of(said)} is about the {said['to']}"
         return f"{words}, it is about the mass centre" if about_centre(facts, own) else None
-    if "inertia" not in meaning or facts.alike(said["to"]) in facts.nouns(meaning):
+    if (
+        "inertia" not in meaning
+        or said["to"] in p.OF_SYMMETRY
+        or facts.alike(said["to"]) in facts.nouns(meaning)
+    ):
         return None
     return f"the text says that {name_of(said)} is about the {said['to']}, which it is not"
 
@@ -629,8 +634,8 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
     (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.EXERTED, _input),
-    (p.SEVERAL, _several), (p.UNIT, _unit), (p.STATED_UNIT, _stated_unit),
-    (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
+    (p.SEVERAL, _several), *((row, _unit) for row in (p.UNIT, p.UNIT_BRACKETED)),
+    (p.STATED_UNIT, _stated_unit), (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),
     *((row, kind_of_angle) for row in p.KINDS_OF_ANGLE),

@@ -109,6 +109,29 @@ def _along_vertical(facts: SceneFacts, name: str) -> Outcome:
     return f"the text says that {name} counts from the vertical, {own} does not"
 
 
+def places(facts: SceneFacts, name: str, words: str) -> bool:
+    """Whether words call a coordinate the angle or the place of what it turns or places.
+
+    Parameters
+    ----------
+    facts : SceneFacts
+    name, words : str
+    """
+    if name not in facts.coordinates:
+        return False
+    turned = any(angle.symbol.name == name for angle in facts.angles)
+    kinds = {"angle"} if turned else p.PLACES - {"angle"}
+    said = re.findall("[a-z]+", words.lower())
+    numbers = re.findall(r"\d+", words)
+    own = [word for word in said if word not in p.ARTICLES | {"for", "joint", "inertia"}]
+    things = things_of(facts, name)
+    return (
+        bool(kinds & {*own[:1]})
+        and all(w in things or facts.alike(w) in things for w in own[1:])
+        and (not numbers or numbers == re.findall(r"\d+", name))
+    )
+
+
 def _things_before(facts: SceneFacts, name: str) -> frozenset[str]:
     """Words for what carries what a coordinate places: from that a relative one is counted."""
     symbol = facts.coordinates[name]

@@ -18,7 +18,7 @@ SLOTS = {
         r"|=(?= ?[a-z]{2})))?"
     ),
     "THE": r"(?:(?:the|an?|its) )?",
-    "COUNTED": r"(?:measured|counted|taken|reckoned)",
+    "COUNTED": r"(?:measured|counted|counts|taken|reckoned)",
     "SENSE": r"(?:(?P<sense>(?:counter|anti)-?clockwise|clockwise|c?cw\+?) )?",
     "PLAIN": r"(?!(?:(?:counter|anti)-?)?clockwise\b|c?cw\b)[\w']+",
     "VERTICAL": (
@@ -105,13 +105,13 @@ DIRECTIONS = (
 """From where an angle is counted."""
 DIRECTED = (
     phrase(
-        r"(?:\bif )?NAME(?: ?[,:=\u2013\u2014-])? ?(?:PLAIN,? ){0,8}?SENSE(?:PLAIN,? ){0,6}?"
+        r"(?:\bif )?NAME(?: ?[,:=(\u2013\u2014-])? ?(?:PLAIN,? ){0,8}?SENSE(?:PLAIN,? ){0,6}?"
         r"(?:from|with|to|and|between|against) THE(?P<way>VERTICAL|ENDS|vertical)\b"
         r"(?! (?:force|component|plane|direction|motion|speed|velocity|position of))"
     ),
     phrase(
-        r"NAME\)?(?:,|:)? ?(?:is )?(?:when |= ?)?(?:zero|0),? ?"
-        r"(?:when |if |where |for |at |in |means )?(?:[\w']+ ){0,5}?"
+        r"NAME ?[),:(]? ?(?:is )?(?:when |= ?)?(?:zero|0),? ?"
+        r"(?:= ?|when |if |where |for |at |in |means )?(?:[\w']+ ){0,5}?"
         r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium"
         r"|points? (?:straight |vertically )?(?:up|down)(?:wards?)?|straight (?:up|down))\b"
     ),
@@ -166,6 +166,9 @@ UNIT = phrase(
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )
 """A unit that is not the scene's."""
+UNIT_BRACKETED = phrase(
+    r"NAME ?[\[(](?P<unit>(?:deg(?:rees?)?|°|[cm]m|km|kN|rpm)(?:/(?:s|min|h))?)[\])]"
+)
 FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
     r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
@@ -234,6 +237,7 @@ PASSING = re.compile(
     r"|(?:⟨\w+⟩(?:,| and|, and)? )+(?:is|are) (?:all |both )?"
     r"(?:positive|constants?|given|known|parameters?|fixed)\b"
     r"(?! (?:to|in|on|when|if|for|towards?|up|down|left|right|clock|counter|anti))"
+    r"|⟨\w+⟩[- ](?:position|coordinate|axis|direction|component|velocity|speed|acceleration)\b"
     r"|\b(?:eliminat|cancel|substitut)\w* ⟨\w+⟩|⟨\w+⟩ (?:cancels|drops out|vanishes)"
     r"|\b(?:deriv|differentiat)\w*[^.;]{0,40}? with respect to ⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*"
     r"|^From |\bfrom (?:the )?(?:\w+ )?(?:equations?|geometry|figure|laws?|lagrangian|energy)\b",
@@ -304,6 +308,7 @@ AGAINST = phrase(
 RELATIVE = phrase(
     r"NAME[^⟨.;]{0,60}?\b(?:relative to FIXED|between the (?:two |both )?(?=\w+s\b)"
     r"|between the (?=(?:first|upper|second|lower)\b)"
+    r"|from (?:the )?(?:first|upper|previous|preceding|inner) "
     r"|(?:makes|made|forms|formed|encloses) with (?:the )?"
     r"(?=(?:first|upper|previous|preceding|other|inner|second|lower|LINK)\b)"
     r"|(?:from|with|to) (?:the )?(?:extension|prolongation|continuation|line|axis|direction) of"
@@ -340,6 +345,7 @@ FROM_EQUILIBRIUM = phrase(
     r"(?: COUNTED)? (?:from|about|relative to) (?:(?:the|its|their|static) ){0,2}equilibrium\b"
 )
 ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
+OF_SYMMETRY = ("figure", "symmetry", "spin", "body", "same", "other")
 CENTRAL = phrase(r"CENTRE\b")
 OUTSIDE = re.compile(r"(?:pivot|hinge|joint|pin|support|suspension|end|foot)\b", re.IGNORECASE)
 """What is no mass centre."""
@@ -533,9 +539,9 @@ PUSHING = frozenset(("force", "thrust"))
 PUSHES_ON = words("pushes pulls drives moves turns exerts is acts applied acting")
 APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "input", "disturbance"))
 COUNTED = words("""
-    is are be being against denotes denote means mean measured counted taken reckoned acts acting
-    angle made makes with and from to on between relative zero when if where for at generalized
-    coordinate position inclination rad radians that which
+    is are be being counts against denotes denote means mean measured counted taken reckoned acts
+    acting angle made makes with and from to on between relative zero when if where for at
+    generalized coordinate position inclination rad radians that which
 """)
 """Words of how and from where something is counted, or acts."""
 PLACES = frozenset(("angle", "position", "displacement", "displacements", "coordinate"))

@@ -13,7 +13,11 @@ The beam weighs ⟨m⟩.                              ⟨m⟩ is the mass of the
 import re
 
 QUANTITY = r"(?:moment of inertia|mass|length|half-length|radius|diameter|stiffness|inertia|weight)"
-ORDINAL = "(?:first|second|third|upper|lower|inner|outer)"
+ORDINAL = (
+    "(?:first|second|third|upper|lower|inner|outer|fixed|moving|rolling|hollow|small(?:er)?"
+    "|larger?)"
+)
+"""Words that tell one of two from the other."""
 NAME = "\u27e8(\\w+)\u27e9"
 EMPHASIS = re.compile(rf"\*\*({NAME})\*\*")
 INVERSE = re.compile(
@@ -21,8 +25,8 @@ INVERSE = re.compile(
     rf"(?: is| equals| be|:) {NAME}"
 )
 APPOSED = re.compile(
-    rf"\b([Tt]he |[Aa] )({ORDINAL} mass|(?:{ORDINAL} )?(?:bob|bead|particle|ball|rod|pole|bar"
-    r"|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge"
+    rf"(^|\b[Tt]he |\b[Aa] |\band )({ORDINAL} mass|(?:{ORDINAL} )?(?i:bob|bead|particle"
+    r"|ball|rod|pole|bar|link|cart|trolley|carriage|block|body|wheel|disk|disc|cylinder|sphere|wedge"
     r"|load|beam|pulley|hoop|plate)) "
     rf"{NAME}(?! (?:is|denotes|be)\b)"
 )
@@ -47,7 +51,9 @@ BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
 LISTED = re.compile(
     rf"{NAME} ?(?:is |:|=|[-\u2013\u2014]+|\||(?={QUANTITY} of (?:the )?\w)) ?"
     r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
-    rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b|(?:viscous )?(?:damping|friction) (?:in|of|at)\b"
+    rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b"
+    r"|(?:viscous )?(?:damping|friction) (?:in|of|at)\b"
+    r"|(?:angle|position|displacement) of\b"
     r"|(?:cart|trolley|carriage|pole|bob|load|rod|ball|beam)\b))"
 )
 """A row of a table or a list: R | radius of the bowl."""

@@ -96,6 +96,12 @@ TURNED = re.compile(r"^\W*(?P<name>[^\W\d]\w*)[ \t]*=(?!=)(?=[^\n=]*\b(?P=name)\
 """A name that is made another value of itself: theta = pi - theta."""
 SUPPOSED = re.compile(r"(?<![\w.])[A-Za-z]{2,}[ \t]+[A-Za-z]\w*[ \t]*=(?!=)")
 """A word before a name that has a value: Assume u = 0."""
+WITH_UNIT = re.compile(
+    r"\w ?[\[(](?:deg\w*|rad\w*|°|[cmk]?m|kg|k?N|s|rpm|r?ev|min|h|[a-z]+ees)(?:/(?:s|min|h))?[\])]"
+)
+"""A name with its unit in brackets."""
+DEFINING = re.compile(r"(?<![\w:])\w{1,20}: ?[A-Za-z]{3}")
+"""What a line of a comment says that a name is."""
 TWO_WORDS = re.compile(r"[A-Za-z]{2,},? +[A-Za-z]{2,}")
 
 
@@ -137,7 +143,7 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
     code = notation == "text" and CODE.search(text) is not None
     if notation == "latex":
         for said in of_latex(text):
-            if EQUATION.search(said) or TWO_WORDS.search(said):
+            if any(row.search(said) for row in (EQUATION, TWO_WORDS, DEFINING)):
                 yield Sentence(MARKED, said, comment=True, unread=True)
         text = TICKED.sub(lambda m: f"${m[1]}$" if m[1] in names else m[0], text)
         text = without_markup(marked(text))
@@ -169,8 +175,8 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
 
 
 def _formula(line: re.Match[str]) -> str:
-    """A line of a comment with a formula: what has words is said, and not computed."""
-    return line[0] if _spoken(line[0]) else MARKED
+    """A line of a comment with a formula: what has words, or a unit behind a name, is said."""
+    return line[0] if WITH_UNIT.search(line[0]) or _spoken(line[0]) else MARKED
 
 
 def _spoken(line: str) -> bool:

@@ -24,7 +24,8 @@ from mechanics.errors import InputError
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
 ASSIGNED = re.compile(
-    r"^(?P<code>[ \t]*(?:self\.)?[\"']?(?P<name>[A-Za-z]\w*)[\"']?[ \t]*(?::|=(?!=))[^#\n]*)"
+    r"^(?P<code>[ \t]*(?:self\.)?[\"']?(?P<name>[A-Za-z]\w*)[\"']?[ \t]*"
+    r"(?::|=(?!=)|,[ \t]*(?=#))[^#\n]*)"
     r"#[ \t]*(?P<words>[^\n]+)", re.MULTILINE,
 )  # fmt: skip
 """A line that gives a value or a type to one name, with a comment behind it."""

@@ -18,7 +18,7 @@ CART = r"$$(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\the
 CHAIN = r"$$3m\ddot x_1 + 2kx_1 - kx_2 = 0$$"
 WIRE = r"$$(1 + 4a^2x^2)\ddot x + 4a^2x\dot x^2 + 2agx = 0$$"
 POLAR = r"$$m\ddot r = mr\dot\theta^2 + mg\cos\theta - k(r-b)$$"
-WEDGE = r"$$(M+m)\ddot{X} = m\cos\alpha\,\ddot{x}$$"
+SLOPE = r"$$\ddot x = \frac{(M+m)g\sin\alpha}{M+m\sin^2\alpha}$$"
 HINGED = r"$$(M+m)\ddot x + b\dot x + ml\ddot\theta\cos\theta - ml\dot\theta^2\sin\theta = F$$"
 
 CASES: dict[str, tuple[str, str, str, str]] = {
@@ -146,6 +146,61 @@ CASES: dict[str, tuple[str, str, str, str]] = {
         "atwood", "The pulleys have no mass.",
         r"$$m_1\ddot x + m_2(\ddot x-\ddot y) + m_3(\ddot x+\ddot y) = (m_1-m_2-m_3)g$$", RIGHT,
     ),
+    # what stands behind what is compared
+    "a force that acts elsewhere": ("cartpole", "$F$ is the force at the hinge.", CART, OPEN),
+    "a force, and its way": ("cartpole", "$F$ is the force; it acts to the left.", CART, OPEN),
+    "a torque, and its way": ("rod_pendulum", "$u$ is the torque, it is clockwise.", ROD, OPEN),
+    "the vertical, and its end": (
+        "rod_pendulum",
+        r"$\theta$ is the angle between the rod and the vertical, counted from below.", ROD, OPEN,
+    ),
+    "a half of it": (
+        "cartpole",
+        "$m_c$ is the mass of the cart. $m_p$ is the mass of one half of the pole.", CART, OPEN,
+    ),
+    "with the pole": ("cartpole", "$m_c$ is the mass of the cart with the pole.", CART, OPEN),
+    "the pole on the cart": (
+        "cartpole", "The pole on the cart is uniform, with mass $m_c$.", CART, OPEN,
+    ),
+    "lengths exchanged": (
+        "double_pendulum",
+        "The first bob hangs on a rod of length $l_2$, the second on one of length $l_1$.", BOBS,
+        OPEN,
+    ),
+    "bobs of masses": (
+        "double_pendulum",
+        "The first bob has mass $m_1$ and the second bob has mass $m_2$.", BOBS, RIGHT,
+    ),
+    "a rest that is none": (
+        "rod_pendulum", "The rod rests on a frictionless hinge and we have",
+        r"$$\sin\theta = 0$$", WRONG,
+    ),
+    "the lowest point": (
+        "rod_pendulum", r"At $\theta = 0$ the rod is at its lowest point.", ROD, WRONG,
+    ),
+    # derivations say nothing
+    "with respect to": (
+        "rod_pendulum", r"Differentiating the Lagrangian with respect to $\theta$ gives", ROD,
+        RIGHT,
+    ),
+    "from an equation": (
+        "rod_pendulum", r"From the equation of Lagrange for $\theta$ we see that", ROD, RIGHT,
+    ),
+    "positive": ("double_pendulum", "Both $m_1$ and $m_2$ are positive.", BOBS, RIGHT),
+    # angles of what does not move
+    "a slope from the vertical": (
+        "wedge.py:make_scene", r"Its face makes an angle $\alpha$ with the vertical.", SLOPE, OPEN,
+    ),
+    "a slope": (
+        "wedge.py:make_scene", r"Its face makes an angle $\alpha$ with the horizontal.", SLOPE,
+        RIGHT,
+    ),
+    "from hanging": (
+        "rod_pendulum", r"$\theta$ counts from hanging.", ROD, WRONG,
+    ),
+    "from the first link": (
+        "double_pendulum", r"$\phi_2$ is measured from the first rod.", BOBS, OPEN,
+    ),
     "it falls": ("rod_pendulum", "Left alone the rod falls down.", ROD, RIGHT),
 }  # fmt: skip
 
@@ -187,6 +242,16 @@ BESIDE = {
         'def start(theta):\n    print("theta is measured from the mark of the sensor")\n', OPEN,
     ),
 }  # fmt: skip
+
+
+def test_a_comment_without_an_equals_sign_is_words(tmp_path: Path) -> None:
+    path = tmp_path / "rod.jl"
+    for unit, expected in (("deg", OPEN), ("rad", RIGHT)):
+        path.write_text(
+            f"# state: theta [{unit}], omega\n"
+            "acceleration(theta, omega, u, m, l, g) = 3g/(2l)*sin(theta) + 3u/(m*l^2)\n"
+        )
+        assert check(rod_pendulum.scene(), path, blame=False).verdict.name == expected
 
 
 @pytest.mark.parametrize("case", BESIDE)

@@ -3,6 +3,7 @@
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
@@ -44,3 +45,12 @@ def test_what_leaves_the_potential_of_a_force_out(kepler: Equations, text: str, 
     found = check(kepler, text, blame=False)
     told = [words for words in found.remarks if "generalized forces remain" in words]
     assert [words.split()[1] for words in told] == (["pull"] if said else [])
+
+
+@pytest.mark.parametrize(("coupling", "verdict"), [("1", "PROVED"), ("2", "REFUTED")])
+def test_a_spring_that_couples_two_coordinates_has_one_potential(
+    coupling: str, verdict: str
+) -> None:
+    scene = scene_of(HERE / "scenes" / "wilberforce.py", "make_scene")
+    energy = rf"$$V = \tfrac12 kz^2 + \tfrac12\delta\theta^2 + \tfrac{coupling}2\epsilon z\theta$$"
+    assert check(scene, energy, blame=False).verdict.name == verdict

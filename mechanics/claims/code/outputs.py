@@ -440,8 +440,11 @@ def _of_other_accelerations(
     named = _named_accelerations(naming, outputs, title, count)
     if named and not {table[u] for u in named} & {*passed}:
         return named
-    left = [table[u] for u in scene.u if table[u] not in passed]
+    rest = [u for u in scene.u if table[u] not in passed]
+    left = [table[u] for u in rest]
     words = " ".join((title, *outputs.names)).lower()
+    if "accel" in words and 0 < len(left) < len(scene.u) and count == len(left):
+        return rest
     driven = {*scene.input_symbols} & {*passed} and "resid" not in words
     if driven and 0 < len(left) < len(scene.u) and count == len(left):
         raise InputError(

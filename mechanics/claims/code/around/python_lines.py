@@ -70,7 +70,7 @@ from mechanics.claims.code.python.closure_assignments import paired
 from mechanics.claims.code.reachability import reachable
 from mechanics.claims.names import Naming
 
-LONGEST = 60
+LONGEST = 200
 COLLECTED = frozenset(
     ("abs", "all", "any", "append", "array", "asarray", "allclose", "array_equal",
      "assert_allclose", "atleast_1d", "column_stack", "concatenate", "copy", "degrees", "dict",

@@ -62,7 +62,7 @@ SENDS = frozenset(
 """Calls that change nothing of what they take."""
 PROGRAM = frozenset(("main", "setup", "loop"))
 """Functions that only use others."""
-LONGEST = 60
+LONGEST = 200
 SETS = re.compile(r"\+\+|--|(?<![=<>!])=(?!=)|(?:<<|>>)=")
 """Of C."""
 ROWS: dict[str, Language] = {
