@@ -146,5 +146,6 @@ def test_an_acceleration_may_be_of_another_acceleration() -> None:
 
     assert judged("x_ddot", "") == "PROVED"
     assert judged("x_ddot", "2*") == "REFUTED"
+    assert judged("cartAcceleration", "") == "PROVED"
     with pytest.raises(InputError, match="may return x_ddot, or what is zero"):
         judged("cart_acc", "")
