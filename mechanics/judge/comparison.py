@@ -70,15 +70,12 @@ class Comparison:
         What makes statements others than those that are read, in words.
     rest : str
         Of it what nothing compares.
-    verified : tuple of str
-        Names that are what it says.
     """
 
     conventions: tuple[Declared, ...]
     against: tuple[str, ...]
     unsettled: tuple[str, ...]
     rest: str
-    verified: tuple[str, ...] = ()
 
 
 def compared(facts: SceneFacts, sentence: str) -> Comparison:
@@ -87,7 +84,6 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     conventions: list[Declared] = []
     against: list[str] = []
     unsettled: list[str] = []
-    verified: list[str] = []
     rest = list(sentence)
     for found, spans in _found(facts, sentence):
         if found is None:
@@ -98,8 +94,6 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
             unsettled.append(found.words)
         elif found:
             against.append(found)
-        elif found == "":
-            verified += p.VERIFIED.findall(sentence[spans[0][0] : spans[0][1]])
         for start, end in spans:
             rest[start:end] = " " * (end - start)
     left = "".join(rest)
@@ -112,7 +106,6 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
         unsettled.append(f"what the text says of {more[0]} beside that is not read")
     return Comparison(
         tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left,
-        tuple(map(facts.own_name, verified)),
     )  # fmt: skip
 
 

@@ -102,8 +102,8 @@ def _along_vertical(facts: SceneFacts, name: str) -> Outcome:
     """An angle with the vertical, whichever end of it, is none with the horizontal."""
     own = facts.own_name(name)
     quarters = [a.quarter for a in facts.angles if a.symbol.name == own and a.fixed]
-    if not quarters or quarters == [None]:
-        return None
+    if not quarters or quarters == [None] or not facts.scene.reactions:
+        return None  # what is free has no arm that points from a pivot
     if quarters[0] in (1, 3):
         return ""
     return f"the text says that {name} counts from the vertical, {own} does not"
@@ -256,6 +256,8 @@ def from_equilibrium(facts: SceneFacts, said: Said) -> Outcome:
     scene = facts.scene
     names = [facts.own_name(n) for n in (said["name"], said["more"]) if n]
     some = [facts.coordinates.get(n) for n in names]
+    if "equilibrium" not in said[0] and facts.has["gravity"]:
+        return None  # what hangs on a spring stretches it
     if None in some or facts.loads or scene.explicit_time:
         return None
     zero = dict.fromkeys(scene.q, S.Zero)
@@ -265,7 +267,8 @@ def from_equilibrium(facts: SceneFacts, said: Said) -> Outcome:
         return None
     pulled = [n for n, q in zip(names, some, strict=True) if not is_zero(energy.diff(q).subs(zero))]
     if not pulled:
-        return "" if only_words(said, {*p.COUNTED, *p.PLACES, "static", "equilibrium"}) else None
+        known = {*p.COUNTED, *p.PLACES, "static", "their", *p.AT_REST}
+        return "" if only_words(said, known) else None
     return f"the text says {bare(said[0])!r}, where {pulled[0]} is zero is none"
 
 

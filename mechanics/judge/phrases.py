@@ -26,7 +26,8 @@ SLOTS = {
         r"|vertical(?= (?:down|up)|, (?:down|up)| \((?:down|up))[, (]+(?:down|up)(?:wards?)?\)?)"
     ),
     "ENDS": (
-        r"(?:upright|hanging|horizontal|(?:un)?stable equilibrium"
+        r"(?:upright|hanging|horizontal|(?:un)?stable equilibrium|lowest|highest|top|bottom"
+        r"|below|above"
         r"|(?:negative|positive) [xyz][- ]axis)"
     ),
     "FIXED": (
@@ -63,10 +64,6 @@ def phrase(pattern: str) -> re.Pattern[str]:
 
 NAMED = re.compile("⟨(\\w+)⟩")
 """A name by itself."""
-VERIFIED = re.compile(
-    r"⟨(\w+)⟩ ?(?:is|are|be|being|denotes?|means?|,|:|\||[-\u2013\u2014]+|=)? ?(?:the|an?|its) "
-)
-"""One that is said to be something."""
 
 
 def words(text: str) -> frozenset[str]:
@@ -112,8 +109,9 @@ DIRECTED = (
     phrase(
         r"NAME ?[),:(]? ?(?:is )?(?:when |= ?)?(?:zero|0),? ?"
         r"(?:= ?|when |if |where |for |at |in |means )?(?:[\w']+ ){0,5}?"
-        r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium"
-        r"|points? (?:straight |vertically )?(?:up|down)(?:wards?)?|straight (?:up|down))\b"
+        r"(?P<way>hangs|hanging|upright|inverted|horizontal|(?:un)?stable equilibrium|top|bottom"
+        r"|lowest|highest|points? (?:straight |vertically )?(?:up|down)(?:wards?)?"
+        r"|straight (?:up|down))\b"
     ),
 )
 """The same with words between of which each is known: angle of the first pendulum from."""
@@ -128,7 +126,7 @@ OPPOSITE = phrase(
 )
 """Where an angle is half a turn."""
 EVERY_ANGLE = phrase(
-    r"(?:\b(?:both|all|the) |^)(?:(?:of )?the )?angles (?:are )?(?:COUNTED )?from THE"
+    r"(?:\b(?:both|all|the|absolute|with) |^)(?:(?:of )?the )?angles (?:are )?(?:COUNTED )?from THE"
     r"(?P<way>VERTICAL|ENDS|vertical)\b"
 )
 WAYS = {
@@ -218,7 +216,8 @@ FROM = re.compile(
 WAY = re.compile(
     FROM.pattern + r"|\b(?:relative|c?cw|clockwise|(?:counter|anti)-?clockwise|upwards?|downwards?"
     r"|left|right(?!-hand side)|positive|negative|opposite|revers\w+|against|towards?|backwards?"
-    r"|inwards?|outwards?|uphill|downhill|hangs|hanging|upright|inverted(?! pendulum)|aligned"
+    r"|inwards?|outwards?|uphill|downhill|hangs|hanging|upright|aligned"
+    r"|inverted(?! (?:pendulum|rod|pole))"
     r"|zero (?:when|if|where|at|for|in|means)|sinks?|rises?|climbs?|descend\w*|ascend\w*"
     r"|(?:comes?|gone|goe?s?|moved?s?|slides?|runs?) (?:up|down)"
     r"|(?:with|to|above|between|and|about|around|of|at) (?:(?:the|its|their|static) ){0,2}"
@@ -226,10 +225,6 @@ WAY = re.compile(
     r")\b", re.IGNORECASE,
 )  # fmt: skip
 """The same, and for which way."""
-MENTION = re.compile(
-    r"(?<![*^/+\[-])⟨(\w+)⟩(?![*^/(+\]-]|\)\*| ?(?:sin|cos|tan)\b| ⟨\w+⟩ ?(?:sin|cos|tan|\*))"
-)
-"""A name that is no factor of a formula in words."""
 PASSING = re.compile(
     r"\b(?:energ(?:y|ies)|moment(?:um|a)|equations?(?: of motion)?|derivatives?|functions?|terms"
     r"|components?|accelerations?|velocit(?:y|ies)|speeds?|rates?) (?:of|for|in|to|by) (?:the )?"
@@ -249,17 +244,6 @@ BESIDE_A_UNIT = re.compile(
     r"|\bin (?:kg|N|rad|s)? ?[*·/]? ?⟨m⟩[/*^\d]*|⟨m⟩ ?/ ?s"
 )
 """A letter that is a unit there."""
-PLACED = re.compile(
-    r"\b(?:positions?|displacements?|coordinates? of|altitude|heights?|depths?|distances?"
-    r"|deflections?|angle (?:of|for|between|in)|angular velocity (?:of|along|about|vector)"
-    r"|horizontal)\b",
-    re.IGNORECASE,
-)
-"""What a coordinate may be said to be."""
-ACTING = re.compile(
-    r"\b(?:acts?|acting|appl(?:y|ied|ies)|push\w*|pull\w*|exert\w*|driv\w+|pressing|presses|forces?"
-    r"|torques?|thrusts?|moments?|couple|turns?|brak\w+)\b", re.IGNORECASE,
-)  # fmt: skip
 THING_AND_WAY = re.compile(
     r"\b(?:it|they|both) (?:acts?|points?|counts?|pushes|pulls|grows?|increases?)\b|"
     r"\b(?:angles?|positions?|displacements?|deflections?|coordinates?|heights?|forces?|torques?"
@@ -279,11 +263,6 @@ SHARED = re.compile(
     r"|(?:rod|pole|pendulum|bar|link|arm|cart|carriage|trolley|bob|ball|bead|mass|body|load|wheel)s?)\b"
 )
 """What a quantity is said to be of, too."""
-SIZES = re.compile(
-    r"\b(?:half|halves|twice|double|third|quarter|part|every\w*|all|together|total|whole|plus|sum"
-    r"|including|both|combined|reduced|equivalent|effective)\b", re.IGNORECASE,
-)  # fmt: skip
-"""Of which a part or a sum of quantities is said."""
 HANGING_PREPOSITION = re.compile(
     r" (?:from|by|on|in|at|with|to|of|in (?:kg|m|rad|met(?:er|re)s|kilograms|radians))$"
 )
@@ -340,9 +319,11 @@ ABSOLUTE = phrase(
     r"NAME[^⟨.;]{0,40}?\b(?:from|with|relative to) (?:the )?(?:(?:down|up)wards? )?"
     r"(?P<to>vertical|horizontal|wall|ground)\b"
 )
+AT_REST = ("equilibrium", "unstretched", "undeformed", "relaxed")
 FROM_EQUILIBRIUM = phrase(
     r"NAME(?: and ⟨(?P<more>\w+)⟩)?IS THE(?:displacements?|deflections?|positions?|coordinates?)"
-    r"(?: COUNTED)? (?:from|about|relative to) (?:(?:the|its|their|static) ){0,2}equilibrium\b"
+    r"(?: COUNTED)? (?:from|about|relative to) (?:(?:the|its|their|static) ){0,2}"
+    r"(?:equilibrium|unstretched|undeformed|relaxed)\b"
 )
 ABOUT = phrase(r"NAME(?: and ⟨\w+⟩)?[^⟨.;]{0,60}?\babout (?:the |its |their )?(?P<to>\w+)")
 OF_SYMMETRY = ("figure", "symmetry", "spin", "body", "same", "other")
@@ -541,7 +522,8 @@ APPLIED = frozenset(("applied", "driving", "external", "motor", "control", "inpu
 COUNTED = words("""
     is are be being counts against denotes denote means mean measured counted taken reckoned acts
     acting angle made makes with and from to on between relative zero when if where for at
-    generalized coordinate position inclination rad radians that which
+    generalized coordinate position inclination rad radians that which deflection line centres
+    centers point
 """)
 """Words of how and from where something is counted, or acts."""
 PLACES = frozenset(("angle", "position", "displacement", "displacements", "coordinate"))
@@ -608,7 +590,8 @@ IDIOMS = re.compile(
     r"|\b(?:ignor|neglect|drop|discard|omit)\w* (?:all |any |the )?"
     r"(?:(?:(?:higher|second)[- ]order|quadratic) terms"
     r"|terms (?:of (?:higher|second) order|that (?:include|contain) this factor))"
-    r"|\b(?:do|does) not (?:depend|occur|appear|enter)\b|\bis not the (?:total )?energy\b"
+    r"|\b(?:do|does) not (?:slip|slide|depend|occur|appear|enter)\b"
+    r"|\bis not the (?:total )?energy\b"
     r"|\bnot conserved\b|\bconserved (?:only )?(?:if|when|where|unless|provided)\b"
     r"|\bfalls (?=[a-z]+\b)(?!der|die|das|man|es|ein|sich|die)"
     r"|\bif \u27e8\w+\u27e9 (?:is|denotes) the (?:(?:mass|length|position|displacement|radius) of"

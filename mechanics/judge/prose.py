@@ -16,7 +16,6 @@ from mechanics.judge.comparison import compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
-from mechanics.judge.phrases import SIZES
 from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
@@ -103,7 +102,6 @@ def prose_of(
     limits: dict[Limit, None] = {}
     unjudged: dict[str, None] = {}
     unsettled: dict[str, None] = {}
-    verified: set[str] = set()
     about: dict[Limit, str] = {}
     turned, unread = False, ""
     for sentence in every:
@@ -113,7 +111,6 @@ def prose_of(
         found = compared(facts, sentence.marked)
         against |= dict.fromkeys(found.against)
         unsettled |= dict.fromkeys(found.unsettled)
-        verified |= {*found.verified}
         turned |= senses(facts, sentence.marked)
         unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
         if sentence.comment:
@@ -132,9 +129,11 @@ def prose_of(
             about[Limit(words, sentence.words)] = why
         elif kind is SentenceClass.QUOTED:
             unjudged[sentence.words] = None
-    for limit, names_there in about.items():
-        left = all(facts.is_left(facts.own_name(n), verified) for n in names_there.split(", "))
-        if left and not SIZES.search(limit.sentence):
+    open_names = {facts.own_name(n) for why in about.values() for n in why.split(", ")}
+    units = [facts.unit(n) for n in open_names & facts.parameters.keys()]
+    for limit, why in about.items():
+        own = {facts.own_name(n) for n in why.split(", ")} & facts.parameters.keys()
+        if own and all(units.count(facts.unit(n)) == 1 for n in own):
             unjudged[limit.sentence] = None
         else:
             limits[limit] = None

@@ -1,7 +1,7 @@
 """What a scene has that sentences speak of: names, nouns, loads, how angles are counted."""
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -78,23 +78,6 @@ class SceneFacts:
     def is_sole(self, name: str) -> bool:
         """Whether no other parameter has the unit of one: nothing can be exchanged with it."""
         return [self.unit(one) for one in self.parameters].count(self.unit(name)) == 1
-
-    def may_be_other(self, name: str, *, acts: bool, placed: bool) -> bool:
-        """Whether what a sentence says of a name may be of another one, or of another body.
-
-        Parameters
-        ----------
-        acts, placed : bool
-            Whether the sentence speaks of what acts, and of places and angles.
-        """
-        exchanged = name in self.parameters and not self.is_sole(name)
-        return exchanged or (acts and name in self.inputs) or (placed and name in self.coordinates)
-
-    def is_left(self, name: str, verified: Collection[str]) -> bool:
-        """Whether all other parameters of its unit are verified, so that it is the one left."""
-        unit = self.unit(name)
-        same = {one for one in self.parameters if self.unit(one) == unit}
-        return name in same and same - {name} <= {*verified}
 
     @cached_property
     def angles(self) -> tuple[Counted, ...]:

@@ -51,28 +51,21 @@ def class_of(
 
 def _counts(facts: SceneFacts, sentence: str, rest: str) -> str:
     """Words for how something of a sentence counts, in what nothing compares; empty for none."""
-    plain = MARK.sub(" ", p.PASSING.sub(" ", p.IDIOMS.sub(" ", rest)))
-    names = {facts.own_name(one[1]) for one in p.NAMED.finditer(sentence)} & facts.names
-    row = p.WAY if names - facts.parameters.keys() else p.FROM if names else p.THING_AND_WAY
-    way = row.search(plain)
-    return way[0] if way else _spoken_of(facts, rest)
-
-
-def _spoken_of(facts: SceneFacts, rest: str) -> str:
-    """Names of which a sentence says what they are, and may say otherwise than the scene.
-
-    A text may exchange two parameters of one unit, let an input act elsewhere, or make a
-    coordinate the place of something else. Empty for none.
-    """
-    left = p.PASSING.sub(" ", p.BESIDE_A_UNIT.sub(" ", rest))
-    plain = MARK.sub(" ", left)
-    if all(w in p.CONNECTIVES for w in re.findall("[a-zà-ÿ]{2,}", plain.lower())):
-        return ""
-    acts, placed = (row.search(plain) is not None for row in (p.ACTING, p.PLACED))
-    names = dict.fromkeys(one[1] for one in p.MENTION.finditer(left))
-    return ", ".join(
-        name for name in names if facts.may_be_other(facts.own_name(name), acts=acts, placed=placed)
+    left = p.PASSING.sub(" ", p.IDIOMS.sub(" ", rest))
+    said, named = (
+        {facts.own_name(one[1]) for one in p.NAMED.finditer(words)} for words in (sentence, left)
     )
+    moving = facts.names - facts.parameters.keys()
+    row = p.WAY if said & moving else p.FROM if named & facts.names else p.THING_AND_WAY
+    way = row.search(MARK.sub(" ", left))
+    return way[0] if way else _denoted(facts, p.BESIDE_A_UNIT.sub(" ", left))
+
+
+def _denoted(facts: SceneFacts, rest: str) -> str:
+    """Parameters of which a sentence says what they are: two of one unit may be exchanged."""
+    names = dict.fromkeys(one["name"] for one in p.DENOTED.finditer(rest))
+    own = ((name, facts.own_name(name)) for name in names)
+    return ", ".join(n for n, o in own if o in facts.parameters and not facts.is_sole(o))
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:

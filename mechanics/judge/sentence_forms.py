@@ -30,6 +30,9 @@ APPOSED = re.compile(
     r"|load|beam|pulley|hoop|plate)) "
     rf"{NAME}(?! (?:is|denotes|be)\b)"
 )
+THAT_OF = re.compile(
+    rf"(({QUANTITY}) of (?:the )?\w+),? and {NAME} (?:is |be )?that of (?:the )?(\w+)"
+)
 BY_WE_MEAN = re.compile(rf"\b[Bb]y {NAME} we (?:mean|denote|understand)")
 AXIS_OF = re.compile(rf"\baxis of {NAME}")
 BRACKETED = re.compile(rf"\b(\w+) \((?:of )?({QUANTITY} {NAME}) ?\)")
@@ -49,7 +52,7 @@ OWNED = re.compile(
 )
 BESIDE = re.compile(rf"\b[Tt]he ({QUANTITY}) {NAME} of the (\w+)\b")
 LISTED = re.compile(
-    rf"{NAME} ?(?:is |:|=|[-\u2013\u2014]+|\||(?={QUANTITY} of (?:the )?\w)) ?"
+    rf"{NAME} ?(?:is |:|\(|=|[-\u2013\u2014]+|\||(?={QUANTITY} of (?:the )?\w)) ?"
     r"(?!(?:the|an?|its|half|twice|double|minus|not|in|per)\b)"
     rf"(?=(?i:(?:[a-z]+ ){{0,2}}?{QUANTITY}\b"
     r"|(?:viscous )?(?:damping|friction) (?:in|of|at)\b"
@@ -77,6 +80,7 @@ def one_form(sentence: str) -> str:
     """
     sentence = BY_WE_MEAN.sub("\u27e8\\1\u27e9 is", AXIS_OF.sub("\u27e8\\1\u27e9 axis", sentence))
     sentence = SUBJECT.sub(r"\1\2; \1 ", BRACKETED.sub(r"\1 of \2", sentence))
+    sentence = THAT_OF.sub("\\1, \u27e8\\3\u27e9 is the \\2 of the \\4", sentence)
     sentence = PAIR_OF.sub(_pair_of, EMPHASIS.sub(r"\1", sentence))
     sentence = LISTED.sub("\u27e8\\1\u27e9 is the ", PAIR.sub(_pair, sentence))
     sentence = ROUND.sub("\\1\\2\\3, \u27e8\\4\u27e9 is the mass of the \\2", sentence)
