@@ -288,15 +288,14 @@ class _Assembly:
             self.unjudged += line.unjudged
         place = f"{self.origin}, line {number}"
         tag = line.tag or str(len(self.statements) + 1)
-        if isinstance(line, Unread):
-            self._append(Statement(None, line.source, tag, place, doubt=line.words), line.at)
-            return
         try:
+            if isinstance(line, Unread):
+                raise Refused(line.where, line.words)
             self._line(line, tag, place)
         except Refused as reason:
             doubt = located(self.text, reason.at, reason.words, self.origin)
-            found = Statement(None, line.source, tag, place, line.notes, doubt)
-            self._append(found, line.at)
+            notes = line.notes if isinstance(line, Line) else ()
+            self._append(Statement(None, line.source, tag, place, notes, doubt), line.at)
 
     def _line(self, line: Line, tag: str, place: str) -> None:
         left, learnt = line.sides[0], self.learnt.get(id(line))

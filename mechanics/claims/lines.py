@@ -46,11 +46,12 @@ class Line:
 
 @dataclass(frozen=True)
 class Unread:
-    """A part of a text that cannot be read; `words` is one line with its place."""
+    """A part of a text, from `at` on, that cannot be read, and why: `words` about `where`."""
 
     source: str
-    words: str
     at: int
+    where: int
+    words: str
     tag: str = ""
 
 

@@ -43,7 +43,7 @@ from mechanics.claims.latex.vectors import applied
 from mechanics.claims.latex.words import SUM
 from mechanics.claims.lines import Aside, Entry, Line, Unread, gives, gives_constants, value
 from mechanics.claims.names import Naming
-from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.claims.place import Refused, bounded, bounded_mathematics, refusal
 from mechanics.claims.prose import energy_before
 from mechanics.claims.spelled_rates import key
 from mechanics.claims.tree import Name, Node, ended, move
@@ -91,21 +91,20 @@ def read_latex(text: str, naming: Naming, origin: str = "LaTeX") -> list[Entry]:
             whole = clean if block.inline else without_boxes(clean, block.start, block.end)
             letter = called.get(block.start, "")
             if letter:
-                found += _called(whole, text, block, naming, origin, letter)
+                found += _called(whole, text, block, naming, letter)
                 continue
-            found += _entries(whole, text, block, naming, origin)
+            found += _entries(whole, text, block, naming)
         except Refused as reason:
-            words = located(text, reason.at, reason.words, origin)
-            found.append(Unread(source, words, block.start, _tag_of(source)))
+            tag = _tag_of(source)
+            found.append(Unread(source, block.start, reason.at, reason.words, tag))
     inside = (span for block in spans for span in within(clean, block))
     labelled = (span for span in labels(text) if states(text[slice(*span)]))
     for start, end in (*stray(clean, every), *inside, *labelled):
-        words = located(text, start, STRAY, origin)
-        found.append(Unread(" ".join(text[start:end].split()), words, start))
+        found.append(Unread(" ".join(text[start:end].split()), start, start, STRAY))
     return sorted(found, key=lambda entry: entry.at)
 
 
-def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -> list[Entry]:
+def _entries(clean: str, text: str, block: Block, naming: Naming) -> list[Entry]:
     """What a block says; what prose gives as a value is no claim."""
     formula = clean[block.start : block.end]
     if not block.closed:
@@ -113,23 +112,22 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     if not block.inline:
         if block.bare:
             formula = formula.replace("\n", END_OF_LINE)
-        lines = _block(formula, text, block.start, naming, origin, block.one)
+        lines = _block(formula, text, block.start, naming, block.one)
         return [_of_case(_claim_or_value(entry, naming), text, naming) for entry in lines]
-    entries = _block(formula, text, block.start, naming, origin) if _moves(formula, naming) else []
+    entries = _block(formula, text, block.start, naming) if _moves(formula, naming) else []
     if is_value(formula) and not entries:
-        column = _column(formula, text, block, naming, origin)
+        column = _column(formula, text, block, naming)
         return (
             [column] if column is not None else [value(text[block.start : block.end], block.start)]
         )
     found: list[Entry] = []
-    for entry in entries or _block(formula, text, block.start, naming, origin):
+    for entry in entries or _block(formula, text, block.start, naming):
         if not isinstance(entry, Line):
             found.append(entry)
         elif RATE_OF_MOMENTUM.search(formula) and len(entry.sides) > 1:
             found.append(entry)  # a law of conservation
         elif gives(entry, naming) and entries:
-            words = located(text, block.start, SET, origin)
-            found.append(Unread(entry.source, words, block.start, entry.tag))
+            found.append(Unread(entry.source, block.start, block.start, SET, entry.tag))
         elif gives(entry, naming):
             found.append(value(text[block.start : block.end], block.start))
         elif len(entry.sides) > 1:
@@ -137,11 +135,9 @@ def _entries(clean: str, text: str, block: Block, naming: Naming, origin: str) -
     return found
 
 
-def _called(
-    clean: str, text: str, block: Block, naming: Naming, origin: str, letter: str
-) -> list[Entry]:
+def _called(clean: str, text: str, block: Block, naming: Naming, letter: str) -> list[Entry]:
     """``kinetic energy: $m v^2/2$``: an expression by the name that the words before it give."""
-    lines = _block(clean[block.start : block.end], text, block.start, naming, origin)
+    lines = _block(clean[block.start : block.end], text, block.start, naming)
     if naming.knows(letter) or not all(isinstance(n, Line) and len(n.sides) == 1 for n in lines):
         return []
     return [
@@ -174,10 +170,10 @@ def _claim_or_value(entry: Entry, naming: Naming) -> Entry:
     return value(entry.source, entry.at) if given else entry
 
 
-def _column(formula: str, text: str, block: Block, naming: Naming, origin: str) -> Line | None:
+def _column(formula: str, text: str, block: Block, naming: Naming) -> Line | None:
     """A list that a name of the person's own stands for: a column of names."""
     try:
-        entries = _block(formula, text, block.start, naming, origin)
+        entries = _block(formula, text, block.start, naming)
     except Refused:
         return None
     (entry,) = entries if len(entries) == 1 else (None,)
@@ -231,9 +227,7 @@ def _tree(text: str) -> Tree:
     return PARSER.parse(text)
 
 
-def _block(
-    text: str, whole: str, offset: int, naming: Naming, origin: str, one: bool = False
-) -> list[Entry]:
+def _block(text: str, whole: str, offset: int, naming: Naming, one: bool = False) -> list[Entry]:
     if by_cases := BY_CASES.search(text):
         raise Refused(offset + by_cases.start(), "cases cannot be read: give one of them")
     try:
@@ -250,7 +244,7 @@ def _block(
             line = _line(pieces, text, whole, offset, naming)
         except Refused as reason:
             # One line that cannot be read does not spoil the others.
-            line = _unread(pieces, whole, offset, Refused(offset + reason.at, reason.words), origin)
+            line = _unread(pieces, whole, offset, Refused(offset + reason.at, reason.words))
         if line is not None:
             found.append(line)
     return found
@@ -277,11 +271,10 @@ def _refuse_mixed(text: str, start: int, end: int) -> None:
             raise Refused(one.start(), words)
 
 
-def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused, origin: str) -> Unread:
+def _unread(pieces: Pieces, whole: str, offset: int, reason: Refused) -> Unread:
     start, end = (offset + at for at in _span(pieces))
     source = " ".join(whole[start:end].split())
-    words = located(whole, reason.at, reason.words, origin)
-    return Unread(source, words, start, _tag_of(source))
+    return Unread(source, start, reason.at, reason.words, _tag_of(source))
 
 
 def _unexpected(error: UnexpectedInput, text: str, offset: int) -> Refused:

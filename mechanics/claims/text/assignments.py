@@ -66,7 +66,7 @@ def in_sequence(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
         if late := _used(line) & anew:
             words = f"it uses {', '.join(sorted(late))}, whose value here is not read"
             anew |= {name} - {""}
-            found.append(Unread(line.source, words, line.at, line.tag))
+            found.append(Unread(line.source, line.at, line.at, words, line.tag))
             continue
         left, *others = line.sides
         sides = [_renamed(side, now) for side in others]

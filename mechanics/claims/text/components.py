@@ -75,7 +75,9 @@ def with_values(lines: Sequence[Entry], text: str, naming: Naming) -> list[Entry
 
 
 def _unread(line: Entry) -> Entry:
-    return Unread(line.source, NOT_READ, line.at, line.tag) if isinstance(line, Line) else line
+    if not isinstance(line, Line):
+        return line
+    return Unread(line.source, line.at, line.at, NOT_READ, line.tag)
 
 
 def _named(line: Entry, text: str, found: Sequence[Part]) -> Entry:

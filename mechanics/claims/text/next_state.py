@@ -87,7 +87,7 @@ def with_rates(
                 return Aside(f"{line.source[:60]}: of the step", line.at)
             return line
         if not step:
-            return Unread(line.source, NOT_READ, line.at, line.tag)
+            return Unread(line.source, line.at, line.at, NOT_READ, line.tag)
         left, right = line.sides
         rates = [
             ended(total(cell.at, [_without(term, step) for term in rest]), cell.end)

@@ -26,7 +26,7 @@ from mechanics.claims.lines import (
     value,
 )
 from mechanics.claims.names import Naming
-from mechanics.claims.place import Refused, bounded, bounded_mathematics, located, refusal
+from mechanics.claims.place import Refused, bounded, bounded_mathematics, refusal
 from mechanics.claims.text.assignments import in_sequence
 from mechanics.claims.text.components import in_components, with_values
 from mechanics.claims.text.declarations import has_columns, operators, without_effect
@@ -76,26 +76,26 @@ def read_text(text: str, naming: Naming, origin: str = "text") -> list[Entry]:
         raise refusal(text, reason, origin) from None
     clean = prepared(without_values_in_words(text, naming))
     lost = [
-        Unread(text[at:].strip().split("\n")[0], located(text, at, words, origin), at)
+        Unread(text[at:].strip().split("\n")[0], at, at, words)
         for at, words in (*without_effect(text), *doubtful_dashes(text))
     ]
-    rest, drawn = without_drawn(text, clean, lambda part, at: _part(part, text, at, naming, origin))
+    rest, drawn = without_drawn(text, clean, lambda part, at: _part(part, text, at, naming))
     if drawn and not rest.strip():
         return [*drawn, *lost]
-    return [*_entries(rest, text, naming, origin), *drawn, *lost]
+    return [*_entries(rest, text, naming), *drawn, *lost]
 
 
-def _part(part: str, text: str, start: int, naming: Naming, origin: str) -> list[Entry]:
+def _part(part: str, text: str, start: int, naming: Naming) -> list[Entry]:
     """Lines of a part of a text; none where it cannot be read."""
     try:
-        return _lines(part, text, start, naming, origin)
+        return _lines(part, text, start, naming)
     except Refused:
         return []
 
 
-def _entries(clean: str, text: str, naming: Naming, origin: str) -> list[Entry]:
+def _entries(clean: str, text: str, naming: Naming) -> list[Entry]:
     try:
-        lines = in_components(_lines(clean, text, 0, naming, origin), text)
+        lines = in_components(_lines(clean, text, 0, naming), text)
         return with_values(in_sequence(lines, text, naming), text, naming)
     except Refused as reason:
         whole = reason
@@ -107,13 +107,11 @@ def _entries(clean: str, text: str, naming: Naming, origin: str) -> list[Entry]:
             found.append(value(source, start))
             continue
         try:
-            found += _lines(part, text, start, naming, origin)
+            found += _lines(part, text, start, naming)
         except Refused as reason:
-            words = located(text, reason.at, reason.words, origin)
-            found.append(Unread(source, words, start))
+            found.append(Unread(source, start, reason.at, reason.words))
     if not any(isinstance(line, Line) for line in found):
-        words = located(text, whole.at, whole.words, origin)
-        return [Unread(" ".join(text.split())[:200], words, whole.at)]
+        return [Unread(" ".join(text.split())[:200], whole.at, whole.at, whole.words)]
     lines = in_sequence(in_components(found, text), text, naming)
     return with_values(lines, text, naming)
 
@@ -143,7 +141,7 @@ def _tree(clean: str, text: str, naming: Naming) -> Tree:
     return parser.feed_eof()
 
 
-def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> list[Entry]:
+def _lines(clean: str, text: str, offset: int, naming: Naming) -> list[Entry]:
     try:
         tree = _tree(clean, text, naming)
     except UnexpectedInput as error:
@@ -156,7 +154,7 @@ def _lines(clean: str, text: str, offset: int, naming: Naming, origin: str) -> l
         if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:
             at = offset + statement.meta.start_pos
             words = "the end of a MATLAB function: keep its equations only, one a line"
-            found.append(Unread("end", located(text, at, words, origin), at))
+            found.append(Unread("end", at, at, words))
             continue
         if statement.children[0].data == "unpacked":
             found += _unpacked(statement.children[0], text, offset, naming)

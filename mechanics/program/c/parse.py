@@ -119,7 +119,6 @@ def parse(
                 raise ExpressionError(f"{node.coord}: function {node.decl.name} is defined twice")
             if node.param_decls:
                 raise ExpressionError(f"{node.coord}: parameters are declared outside of brackets")
-            _refuse_nameless(node)
             functions[node.decl.name] = node
         if isinstance(declaration, c_ast.Decl) and isinstance(declaration.type, c_ast.FuncDecl):
             prototypes.setdefault(declaration.name, []).append(declaration)
@@ -135,15 +134,6 @@ def parse(
 
 
 @lru_cache(maxsize=64)
-def _refuse_nameless(function: Any) -> None:
-    """Refuse a parameter without a name: nothing can say what it is."""
-    parameters = function.decl.type.args.params if function.decl.type.args else []
-    nameless = len(parameters) > 1 and any(getattr(one, "name", "") is None for one in parameters)
-    if nameless:
-        name = function.decl.name
-        raise ExpressionError(f"{function.coord}: a parameter of {name} has no name: give it one")
-
-
 def _tree(text: str, file: str) -> Any:
     try:
         return CParser().parse(LIBRARY + text, file)

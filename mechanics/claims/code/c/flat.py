@@ -34,7 +34,8 @@ def flat(source: Source) -> Source:
     Raises
     ------
     ExpressionError
-        For an array of arrays that is used in parts, by line and column.
+        For an array of arrays that is used in parts, and a parameter without a name of a function
+        that is called, by line and column.
     """
     functions, prototypes = deepcopy((dict(source.functions), dict(source.prototypes)))
     called = {
@@ -43,7 +44,9 @@ def flat(source: Source) -> Source:
         for node in below(f.body) if isinstance(node, c_ast.FuncCall)
     }  # fmt: skip
     for name, function in functions.items():
-        if name not in called:
+        if name in called:
+            _refuse_nameless(function)
+        else:
             _without_idle(function)
             _only_read(function)
     declarations = [(f, f.decl) for f in functions.values()]
@@ -72,6 +75,20 @@ def _parameters(declaration: Any) -> list[Any]:
     return [p for p in (arguments.params if arguments else []) if isinstance(p, c_ast.Decl)]
 
 
+def _refuse_nameless(function: Any) -> None:
+    """Refuse a parameter without a name of a function that is called: an argument is for it."""
+    arguments = function.decl.type.args
+    for parameter in arguments.params if arguments else []:
+        if isinstance(parameter, c_ast.Typename) and _kind(parameter) != ["void"]:
+            words = f"a parameter of {function.decl.name} has no name: give it one"
+            raise ExpressionError(f"{function.decl.coord}: {words}")
+
+
+def _kind(parameter: Any) -> list[str] | None:
+    """The words of a number's type; none of a pointer and an array."""
+    return getattr(getattr(parameter.type, "type", None), "names", None)
+
+
 def _without_idle(function: Any) -> None:
     """Leave out arguments without a name, and numbers that are not used."""
     arguments = function.decl.type.args
@@ -80,7 +97,7 @@ def _without_idle(function: Any) -> None:
     used = {node.name for node in below(function.body) if isinstance(node, c_ast.ID)}
 
     def idle(parameter: Any) -> bool:
-        words = getattr(getattr(parameter.type, "type", None), "names", None)
+        words = _kind(parameter)
         if not getattr(parameter, "name", None):
             return words != ["void"]
         return words is not None and parameter.name not in used
