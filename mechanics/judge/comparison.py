@@ -16,21 +16,21 @@ from mechanics.claims.declared_conventions import Declared, read_declared
 from mechanics.errors import MechanicsError
 from mechanics.judge import phrases as p
 from mechanics.judge.counting import (
-    aligned,
+    convention_of,
     counted_from,
-    declared,
     direction,
     elongation,
     every_angle,
     from_equilibrium,
+    input_with_minus,
     kind_of_angle,
     name_of,
-    negative,
     only_words,
-    opposite,
     places,
     sense,
+    value_at_pi,
     vertical_sense,
+    zero_in_line,
 )
 from mechanics.judge.geometry_facts import about_centre, has_rod_twice_as_long, other_shape
 from mechanics.judge.outcome import Outcome, Said, Unsettled
@@ -137,11 +137,11 @@ def _found(facts: SceneFacts, sentence: str) -> Iterator[tuple[Outcome, list[tup
 
 
 def _half(facts: SceneFacts, said: Said) -> Outcome:
-    return declared(facts, f"half-length of {name_of(said)}")
+    return convention_of(facts, f"half-length of {name_of(said)}")
 
 
 def _twice(facts: SceneFacts, said: Said) -> Outcome:
-    return declared(facts, f"twice the length of {name_of(said)}")
+    return convention_of(facts, f"twice the length of {name_of(said)}")
 
 
 def _quantity(facts: SceneFacts, unit: str, words: str) -> str:
@@ -619,9 +619,9 @@ def _features(facts: SceneFacts, sentence: str) -> Iterator[tuple[Outcome, list[
 
 ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] = (
     *((row, direction) for row in (*p.DIRECTIONS, *p.DIRECTED)),
-    (p.EVERY_ANGLE, every_angle), (p.OPPOSITE, opposite),
+    (p.EVERY_ANGLE, every_angle), (p.OPPOSITE, value_at_pi),
     (p.HALF, _half), (p.DOUBLE, _half), (p.TWICE, _twice), (p.WHOLE, _whole),
-    (p.TO_AN_END, _to_an_end), (p.TO_CENTRE, _to_centre), (p.NEGATIVE, negative),
+    (p.TO_AN_END, _to_an_end), (p.TO_CENTRE, _to_centre), (p.NEGATIVE, input_with_minus),
     (p.TURNS, sense), (p.PUSHES, sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
     (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
@@ -630,7 +630,7 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     (p.SEVERAL, _several), *((row, _unit) for row in (p.UNIT, p.UNIT_BRACKETED)),
     (p.STATED_UNIT, _stated_unit), (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
-    (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, aligned) for row in p.ALIGNED),
+    (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, zero_in_line) for row in p.ALIGNED),
     *((row, kind_of_angle) for row in p.KINDS_OF_ANGLE),
     (p.ABOUT, _about), *((row, _place) for row in p.PLACE), *((row, _on_body) for row in p.ON_BODY),
     *((row, _equal) for row in p.EQUAL), *((row, _massless) for row in p.NO_MASS),

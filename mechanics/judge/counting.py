@@ -4,6 +4,9 @@ theta is measured from the upright            a convention, where the scene's ha
 phi_2 is the angle between the rods           against the scene, whose angles are absolute
 r is the extension of the spring              its length where r = 0 is the natural one
 y is measured upwards                         a convention, where the scene's counts downwards
+
+A function that a row of `phrases` stands beside takes the facts of a scene and the row's match, and
+returns an `Outcome`.
 """
 
 import re
@@ -30,7 +33,7 @@ def name_of(said: Said) -> str:
     return said["name"].replace("{", "").replace("}", "")
 
 
-def declared(facts: SceneFacts, words: str) -> Outcome:
+def convention_of(facts: SceneFacts, words: str) -> Outcome:
     """A convention, unless the scene counts so, or does not tell."""
     try:
         some = read_declared([words], facts.known)
@@ -55,7 +58,7 @@ def _in_space(facts: SceneFacts, words: str) -> Outcome:
     have = [a.quarter for a in facts.angles if a.symbol.name == own and not a.sense]
     if not said or not have or have[0] not in (1, 3):
         return None
-    return "" if have == said else declared(facts, f"other vertical of {name}")
+    return "" if have == said else convention_of(facts, f"other vertical of {name}")
 
 
 def only_words(said: Said, words: Collection[str], facts: SceneFacts | None = None) -> bool:
@@ -171,11 +174,11 @@ def things_of(facts: SceneFacts, name: str) -> frozenset[str]:
     return (mine | (links if len(directed) == 1 else frozenset())) - others
 
 
-def opposite(facts: SceneFacts, said: Said) -> Outcome:
+def value_at_pi(facts: SceneFacts, said: Said) -> Outcome:
     """``theta = pi is upright``: it is counted from hanging."""
     way = said["way"].lower()
     start = "upright" if p.WAYS.get(way, way) == "hanging" else "hanging"
-    return declared(facts, f"{start} of {name_of(said)}") or None
+    return convention_of(facts, f"{start} of {name_of(said)}") or None
 
 
 def every_angle(facts: SceneFacts, said: Said) -> Outcome:
@@ -197,7 +200,7 @@ def _along(facts: SceneFacts, way: str, name: str) -> Outcome:
         return "" if way == have else words if way in p.VERTICALS else None
     if way == "vertical":
         return _along_vertical(facts, name)
-    return declared(facts, f"{way} of {name}") if way else None
+    return convention_of(facts, f"{way} of {name}") if way else None
 
 
 def kind_of_angle(facts: SceneFacts, said: Said) -> Outcome:
@@ -215,7 +218,7 @@ def kind_of_angle(facts: SceneFacts, said: Said) -> Outcome:
     return f"the text says {bare(said[0])!r}, {', '.join(other)} of the scene is not"
 
 
-def aligned(facts: SceneFacts, said: Said) -> Outcome:
+def zero_in_line(facts: SceneFacts, said: Said) -> Outcome:
     """An angle that is zero where two bodies are in line is no absolute one."""
     if facts.is_absolute(facts.own(said)) is not True or len(facts.angles) < 2:
         return None
@@ -281,7 +284,7 @@ def elongation(facts: SceneFacts, said: Said) -> Outcome:
     return f"the text says that {name_of(said)} is the {what} of a spring, {facts.own(said)} is not"
 
 
-def negative(facts: SceneFacts, said: Said) -> Outcome:
+def input_with_minus(facts: SceneFacts, said: Said) -> Outcome:
     """An input that is said to be minus a force or a torque."""
     if facts.own(said) not in facts.inputs:
         return None

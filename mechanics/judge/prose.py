@@ -6,13 +6,16 @@ The springs are made of steel.                           quoted beside the verdi
 """
 
 import re
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
+from typing import TypeVar
 
 from mechanics.claims.declared_conventions import Declared
 from mechanics.claims.names import Match
 from mechanics.claims.statement import Statement
-from mechanics.judge.comparison import compared, senses
+from mechanics.judge.comparison import Comparison, compared, senses
 from mechanics.judge.declared_otherwise import declared_in_code, declared_otherwise
 from mechanics.judge.markup import unread_markup
 from mechanics.judge.modelica import OTHER_UNIT, is_model, model_words
@@ -20,7 +23,7 @@ from mechanics.judge.quotations import QUOTED, foreign_quotation
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.judge.sentence_class import SentenceClass, class_of
 from mechanics.judge.sentence_context import context_of
-from mechanics.judge.sentences import marked, sentences
+from mechanics.judge.sentences import Sentence, marked, sentences
 from mechanics.judge.sources import Source
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
@@ -28,6 +31,11 @@ from mechanics.scene import Scene
 
 TURNING = re.compile(r"\b(?:(?:counter|anti)-?)?clockwise\b|\bto the (?:left|right)\b", re.I)
 """Words that say which way something counts."""
+LIMITING = {
+    SentenceClass.LIMITS: "denies or limits it",
+    SentenceClass.COUNTS: "is compared with nothing",
+}
+Thing = TypeVar("Thing")
 
 
 @dataclass(frozen=True)
@@ -97,67 +105,85 @@ def prose_of(
     texts += [(one, "comment") for text in models for one in model_words(text)]
     texts += [(words, "comment") for source in code for words in source.words()]
     every = dict.fromkeys(one for text, how in texts for one in sentences(text, how, names))
-    conventions: dict[Declared, None] = {}
-    against: dict[str, None] = {}
-    limits: dict[Limit, None] = {}
-    unjudged: dict[str, None] = {}
-    unsettled: dict[str, None] = {}
-    about: dict[Limit, str] = {}
-    turned, unread = False, ""
-    for sentence in every:
-        if sentence.unread:
-            unjudged[sentence.words] = None
-            continue
-        found = compared(facts, sentence.marked)
-        against |= dict.fromkeys(found.against)
-        unsettled |= dict.fromkeys(found.unsettled)
-        turned |= senses(facts, sentence.marked)
-        unread = unread or next((word[0] for word in TURNING.finditer(found.rest)), "")
-        if sentence.comment:
-            words = "a comment says that it counts otherwise"
-            against |= dict.fromkeys(f"{words}: {one.told}" for one in found.conventions)
-        else:
-            conventions |= dict.fromkeys(found.conventions)
-        kind, why = class_of(facts, sentence, found)
-        if kind is SentenceClass.LIMITS:
-            words = f"the text says '{sentence.words[:120]}', which denies or limits it ({why})"
-            limits[Limit(words, sentence.words)] = None
-        elif kind is SentenceClass.COUNTS:
-            words = (
-                f"the text says '{sentence.words[:120]}', which is compared with nothing ({why})"
-            )
-            about[Limit(words, sentence.words)] = why
-        elif kind is SentenceClass.QUOTED:
-            unjudged[sentence.words] = None
-    open_names = {facts.own_name(n) for why in about.values() for n in why.split(", ")}
-    units = [facts.unit(n) for n in open_names & facts.parameters.keys()]
-    for limit, why in about.items():
-        own = {facts.own_name(n) for n in why.split(", ")} & facts.parameters.keys()
-        if own and all(units.count(facts.unit(n)) == 1 for n in own):
-            unjudged[limit.sentence] = None
-        else:
-            limits[limit] = None
-    if turned and unread:  # one of two signs alone turns what is right with both
-        unsettled[f"the text says '{unread}' of more than is read"] = None
-    for text, notation in written.items():
-        hidden = list(unread_markup(marked(text))) if notation == "latex" else []
-        # What a formula continues with on a new line is no quotation.
-        if notation == "latex" and QUOTED.search(marked(text)) and foreign_quotation(text):
-            hidden.append("a quotation")
-        markup = (Limit(f"{one} is not read: it may hide what it holds") for one in hidden)
-        limits |= dict.fromkeys(markup)
-        for words in declared_otherwise(facts, text):
-            if words.endswith(OTHER_UNIT):  # a label of a name, which no formula holds
-                limits[Limit(words, words)] = None
-            else:
-                against[words] = None
+    beside = {one: compared(facts, one.marked) for one in every if not one.unread}
+    classes = {one: class_of(facts, one, found) for one, found in beside.items()}
+    limits = _limits(facts, classes)
+    quoted = (SentenceClass.COUNTS, SentenceClass.QUOTED)
+    unjudged = [
+        one.words for one in every
+        if one.unread or (classes[one][0] in quoted and one not in limits)
+    ]  # fmt: skip
+    labels = [words for text in written for words in declared_otherwise(facts, text)]
+    hidden = [words for text, how in written.items() if how == "latex" for words in _hidden(text)]
+    against = [words for one, found in beside.items() for words in _against(one, found)]
+    against += [words for words in labels if not words.endswith(OTHER_UNIT)]
     for source in code:
-        against |= dict.fromkeys(declared_in_code(facts, source.code(), statements))
-    every_name = frozenset(names)
+        against += declared_in_code(facts, source.code(), statements)
+    unsettled = [words for found in beside.values() for words in found.unsettled]
     return Prose(
-        tuple(conventions), tuple(against), tuple(limits), tuple(unjudged), every_name,
-        tuple(unsettled),
+        _once(c for one, found in beside.items() if not one.comment for c in found.conventions),
+        _once(against),
+        _once((
+            *limits.values(),
+            *(Limit(f"{one} is not read: it may hide what it holds") for one in hidden),
+            # A label of a name, which no formula holds.
+            *(Limit(words, words) for words in labels if words.endswith(OTHER_UNIT)),
+        )),
+        _once(unjudged),
+        frozenset(names),
+        _once((*unsettled, *_one_of_two_signs(facts, beside))),
     )  # fmt: skip
+
+
+def _once(some: Iterable[Thing]) -> tuple[Thing, ...]:
+    return tuple(dict.fromkeys(some))
+
+
+def _against(sentence: Sentence, found: Comparison) -> Iterator[str]:
+    """What a sentence says against the scene; a comment declares no convention."""
+    yield from found.against
+    if sentence.comment:
+        for one in found.conventions:
+            yield f"a comment says that it counts otherwise: {one.told}"
+
+
+def _limits(
+    facts: SceneFacts, classes: Mapping[Sentence, tuple[SentenceClass, tuple[str, ...]]]
+) -> dict[Sentence, Limit]:
+    """Sentences that deny or limit, and those on how something counts that nothing compares.
+
+    Where one parameter of a unit alone is said to be something, no other is taken for it.
+    """
+    said = {one: why for one, (kind, why) in classes.items() if kind is SentenceClass.COUNTS}
+    own = {
+        one: {facts.own_name(name) for name in why} & facts.parameters.keys()
+        for one, why in said.items()
+    }
+    units = Counter(facts.unit(name) for name in frozenset[str]().union(*own.values()))
+    limits: dict[Sentence, Limit] = {}
+    for sentence, (kind, why) in classes.items():
+        alone = [units[facts.unit(name)] == 1 for name in own.get(sentence, ())]
+        if kind in LIMITING and not (alone and all(alone)):
+            how = f"which {LIMITING[kind]} ({', '.join(why)})"
+            limits[sentence] = Limit(
+                f"the text says '{sentence.words[:120]}', {how}", sentence.words
+            )
+    return limits
+
+
+def _one_of_two_signs(facts: SceneFacts, beside: Mapping[Sentence, Comparison]) -> Iterator[str]:
+    """A sense that is not read beside one that is: one alone turns what both leave right."""
+    if any(senses(facts, one.marked) for one in beside):
+        every = (word[0] for found in beside.values() for word in TURNING.finditer(found.rest))
+        yield from (f"the text says '{word}' of more than is read" for word in islice(every, 1))
+
+
+def _hidden(text: str) -> Iterator[str]:
+    """Markup of LaTeX that may hide words, in words."""
+    yield from unread_markup(marked(text))
+    # What a formula continues with on a new line is no quotation.
+    if QUOTED.search(marked(text)) and foreign_quotation(text):
+        yield "a quotation"
 
 
 def seen_from_one_side(

@@ -36,21 +36,21 @@ class SentenceClass(Enum):
 
 def class_of(
     facts: SceneFacts, sentence: Sentence, comparison: Comparison
-) -> tuple[SentenceClass, str]:
+) -> tuple[SentenceClass, tuple[str, ...]]:
     """The class of a sentence, and by which words it limits, or says how something counts."""
     driven = facts.inputs or facts.scene.explicit_time
     rest = comparison.rest if driven else p.UNDRIVEN.sub(" ", comparison.rest)
     if limiting := _limiting(sentence, rest):
-        return SentenceClass.LIMITS, ", ".join(limiting[:3])
+        return SentenceClass.LIMITS, tuple(limiting[:3])
     if _connects(facts, comparison.rest) and not TASK.search(sentence.words):
-        return SentenceClass.READ, ""
+        return SentenceClass.READ, ()
     if words := _counts(facts, sentence.marked, comparison.rest):
         return SentenceClass.COUNTS, words
-    return SentenceClass.QUOTED, ""
+    return SentenceClass.QUOTED, ()
 
 
-def _counts(facts: SceneFacts, sentence: str, rest: str) -> str:
-    """Words for how something of a sentence counts, in what nothing compares; empty for none."""
+def _counts(facts: SceneFacts, sentence: str, rest: str) -> tuple[str, ...]:
+    """Words for how something of a sentence counts, in what nothing compares."""
     left = p.PASSING.sub(" ", p.IDIOMS.sub(" ", rest))
     said, named = (
         {facts.own_name(one[1]) for one in p.NAMED.finditer(words)} for words in (sentence, left)
@@ -58,14 +58,14 @@ def _counts(facts: SceneFacts, sentence: str, rest: str) -> str:
     moving = facts.names - facts.parameters.keys()
     row = p.WAY if said & moving else p.FROM if named & facts.names else p.THING_AND_WAY
     way = row.search(MARK.sub(" ", left))
-    return way[0] if way else _denoted(facts, p.BESIDE_A_UNIT.sub(" ", left))
+    return (way[0],) if way else _denoted(facts, p.BESIDE_A_UNIT.sub(" ", left))
 
 
-def _denoted(facts: SceneFacts, rest: str) -> str:
+def _denoted(facts: SceneFacts, rest: str) -> tuple[str, ...]:
     """Parameters of which a sentence says what they are: two of one unit may be exchanged."""
     names = dict.fromkeys(one["name"] for one in p.DENOTED.finditer(rest))
     own = ((name, facts.own_name(name)) for name in names)
-    return ", ".join(n for n, o in own if o in facts.parameters and not facts.is_sole(o))
+    return tuple(n for n, o in own if o in facts.parameters and not facts.is_sole(o))
 
 
 def _limiting(sentence: Sentence, rest: str) -> list[str]:
