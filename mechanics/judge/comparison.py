@@ -28,16 +28,23 @@ from mechanics.judge.counting import (
     only_words,
     places,
     sense,
+    slope,
     value_at_pi,
     vertical_sense,
     zero_in_line,
 )
-from mechanics.judge.geometry_facts import about_centre, has_rod_twice_as_long, other_shape
+from mechanics.judge.geometry_facts import (
+    about_centre,
+    has_rod_twice_as_long,
+    moves_with_time,
+    other_shape,
+)
 from mechanics.judge.outcome import Outcome, Said, Unsettled
 from mechanics.judge.scene_facts import RATIOS, SceneFacts
 from mechanics.judge.sentences import bare
 from mechanics.scene import Gravity, Particle, RigidBody
 from mechanics.scene.loads import Force, Spring, Torque
+from mechanics.scene.symbols import TIME
 from mechanics.scene.unit_names import dimension_of_unit
 from mechanics.symbolic import is_zero
 
@@ -206,8 +213,9 @@ def _denoted(facts: SceneFacts, said: Said) -> Outcome:
         return ""
     if other := role or _another(facts, own, words):
         return f"{have}, and {other} is that"
-    wrong = any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
-    wrong = wrong or _of_another_body(facts, own, words) or _other_kind(unit, words)
+    wrong = (
+        _contrary(meaning, words) or _of_another_body(facts, own, words) or _other_kind(unit, words)
+    )
     wrong = wrong or (words.startswith("total mass") and p.OF_TWO.match(behind) is not None)
     if wrong or _other_distance(facts, said, meaning, words):
         return have
@@ -227,7 +235,34 @@ def _several(facts: SceneFacts, said: Said) -> Outcome:
     if not {*names} <= facts.parameters.keys():
         return None
     other = [n for n in names if facts.unit(n) not in (*units, "")]
+    one = re.sub("radii", "radius", re.sub("(?:(?<=ss)e)?s$", "", said["what"].lower()))
+    other = other or [n for n in names if _contrary(facts.meaning(n), one)]
+    if not other and said.re is p.PLURAL:
+        return None  # whose they are follows
     return f"the text has {said['what']} {', '.join(other)}" if other else ""
+
+
+def _called(facts: SceneFacts, said: Said) -> Outcome:
+    """A diameter, where the scene has a radius."""
+    own = facts.own(said)
+    if own not in facts.parameters or not _contrary(facts.meaning(own), said["words"].lower()):
+        return None
+    words = f"the text says that {name_of(said)} is the {said['words']}"
+    return f"{words}, the scene's {own} is the {facts.meaning(own)}"
+
+
+def _inertial(facts: SceneFacts, said: Said) -> Outcome:
+    """A coordinate that is said to be one of an inertial frame, where the scene's turns."""
+    symbol = facts.coordinates.get(facts.own(said))
+    slopes = [facts.scene.position(b.centre).diff(symbol) for b in facts.scene.bodies if symbol]
+    if not any(slope.has(TIME) for slope in slopes):
+        return None
+    return f"the text says {bare(said[0])!r}, {symbol} of the scene is of a frame that turns"
+
+
+def _contrary(meaning: str, words: str) -> bool:
+    """Whether words say what a meaning rules out."""
+    return any(re.search(a, meaning) and re.search(b, words) for a, b in p.OTHERS)
 
 
 def _input(facts: SceneFacts, said: Said) -> Outcome:
@@ -405,6 +440,9 @@ def _shape(facts: SceneFacts, said: Said) -> Outcome:
     """A body that is said to be a disc, a hoop, a sphere has such an inertia."""
     if "body" in said.re.groupindex:
         bodies = facts.bodies(said["body"])
+    elif "name" not in said.re.groupindex:
+        bodies = [b for b in facts.scene.bodies if isinstance(b, RigidBody) and b.inertia != 0]
+        bodies = bodies if len(bodies) == 1 else []
     else:
         mass = facts.parameters.get(facts.own(said))
         bodies = [b for b in facts.scene.bodies if facts.scene.plain(b.mass) == mass]
@@ -578,6 +616,10 @@ def _only_one(facts: SceneFacts, said: Said) -> Outcome:
 
 def _driven(facts: SceneFacts, said: Said) -> Outcome:
     named = any("accelerat" in facts.meaning(n) and n != "g" for n in facts.parameters)
+    if facts.scene.explicit_time and (way := said["way"]):
+        flat = way.lower() in ("horizontally", "sideways", "to and fro")
+        other = moves_with_time(facts, vertical=not flat) is False
+        return f"the text says {bare(said[0])!r}, the scene's moves otherwise" if other else None
     if facts.scene.explicit_time or named:
         return None
     return f"the text says {said[0]!r}, the scene's is not driven"
@@ -625,9 +667,11 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     (p.TURNS, sense), (p.PUSHES, sense),
     (p.DOTS, _dots), (p.SCALED_TIME, _scaled_time),
     (p.PRIMED, _primed), (p.OF_LENGTH, _of_length), (p.EXTENSION, elongation),
-    (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), *((row, _shape) for row in p.SHAPE),
+    (p.SPRING_LENGTH, elongation), (p.UPWARD, vertical_sense), (p.HEIGHT, vertical_sense),
+    (p.SLOPE, slope), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.EXERTED, _input),
-    (p.SEVERAL, _several), *((row, _unit) for row in (p.UNIT, p.UNIT_BRACKETED)),
+    (p.SEVERAL, _several), (p.PLURAL, _several), (p.CALLED, _called), (p.INERTIAL, _inertial),
+    *((row, _unit) for row in (p.UNIT, p.UNIT_BRACKETED)),
     (p.STATED_UNIT, _stated_unit), (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, zero_in_line) for row in p.ALIGNED),

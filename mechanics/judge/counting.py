@@ -242,16 +242,27 @@ def counted_from(facts: SceneFacts, said: Said) -> Outcome:
 
 def vertical_sense(facts: SceneFacts, said: Said) -> Outcome:
     """A coordinate or an axis that is said to count against gravity, or along it."""
-    own, way = facts.own(said), 1 if said["way"].lower().startswith("up") else -1
+    own, way = facts.own(said), -1 if said["way"].lower().startswith(("down", "depth")) else 1
     have = upward(facts, own)
     if not have:
         return None
     if have == way:
         known = {*p.COUNTED, *p.PLACES, *p.POINTING, said["way"].lower()} | things_of(facts, own)
-        return "" if only_words(said, known, facts) else None
+        return "" if only_words(said, known, facts) and said.re is p.UPWARD else None
     if own in facts.coordinates:
         return read_declared([f"other sign of {name_of(said)}"], facts.known)
     return f"the text says that {name_of(said)} points {said['way']}, the scene's does not"
+
+
+def slope(facts: SceneFacts, said: Said) -> Outcome:
+    """A parameter that is an angle, with the vertical or the horizontal."""
+    own = facts.own_name(said["name"] or said["of"])
+    if own not in facts.parameters:
+        return None
+    have = {one for one in p.VERTICALS if one in facts.meaning(own)}
+    if len(have) != 1 or said["way"].lower() in have:
+        return None
+    return f"the text says {bare(said[0])!r}, {own} of the scene is with the {have.pop()}"
 
 
 def from_equilibrium(facts: SceneFacts, said: Said) -> Outcome:

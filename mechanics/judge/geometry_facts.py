@@ -15,6 +15,7 @@ from sympy import Expr, Rational, S, Symbol
 from mechanics.judge.scene_facts import SceneFacts
 from mechanics.scene import Gravity, Particle, RigidBody
 from mechanics.scene.loads import Spring
+from mechanics.scene.symbols import TIME
 from mechanics.symbolic import is_zero
 
 SHAPES: tuple[tuple[str, Expr], ...] = (
@@ -86,6 +87,29 @@ def upward(facts: SceneFacts, name: str) -> int:
     if name not in AXES or sum(entry != 0 for entry in field) != 1:
         return 0
     return -_sign(field[AXES.index(name)])
+
+
+def moves_with_time(facts: SceneFacts, *, vertical: bool) -> bool | None:
+    """Whether what time alone moves goes along gravity, or across; None where that is not known.
+
+    Parameters
+    ----------
+    facts : SceneFacts
+    vertical : bool
+        Along gravity, not across.
+    """
+    scene = facts.scene
+    fields = [scene.vector(x.field, x.name) for x in scene.loads if isinstance(x, Gravity)]
+    rates = [scene.position(body.centre).diff(TIME) for body in scene.bodies]
+    moving = [rate for rate in rates if any(not is_zero(entry) for entry in rate)]
+    if len(fields) != 1 or not moving or any(r.free_symbols & {*scene.q} for r in moving):
+        return None
+    (field,) = fields
+    along = [all(is_zero(entry) for entry in field.cross(rate)) for rate in moving]
+    across = [is_zero(field.dot(rate)) for rate in moving]
+    if not (all(along) or all(across)):
+        return None
+    return all(along) if vertical else all(across)
 
 
 def _sign(value: Expr) -> int:

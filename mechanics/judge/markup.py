@@ -71,6 +71,11 @@ KEY = re.compile(
 ELEMENT = re.compile(r"<\s*/?\s*([A-Za-z][\w-]*)\b([^<>]*)>")
 HIDES = re.compile(r"\b(?:hidden|style|class|color|size|alt|title)\b", re.IGNORECASE)
 MARKED = re.compile("\u27e8[^\u27e9]*\u27e9")
+TABLE = re.compile(
+    r"\\begin\s*\{(?P<kind>tabular[xy]?|longtable)\*?\}.*?\\end\s*\{(?P=kind)\*?\}", re.DOTALL
+)
+CELLS = re.compile("(?P<mark>\u27e8[^\u27e9]*\u27e9)" r"|(?<!\\)&|\\\\(?:\s*\[[^\[\]]*\])?")
+ITEM = re.compile(r"\\item\b\s*(?:\[(?P<label>[^\[\]]*)\])?")
 STRUCK = re.compile(r"~~[^~]+~~|\{(?:--|\+\+|~~|>>|==)(?=[^{}]*\})")
 """Also what CriticMarkup deletes, adds, replaces or remarks: {--...--}."""
 UNSEEN = re.compile(r"<!--(?![\w\s-]*-->)|^\[//\]:", re.MULTILINE)
@@ -104,8 +109,14 @@ def unread_markup(text: str) -> Iterator[str]:
 
 
 def without_markup(text: str) -> str:
-    """The words of a text alone, with its marks for formulas."""
+    """The words of a text alone, with its marks for formulas; rows and items are sentences."""
+    text = TABLE.sub(lambda table: CELLS.sub(_cell, table[0]), text)
+    text = ITEM.sub(lambda item: f". {item['label']}: " if item["label"] else ". ", text)
     return PARTS.sub(lambda part: part["mark"] or " ", text)
+
+
+def _cell(found: re.Match[str]) -> str:
+    return found["mark"] or (" | " if found[0] == "&" else ". ")
 
 
 PARTS = re.compile(

@@ -76,8 +76,11 @@ OTHER = re.compile(
     re.IGNORECASE,
 )
 EQUALS = re.compile(
-    r"\\?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:=|\\approx|\\simeq|\\to)\s*(?P<value>[^$,=]+)"
+    r"\\?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)\s*(?:=|\\approx|\\simeq|\\to)\s*"
+    r"(?P<value>(?:(?!\band\b)[^$,=])+)"
 )
+FURTHER = re.compile(r"[\s$]*(?:,|,?\s*\band\b)[\s$]*")
+"""What stands before a further coordinate of a place."""
 VALUE = re.compile(
     r"(?P<sign>[-+]?)(?:\\[dt]?frac)?\{?(?P<times>\d*(?:\.\d+)?)(?P<pi>\\?pi)?\}?(?:/?\{?(?P<by>\d+)\}?)?"
 )
@@ -176,20 +179,35 @@ def _place(scene: Scene, written: Written, sentence: str) -> tuple[dict[Symbol, 
     for found in PLACE.finditer(plain):
         words = found["place"].partition("$$")[0].partition("\\[")[0].strip()
         if equal := EQUALS.match(words.lstrip("$ (")):
-            name = written.naming.lookup(equal["name"].replace("{", "").replace("}", ""))
-            value = _value(equal["value"])
-            if value == 0 and isinstance(own.get(equal["name"]), Table):
+            if _value(equal["value"]) == 0 and isinstance(own.get(equal["name"]), Table):
                 return zero, words  # of a state, s = (x, x', theta, theta')
-            symbol = None if name is None or name[1] else Symbol(name[0], real=True)
-            if value is None or symbol not in zero:
+            point = _point(scene, written, words.lstrip("$ ("))
+            if not point:
                 return None, found[0].strip()
-            return {**zero, symbol: value}, words
+            return {**zero, **point}, words
         for way, quarter in ((UP, 1), (DOWN, 3)):
             if way.search(words):
                 return _vertical(scene, zero, quarter), found[0].strip()
         if OTHER.search(words):
             return None, found[0].strip()
     return zero, ""
+
+
+def _point(scene: Scene, written: Written, words: str) -> dict[Symbol, Expr]:
+    """The coordinates of a list, as far as it gives them values."""
+    point: dict[Symbol, Expr] = {}
+    at: re.Match[str] | None = None
+    while equal := EQUALS.match(words, at.end() if at else 0):
+        name = written.naming.lookup(equal["name"].replace("{", "").replace("}", ""))
+        value = _value(equal["value"])
+        symbol = None if name is None or name[1] else Symbol(name[0], real=True)
+        if value is None or symbol not in scene.q:
+            break
+        point[symbol] = value
+        at = FURTHER.match(words, equal.end())
+        if at is None:
+            break
+    return point
 
 
 def _vertical(scene: Scene, zero: dict[Symbol, Expr], quarter: int) -> dict[Symbol, Expr] | None:

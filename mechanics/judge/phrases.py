@@ -187,8 +187,25 @@ UPWARD = phrase(
     r"|displacement|coordinate|distance|way|path|of|mass|body|bob|cart|block|load|⟨\w+⟩),? ){0,6}"
     r"(?:COUNTED|positive|points?|pointing|directed|increas(?:es|ing)|grows)? ?(?:as )?"
     r"(?:positive |vertically |straight )?(?P<way>(?:down|up)ward|(?<=pointing )(?:down|up)"
-    r"|(?<=points )(?:down|up))s?\b(?! vertical)"
+    r"|(?<=points )(?:down|up)|(?<=vertically )(?:down|up))s?\b(?! vertical)"
 )
+HEIGHT = phrase(
+    r"NAMEIS THE(?:vertical |instantaneous |current )?(?P<way>height|elevation|altitude|depth) "
+    r"(?:of|above|below|over)\b(?![^.;]*\b(?:fall\w*|fell|drop\w*|lost|through|sink\w*|sank))"
+)
+CALLED = phrase(
+    r"\b(?P<words>peak[- ]to[- ]peak amplitude|diameter|compliance|flexibility)\)? NAME"
+)
+"""What a name is, before it, that others are taken for."""
+INERTIAL = phrase(
+    r"NAME[^⟨.;]{0,80}?\b(?:laboratory|lab|inertial|space-?fixed|non-?rotating|stationary|ground"
+    r"|world|absolute) (?:reference )?(?:frame|(?:coordinate )?system|coordinates)\b"
+)
+SLOPE = phrase(
+    r"(?:NAME[^⟨.;]{0,30}?|\bangle (?:of )?⟨(?P<of>\w+)⟩ )\b(?:with|to|from|against) (?:the )?"
+    r"(?P<way>vertical|horizontal)\b"
+)
+"""A parameter that is an angle."""
 ROUND = r"(?:hoop|ring|pipe|dis[ck]|cylinder|tube|shell|sphere|ball)"
 SHAPE = (
     phrase(
@@ -196,6 +213,7 @@ SHAPE = (
         rf"(?:an? )?(?P<shape>(?:[a-z-]+ ){{0,3}}{ROUND})\b"
     ),
     phrase(rf"\b(?P<shape>(?:[a-z-]+ ){{0,2}}{ROUND}) ?(?:,? (?:of|with)(?: the| a)? mass|,) NAME"),
+    phrase(rf"^(?:for|take|consider) an? (?P<shape>(?:[a-z-]+ ){{0,2}}{ROUND}) ?(?=[:,]|$|we )"),
 )
 """A body that is round, by its name or its mass."""
 DENOTED = phrase(
@@ -424,6 +442,7 @@ OF_INERTIA = re.compile(r"\bmoments? of inertia\b")
 DRIVEN = phrase(
     r"\b(?P<what>pivot|point of support|support|suspension|base|hinge)\b[^⟨.;,]{0,80}?"
     r" (?:moves|oscillates|vibrates|accelerates|(?:is|being) (?:moved|accelerated|shaken|driven))\b"
+    r"(?: (?P<way>horizontally|vertically|up and down|to and fro|sideways))?"
 )
 
 FEATURES = (
@@ -541,6 +560,10 @@ OTHERS = (
     (r"\bdiameter\b", r"\bradius\b"),
     (r"\b(?:length|radius|distance)\b", r"\bgyration\b"),
     (r"\blength\b", r"\bradius\b"),
+    (r"\bstiffness\b", r"\b(?:compliance|flexibility)\b"),
+    (r"\bamplitude\b", r"\bpeak[- ]to[- ]peak\b"),
+    (r"\bhorizontal\b(?!.*vertical)", r"\bvertical\b(?!.*horizontal)"),
+    (r"\bvertical\b(?!.*horizontal)", r"\bhorizontal\b(?!.*vertical)"),
 )
 """What the scene says, and what is something else."""
 SCALED = re.compile(
@@ -565,13 +588,18 @@ OF_QUANTITIES = words("""
 """Words of what a parameter is, beside those for whose it is."""
 PLURALS = (
     ("(?:point )?masses|bobs|beads|particles", ("kg",)),
-    ("lengths|rods|links|strings|radii", ("m",)),
+    ("lengths|rods|links|strings|radii|diameters", ("m",)),
     ("springs|stiffnesses", ("N/m", "N*m", "N*m/rad")),
+    ("compliances", ("m/N", "rad/(N*m)")),
 )  # fmt: skip
 """Nouns of several things, and units of what is named behind them."""
 SEVERAL = phrase(
-    r"\b(?P<what>(?:point )?masses|bobs|beads|particles|lengths|rods|links|strings|radii|springs"
-    r"|stiffnesses),? (?P<names>⟨\w+⟩(?:(?: ?,| and| ?, and) ?⟨\w+⟩)+)"
+    r"\b(?P<what>(?:point )?masses|bobs|beads|particles|lengths|rods|links|strings|radii|diameters"
+    r"|springs|stiffnesses),? (?P<names>⟨\w+⟩(?:(?: ?,| and| ?, and) ?⟨\w+⟩)+)"
+)
+PLURAL = phrase(
+    r"(?P<names>⟨\w+⟩(?:(?: ?,| and| ?, and) ?⟨\w+⟩)+) ?(?:are|denote|:|is|,) ?(?:the )?(?:\w+ )?"
+    r"(?P<what>(?:point )?masses|lengths|radii|diameters|stiffnesses|compliances)\b"
 )
 INPUT_NOUN = phrase(
     r"NAMEIS THE(?P<words>(?:\w+ ){0,3}(?:force|torque|moment|thrust)"

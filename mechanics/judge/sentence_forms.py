@@ -19,7 +19,7 @@ ORDINAL = (
 )
 """Words that tell one of two from the other."""
 NAME = "\u27e8(\\w+)\u27e9"
-EMPHASIS = re.compile(rf"\*\*({NAME})\*\*")
+EMPHASIS = re.compile(rf"(?:\*\*|`)({NAME})(?:\*\*|`)")
 INVERSE = re.compile(
     rf"(?:\b[Tt]he |^)((?:total |whole )?(?i:{QUANTITY}) of (?:the )?(?:\w+ )?\w+)"
     rf"(?: is| equals| be|:) {NAME}"

@@ -17,8 +17,8 @@ from mechanics.claims.latex.prepare import labels, prepared
 from mechanics.claims.place import Refused
 from mechanics.claims.prose import ENDS, SYMBOL
 from mechanics.claims.text.letters import plain
+from mechanics.claims.text.line_continuation import AT, LABELLED
 from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
-from mechanics.claims.text.line_continuation import LABELLED
 from mechanics.claims.text.prepare import BLOCK, LEADS
 from mechanics.claims.unread_names import assigned_names
 from mechanics.judge.markup import without_markup
@@ -30,6 +30,7 @@ DELIMITER = re.compile(
 )
 TICKED = re.compile(r"(?<!`)`([A-Za-z]\w*)`(?!`)")
 """A name of Markdown that is typed as code."""
+PLACE = re.compile(AT)
 BESIDE = re.compile(r"\\(?:text(?:rm|it|normal|bf|up)?|[mh]box|intertext)\s*\{([^{}]*)\}")
 """Words in a display."""
 LABEL = re.compile(r"\\tag\*?\s*\{([^{}]*)\}|\\(?:stackrel|overset)\s*\{([^{}]*)\}\s*\{?\s*=")
@@ -50,6 +51,7 @@ QUESTION = re.compile(r"\?+(?=\s|\Z)")
 INSIDE = re.compile(r"[.;!?](?=\s)")
 """What ends no sentence."""
 NAME = re.compile(rf"\s*{SYMBOL}\s*")
+COMMAS = re.compile(r",(?:\s|\\[,; ]|~|\\q?quad\b)*")
 WORD = re.compile(r"(?<![\w\u27e8'.])([^\W\d]\w*)(?![\w(\u27e9'\[])(?: ?:)?")
 FORMULA = re.compile("\u27e8= ([^\u27e9]*)\u27e9")
 BRACES = re.compile("(\u27e8[^\u27e9]*\u27e9)|[{}]")
@@ -153,8 +155,8 @@ def sentences(text: str, notation: str, names: Collection[str]) -> Iterator[Sent
                 if EQUATION.search(said):
                     yield Sentence(MARKED, said.lstrip("#%/*= \t"), comment=True, unread=True)
         for beside_it in OF_LINE.finditer(text):
-            value = beside_it[0].strip(" \t,;")
-            yield Sentence(_mark(value.partition(" ")[2]), value)
+            each = " ".join(map(_mark, PLACE.findall(beside_it[0])))
+            yield Sentence(each, beside_it[0].strip(" \t,;"))
         text = BEHIND.sub(r"\n\1", text)
         text = re.sub(r";[ \t]*(?=\S)", ";\n", text) if code else text
         for words in (LEADS, LABELLED):
@@ -260,8 +262,10 @@ def _inside(words: str) -> str:
 
 
 def _mark(formula: str) -> str:
-    if name := NAME.fullmatch(formula):
-        return f"\u27e8{re.sub('[{}]', '', name[1])}\u27e9"
+    names = [NAME.fullmatch(part) for part in COMMAS.split(formula)]
+    if all(names):
+        each = (re.sub("[{}]", "", name[1]) for name in names if name)
+        return ", ".join(f"\u27e8{name}\u27e9" for name in each)
     words = " ".join(INSIDE.sub(" ", formula).split())
     return f"\u27e8= {words}\u27e9{'.' if words.endswith('.') else ''}"
 

@@ -126,7 +126,8 @@ def _in_scene(scene: Scene, meant: OperatingPoint, table: Table) -> dict[Symbol,
     told = meant.place or {}
     origin = dict.fromkeys(scene.q, S.Zero)
     moved = Matrix([told.get(q, S.Zero) - table.get(q, q).xreplace(origin) for q in scene.q])
-    return dict(zip(scene.q, slopes_of(scene, table).inv() * moved, strict=True))
+    place = dict(zip(scene.q, slopes_of(scene, table).inv() * moved, strict=True))
+    return {q: value for q, value in place.items() if q in told or q in angular(scene)}
 
 
 def _angles(scene: Scene) -> list[Expr]:
@@ -145,14 +146,14 @@ def to_first_order(
     Parameters
     ----------
     place : mapping of Symbol to Expr
-        About which angles; zero for those that it does not hold.
+        About which angles, and other coordinates; zero for angles that it does not hold.
     """
     scene = truth.scene
-    angles = _angles(scene)
+    small_ones = [q for q in scene.coordinates if plain_symbol(q) in {*angular(scene), *place}]
     unfit = scene.constraints or scene.speeds or truth.multipliers
-    if unfit or not statements or not angles or len(scene.u) > MOST:
+    if unfit or not statements or not small_ones or len(scene.u) > MOST:
         return [None] * len(statements)
-    orders = [{plain_symbol(q, k) for q in angles} for k in range(3)]
+    orders = [{plain_symbol(q, k) for q in small_ones} for k in range(3)]
     small = {s: _near(s, place.get(s, S.Zero)) for s in orders[0] | orders[1]}
     found: list[Finding | None] = []
     try:

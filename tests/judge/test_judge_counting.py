@@ -16,10 +16,16 @@ ROD = r"$$\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3}{ml^2}u$$"
 BOBS = r"$$V = -(m_1+m_2)gl_1\cos\phi_1 - m_2gl_2\cos\phi_2$$"
 CART = r"$$(m_c+m_p)\ddot x + m_p l(\ddot\theta\cos\theta - \dot\theta^2\sin\theta) = F$$"
 CHAIN = r"$$3m\ddot x_1 + 2kx_1 - kx_2 = 0$$"
+PLACE = r"$$V = mgy + \tfrac12 k(\sqrt{x^2+y^2}-b)^2$$"
+BOWL = r"$$\ddot\theta = -\frac{2g}{3(R-a)}\sin\theta$$"
 WIRE = r"$$(1 + 4a^2x^2)\ddot x + 4a^2x\dot x^2 + 2agx = 0$$"
 POLAR = r"$$m\ddot r = mr\dot\theta^2 + mg\cos\theta - k(r-b)$$"
 SLOPE = r"$$\ddot x = \frac{(M+m)g\sin\alpha}{M+m\sin^2\alpha}$$"
+SHAKEN = r"$$l\ddot\phi + (g + a\gamma^2\cos\gamma t)\sin\phi = 0$$"
+TABLE = r"$$m\ddot x - 2m\Omega\dot y - m\Omega^2 x + kx = 0$$"
 HINGED = r"$$(M+m)\ddot x + b\dot x + ml\ddot\theta\cos\theta - ml\dot\theta^2\sin\theta = F$$"
+ROWS = r"\begin{tabular}{ll} $m_c$ & mass of the %s \\ $m_p$ & mass of the %s \end{tabular}"
+ITEMS = r"\begin{itemize} \item[$m_c$] mass of the %s \item[$m_p$] mass of the %s \end{itemize}"
 
 CASES: dict[str, tuple[str, str, str, str]] = {
     # from where
@@ -74,6 +80,22 @@ CASES: dict[str, tuple[str, str, str, str]] = {
     # which way
     "to the right": ("cartpole", r"The coordinate $x$ grows to the right.", CART, RIGHT),
     "to nobody knows where": ("cartpole", r"$x$ is positive towards the door.", CART, OPEN),
+    "pointing up": (
+        "planar_wire.py:wire", r"With $y$ pointing vertically up, we have", WIRE, RIGHT,
+    ),
+    "pointing down": (
+        "planar_wire.py:wire", r"With $y$ pointing vertically down, we have", WIRE, OPEN,
+    ),
+    "a height": ("spring_pendulum.py:cartesian", r"$y$ is the height of the mass.", PLACE, QUOTED),
+    "a depth": ("spring_pendulum.py:cartesian", r"$y$ is the depth of the mass.", PLACE, WRONG),
+    "shaken up and down": ("kapitza.py:hanging", "The support moves up and down.", SHAKEN, QUOTED),
+    "shaken sideways": ("kapitza.py:hanging", "The support is moved sideways.", SHAKEN, OPEN),
+    "on the table": (
+        "turned.py:table", "$x, y$ are the coordinates in the rotating frame.", TABLE, QUOTED,
+    ),
+    "beside the table": (
+        "turned.py:table", "$x, y$ are the coordinates in the laboratory frame.", TABLE, OPEN,
+    ),
     # of lengths and springs
     "by a length we mean": (
         "spring_pendulum.py:polar", "By $r$ we mean the elongation of the spring.", POLAR, OPEN,
@@ -84,7 +106,35 @@ CASES: dict[str, tuple[str, str, str, str]] = {
     "to the free end": (
         "rod_pendulum", r"$l$ is the length of the rod from the axis to its free end.", ROD, RIGHT,
     ),
+    "diameters": (
+        "cylinder_in_cylinder", "The cylinders have the diameters $R$ and $a$.", BOWL, OPEN,
+    ),
+    "radii": ("cylinder_in_cylinder", "The cylinders have the radii $R$ and $a$.", BOWL, QUOTED),
+    "names, and diameters": (
+        "cylinder_in_cylinder", "$R$, $a$: outer diameters", BOWL, OPEN,
+    ),
+    "a compliance": ("two_mass_chain", "Both springs have the compliance $k$.", CHAIN, OPEN),
     # whose a parameter is
+    "rows": (
+        "cartpole",
+        ROWS % ("cart", "pole"),
+        CART, RIGHT,
+    ),
+    "rows, exchanged": (
+        "cartpole",
+        ROWS % ("pole", "cart"),
+        CART, OPEN,
+    ),
+    "items": (
+        "cartpole",
+        ITEMS % ("cart", "pole"),
+        CART, RIGHT,
+    ),
+    "items, exchanged": (
+        "cartpole",
+        ITEMS % ("pole", "cart"),
+        CART, OPEN,
+    ),
     "the trolley in brackets": (
         "cartpole", r"The trolley (mass $m_c$) runs on a rail.", CART, RIGHT,
     ),

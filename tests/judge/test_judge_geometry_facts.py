@@ -52,6 +52,8 @@ CASES: dict[str, tuple[str, str, str, str]] = {
     ),
     "a rod that is a hoop": ("rod_pendulum", "The rod is a hoop.", ROD, OPEN),
     "a rod that is a tube": ("rod_pendulum", "The rod is a thin-walled tube.", ROD, RIGHT),
+    "for a tube": ("cylinder_in_cylinder", "For a thin-walled tube:", BOWL, OPEN),
+    "for a cylinder": ("cylinder_in_cylinder", "For a solid cylinder:", BOWL, RIGHT),
     # inertias and lengths
     "about the mass centre": (
         "more_pendulums.py:physical", r"$I$ is the moment of inertia about its centre of mass.",

@@ -4,9 +4,11 @@ from functools import cache
 
 import pytest
 
+from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.equations import Equations
 from mechanics.judge.check import derived
+from mechanics.kernel import Verdict
 from systems import bead_on_hoop
 
 BOTTOM = r"$$\ddot\theta = (\omega^2 - g/R)\theta$$"
@@ -92,3 +94,31 @@ FULL = r"$$\ddot\theta = (\omega^2\cos\theta - g/R)\sin\theta$$"
 )
 def test_what_an_equation_is_called(text: str, verdicts: set[str]) -> None:
     assert verdict(text) in verdicts
+
+
+@cache
+def ball_on_beam() -> Equations:
+    return derived(scene_of(HERE / "scenes" / "ball_beam.py", "make_scene"))
+
+
+IN_LATEX = r"\[ \tfrac13 m_2l^2\ddot\theta + m_1gz = Fl - \tfrac12 m_2gl \]"
+IN_TEXT = "m2*l^2/3*theta'' + m1*g*z = F*l - m2*g*l/2"
+PLACES = {
+    r"Linearized about $z = 0$, $\theta = 0$:": IN_LATEX,
+    r"Linearized about $\theta = 0$ and $z = 0$,": IN_LATEX,
+    "Linearized about z = 0, theta = 0:\n": IN_TEXT,
+    "Linearised around theta = 0 and z = 0\n": IN_TEXT,
+}
+
+
+@pytest.mark.parametrize("words", PLACES)
+def test_a_place_may_hold_several_coordinates(words: str) -> None:
+    right = words + PLACES[words]
+    for text, shown in ((right, True), (right.replace("+ m", "- m"), False)):
+        answer = check(ball_on_beam(), text, blame=False)
+        assert answer.verdict is (Verdict.PROVED if shown else Verdict.REFUTED)
+
+
+def test_a_length_that_is_not_said_to_be_small_is_not() -> None:
+    only = r"Linearized about $\theta = 0$:"
+    assert check(ball_on_beam(), only + IN_LATEX, blame=False).verdict is Verdict.REFUTED

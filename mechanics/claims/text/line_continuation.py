@@ -16,13 +16,16 @@ WORDS = re.compile(
     r"(?=[^\W\d]\w*[ \t]*(?:\(t\)|'{1,3})?[ \t]*=)",
     re.MULTILINE,
 )
+NUMBER = r"[ \t]*=[ \t]*[-+]?(?:\d+(?:\.\d+)?|pi(?:/\d)?)(?![\w.])"
+AT = rf"[^\W\d]\w*'{{0,3}}{NUMBER}"
 CONDITION = re.compile(
-    r"(?:[,;][ \t]*|[ \t]+|^)(?:(?:for|at|when|if|whenever)[ \t]+(?P<name>[^\W\d]\w*'{0,3})"
-    r"|(?:with|where)[ \t]+(?P<rate>[^\W\d]\w*'{1,3}))[ \t]*=[ \t]*[-+]?\d+(?:\.\d+)?"
-    r"(?=[ \t]*[.,;]?[ \t\r]*$)",
-    re.MULTILINE,
+    rf"(?:[,;][ \t]*|[ \t]+|^)(?P<bracket>\()?(?:(?:for|at|when|if|whenever)[ \t]+{AT}"
+    rf"|(?:lineari[sz]\w+[ \t]+)?(?:about|around|near)[ \t]+{AT}(?:,[ \t]*{AT})*"
+    rf"|(?:with|where)[ \t]+[^\W\d]\w*'{{1,3}}{NUMBER})(?:,?[ \t]+and[ \t]+{AT})*"
+    r"(?(bracket)[ \t]*\))(?=[ \t]*[.,;:]?[ \t\r]*$)",
+    re.MULTILINE | re.IGNORECASE,
 )
-"""Where an equation holds, behind it: for theta = 0 is no equation of its own."""
+"""Where an equation holds: for theta = 0 is no equation of its own, and about r = 0, theta = 0."""
 STOP = re.compile(r"(?<=[^\W\d_])\.(?=[ \t\r]*$)|(?<=[)\]'])\.(?=[ \t\r]*$)", re.MULTILINE)
 NUMBERED = re.compile(
     r"(?:(?<! ) {2,}|\t[ \t]*)\((?:[A-Z]\.)?\d{1,3}(?:\.\d{1,3}){0,2}[a-z]?\)[ \t\r]*$",
