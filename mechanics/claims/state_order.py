@@ -2,9 +2,11 @@
 
 % z = [x; theta; xdot; thetadot]        // st: x, x', theta_1, theta_1'        state: x, y, ...
 % y(1) -> x   % y(2) -> x_dot
+# z: x, v, theta, omega                 # z = [x1 x2 v1 v2]
 """
 
 import re
+from collections.abc import Sequence
 
 from mechanics.claims.names import Naming
 from mechanics.claims.text.letters import plain
@@ -17,6 +19,7 @@ OPENS = re.compile(r"[ \t]*(?::|=|->|\bis\b)[ \t]*(?P<list>[^\n]*)")
 STATE = r"(?i:\bstate(?:[ \t]+(?:vector|variables?))?)"
 CLOSES = re.compile(r"[\])}]|\*/|\"\"\"")
 ENTRY = re.compile(r"[^\s,;:\[\](){}]+")
+SPEED = re.compile(r"(?:v|w|om|omega|\u03c9)_?(\w*)")
 COMMENT = re.compile(r"(?://|/\*|[%#*])[^\n]*|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 
 
@@ -69,8 +72,11 @@ def _entries(words: str, naming: Naming) -> tuple[str, ...]:
     """The names that a list is made of, if these are those of a state or parameters, each once."""
     opening = words[:1] in tuple("[({")
     end = CLOSES.search(words, 1 if opening else 0)
+    entries = ENTRY.findall(words[: end.start()] if end else words)
+    if with_speeds := _with_letters_of_speeds(entries, naming):
+        return with_speeds
     found: list[str] = []
-    for entry in ENTRY.findall(words[: end.start()] if end else words):
+    for entry in entries:
         name, dots = plain(entry.rstrip("'."))
         target = naming.lookup(name)
         order = 0 if target is None else target[1] + dots + entry.count("'")
@@ -83,3 +89,31 @@ def _entries(words: str, naming: Naming) -> tuple[str, ...]:
     all_constants = len(found) > 1 and {*found} <= naming.vocabulary.constants.keys()
     named = set(found) >= whole or all_constants
     return tuple(found) if len(set(found)) == len(found) and named else ()
+
+
+def _with_letters_of_speeds(entries: Sequence[str], naming: Naming) -> tuple[str, ...]:
+    """Coordinates, and letters of speeds behind each of them, or behind all; else empty."""
+    scene = naming.vocabulary.scene
+    number = len(scene.q)
+    some = entries[: 2 * number]
+    names = [naming.lookup(plain(entry)[0]) for entry in some]
+    places = [n[0] if n and not n[1] and naming.is_function(e) else ""
+              for e, n in zip(some, names, strict=True)]  # fmt: skip
+    held = [name for name in places if name]
+    if len(some) < 2 * number or scene.speeds or {*held} != {str(q) for q in scene.q}:
+        return ()
+    if any(n and not name for n, name in zip(names, places, strict=True)) or len(held) != number:
+        return ()
+    behind_all = [*held, *held]
+    behind_each = [name for name in held for _ in range(2)]
+    for order in (behind_all, behind_each):
+        pairs = list(zip(some, places, order, strict=True))
+        if all(name == own or (not name and _of_speed(entry, own)) for entry, name, own in pairs):
+            return tuple(own + ("" if name else DOTS[1]) for _, name, own in pairs)
+    return ()
+
+
+def _of_speed(letter: str, coordinate: str) -> bool:
+    """Whether a name is a letter of speeds, with the number of a coordinate, or itself, behind."""
+    said, number = SPEED.fullmatch(letter), re.search(r"\d*$", coordinate)
+    return said is not None and said[1] in ("", coordinate, number[0] if number else "")

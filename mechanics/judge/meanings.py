@@ -4,6 +4,7 @@
     torque              moment of the loads about a point that rests, up to direction
     angular momentum    of all bodies or of one, about a point that rests or its mass centre
     frequency, period   of small oscillations about an equilibrium
+effective potential V - T0 of a prescribed motion, T0 the kinetic energy where nothing else moves
     speed               |v| of a mass centre        power    d(T + V)/dt along the motion
 
 A candidate is compared with what was written by the kernel; nothing here is believed.
@@ -30,10 +31,11 @@ from mechanics.scene.momenta import momentum_symbols
 from mechanics.scene.published import Published, Quantity
 from mechanics.scene.rates import rate, rate_table
 from mechanics.scene.reactions import Reaction
+from mechanics.symbolic import is_zero
 
 UNITS: dict[str, str] = {
     **dict.fromkeys(("kinetic energy", "potential energy", "energy"), "J"),
-    **dict.fromkeys(("Lagrangian", "Hamiltonian"), "J"),
+    **dict.fromkeys(("Lagrangian", "Hamiltonian", "effective potential"), "J"),
     "tension": "N", "torque": "N*m", "period": "s",
     **{f"momentum along {axis}": "kg*m/s" for axis in "xyz"},
     **dict.fromkeys(("frequency", "turns per second"), "1/s"), "speed": "m/s",
@@ -67,6 +69,8 @@ class Candidate:
         To which power what is written is raised: 2 where the sign is not told.
     vanishing : Expr or None
         What is 0 with what is written in place of `ROOT`.
+    rest : Expr
+        What is written is the quantity without.
     """
 
     words: str
@@ -75,6 +79,7 @@ class Candidate:
     directed: bool = False
     power: int = 1
     vanishing: Expr | None = None
+    rest: Expr = S.Zero
 
     def rows(self, row: Published, sides: tuple[Expr, ...]) -> Iterator[Published]:
         """The row with this meaning; in both directions where the author may choose one."""
@@ -84,7 +89,7 @@ class Candidate:
             yield replace(row, quantity=self.quantity, sides=(*held, S.Zero))
             return
         for sign in (1, -1) if self.directed else (1,):
-            meant = tuple(sign * side**self.power for side in sides)
+            meant = tuple(sign * side**self.power + self.rest for side in sides)
             yield replace(row, quantity=self.quantity, sides=(*self.before, *meant))
 
 
@@ -196,6 +201,16 @@ def _power(truth: Equations) -> Iterator[Candidate]:
     yield Candidate("the power of the loads", q.EquationOfMotion(), (gained,), directed=True)
 
 
+def _effective(truth: Equations) -> Iterator[Candidate]:
+    """Of a prescribed motion, Jacobi's integral T2 + V - T0 without T2."""
+    scene, energy = truth.scene, truth.kinematics.energy_in_rates
+    still = energy.xreplace(dict.fromkeys(scene.qd, S.Zero))
+    if not is_zero(still) and not scene.speeds:
+        pairs = ((a, b) for a in scene.qd for b in scene.qd)
+        square = Add(*(a * b * energy.diff(a, b) for a, b in pairs)) / 2
+        yield Candidate("the effective potential V - T0", q.Hamiltonian(), rest=square)
+
+
 def _dissipation(truth: Equations) -> Iterator[Candidate]:
     for candidate in _dissipated(truth):
         half = tuple(side / 2 for side in candidate.before)
@@ -242,7 +257,8 @@ SEARCHED: dict[str, Callable[[Equations], Iterator[Candidate]]] = {
     "angular momentum": _angular_momenta, "momentum": _momenta, "speed": _speeds,
     **{word: partial(_oscillations, word) for word in SQUARES},
     **{f"momentum along {axis}": partial(_along, axis) for axis in "xyz"},
-    "power": _power, "Rayleigh's function": _dissipation, "dissipated power": _dissipated,
+    "effective potential": _effective, "power": _power, "Rayleigh's function": _dissipation,
+    "dissipated power": _dissipated,
 }  # fmt: skip
 """What a word can be, by the word."""
 

@@ -1,5 +1,6 @@
 """Slips that authors make, named where they stand: exchanged names, |v| v, a cotangent, a half."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.blame.result import Edit, Mistake
 from mechanics.scene import Scene, force, gravity
-from systems import spinning_top
+from systems import bead_on_hoop, spinning_top
 
 TYPED = HERE / "scenes" / "typed.py"
 
@@ -159,3 +160,11 @@ def test_no_edit_multiplies_by_what_is_always_zero() -> None:
     (entry,) = check(spinning_top.scene(), r"$I_3\dot w_z = I_1 w_x w_y$").judged
     assert entry.blame is not None
     assert {edit.right for repair in entry.blame.repairs for edit in repair.edits} == {"0"}
+
+
+def test_a_number_in_place_of_a_factor_is_no_part_of_the_power_before_it() -> None:
+    text = r"\[ \ddot\theta = \omega^2\cos^2\theta\sin\theta\cos\theta - \frac gR\sin\theta \]"
+    (entry,) = check(bead_on_hoop.scene(), text).judged
+    repairs = [repair.repaired for repair in entry.blame.repairs]
+    assert repairs
+    assert not [one for one in repairs if re.search(r"\^\d{2}", one)]

@@ -2,6 +2,7 @@ r"""Derivatives of an author's own names: ``V'(x)``, and with an upright d along
 
 import pytest
 
+from benchmarks.corpus.load import HERE, scene_of
 from mechanics.claims.tree import Call, Name, Total, with_parts
 from mechanics.judge.check import derived
 from systems import bead_on_hoop, rocker, rod_pendulum
@@ -10,6 +11,7 @@ from tests.verdict_of import NOT_READ, verdict_of
 ROD = derived(rod_pendulum.scene())
 HOOP = derived(bead_on_hoop.scene())
 ROCKER = derived(rocker.scene())
+WIRE = derived(scene_of(HERE / "scenes" / "planar_wire.py", "wire"))
 
 POTENTIAL = r"V(\theta)=\tfrac12mgl\cos\theta"
 SPEED = r"\quad\omega=\dot\theta"
@@ -43,6 +45,13 @@ def test_a_prime_before_an_argument_is_by_it(truth: object, text: str, verdict: 
 @pytest.mark.parametrize("text", [rf"{POTENTIAL},\ \tfrac13ml^2\ddot\theta=-V'+u"])
 def test_a_prime_beside_dots_is_not_guessed(text: str) -> None:
     assert verdict_of(ROD, rf"\[ {text} \]") in ("UNDECIDED", NOT_READ)
+
+
+@pytest.mark.parametrize("definition", ["$y=ax^2$, $y'=2ax$", "$y'=2ax$"])
+def test_a_prime_beside_the_dots_of_another_formula_is_not_guessed(definition: str) -> None:
+    motion = r"\[ (1+y'^2)\ddot x + y'y''\dot x^2 + gy' = 0 \]"
+    text = f"With {definition} and $y''=2a$ we have {motion}"
+    assert verdict_of(WIRE, text) in ("UNDECIDED", NOT_READ)
 
 
 @pytest.mark.parametrize(

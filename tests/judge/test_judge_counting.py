@@ -79,6 +79,7 @@ CASES: dict[str, tuple[str, str, str, str]] = {
     ),
     # which way
     "to the right": ("cartpole", r"The coordinate $x$ grows to the right.", CART, RIGHT),
+    "nose-up": ("rod_pendulum", r"The pitch $\theta$ is positive nose-up.", ROD, OPEN),
     "to nobody knows where": ("cartpole", r"$x$ is positive towards the door.", CART, OPEN),
     "pointing up": (
         "planar_wire.py:wire", r"With $y$ pointing vertically up, we have", WIRE, RIGHT,

@@ -194,6 +194,14 @@ CASES = {
         "  a[1] = (-u*c - m*l*s*c*w[3]*w[3] + (M + m)*g*s)/(l*D);\n}\n",
         "- m*l*s*c", "+ m*l*s*c",
     ),
+    "the order that a comment tells, with letters of speeds": (
+        "cart_poles.py", "bob", "m",
+        "% z = [x, theta, v, omega]\nfunction dz = f(t, z, u, M, m, l, g)\n"
+        "s = sin(z(2)); c = cos(z(2)); D = M + m*s^2;\n"
+        "dz = [z(3); z(4); (u + m*l*s*z(4)^2 - m*g*s*c)/D;\n"
+        "  (-u*c - m*l*s*c*z(4)^2 + (M + m)*g*s)/(l*D)];\nend\n",
+        "[x, theta, v", "[theta, x, v",
+    ),
     "an object made with parameters": (
         PLANAR, "damped_pendulum", "py",
         "from math import sin\nclass Pendulum:\n    def __init__(self, m, l, b, g):\n"

@@ -86,6 +86,7 @@ def test_a_letter_is_read_as_what_has_its_dimension(scene: str, text: str, said:
         ("hoop", r"H = p_\theta^2/(2 m R^2) + m R^2 \omega^2\sin^2\theta/2 - m g R\cos\theta"),
         ("hoop", r"H = m R^2(\dot\theta^2 + \omega^2\sin^2\theta)/2 - m g R\cos\theta"),
         ("hoop", r"E = m R^2(\dot\theta^2 - \omega^2\sin^2\theta)/2 - m g R\cos\theta"),
+        ("hoop", r"U = -m g R\cos\theta + m R^2\omega^2\sin^2\theta/2"),
         ("rod", "P = -2*u*theta'"),
         ("damped", "P = 2*m*x'"),
     ],
@@ -99,6 +100,7 @@ def test_a_wrong_one_is_refuted(scene: str, text: str) -> None:
     [
         ("pendulum", r"T = -m g l \sin\theta", "torque"),
         ("damped", "D = c*x'^2", "dissipate"),
+        ("hoop", r"U = -m g R\cos\theta - m R^2\omega^2\sin^2\theta/2", "effective potential"),
     ],
 )
 def test_what_another_meaning_makes_right_is_neither(scene: str, text: str, said: str) -> None:

@@ -33,6 +33,8 @@ from mechanics.claims.tree import (
 from mechanics.scene.published import Published
 
 SIGN = re.compile(r"[-+\u2212]\s*$")
+FACTOR = re.compile(r"(?<!frac)(?<!frac )(?:\d|(?<![\\A-Za-z])[A-Za-z]+)\s*$")
+"""What a number behind would be a part of; the argument of a fraction is none."""
 PLUS = re.compile(r"\s*\+\s*")
 TIMES_AFTER = re.compile(r"\s*(?:\.?\*(?!\*)|\\cdot(?![A-Za-z])|\\times(?![A-Za-z]))\s*")
 TIMES_BEFORE = re.compile(r"\s*(?:(?<!\*)\.?\*|\\cdot|\\times)\s*$")
@@ -267,13 +269,14 @@ def spliced(
         sides = sides_of(map(spelling, entries), row)
         named = spelling.written.sides[: len(spelling.written.sides) - len(row.sides)]
         return " = ".join((*map(spelling, named), *sides))
-    found, at = "", 0
+    found, at, times = "", 0, r" \cdot " if spelling.latex else "*"
     for (start, end), right in spans:
         gap = " " if start == end and start and source[start - 1] != " " else ""
-        found += source[at:start] + gap + right
-        # 2 l times 3 without l is 2 times 3, not 23.
+        found += source[at:start] + gap
+        # omega^2 times 1 is no power of 21, and 2 l times 3 without l is 2 times 3, not 23.
+        found += (times if right[:1].isdigit() and FACTOR.search(found) else "") + right
         if found.rstrip()[-1:].isdigit() and source[end:].lstrip()[:1].isdigit():
-            found += r" \cdot " if spelling.latex else "*"
+            found += times
         at = end
     return " ".join((found + source[at:]).split())
 

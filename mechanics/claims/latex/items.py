@@ -48,7 +48,6 @@ from mechanics.claims.tree import (
 
 Fold = Callable[[list[Item], int], Node]
 
-DOTTED = re.compile(r"\\d+ot(?![A-Za-z])")
 BARS = ("|", "vert", OPENING)
 DEEPEST_BRACKETS = 40
 MOST_ENTRIES = 50
@@ -66,10 +65,16 @@ PER_TIME = re.compile(
 
 
 class Items:
-    """Reads trees of the grammar; `fold` puts items together."""
+    """Reads trees of the grammar; `fold` puts items together.
 
-    def __init__(self, text: str, naming: Naming, fold: Fold, notes: list[str]) -> None:
+    `by_time` is whether primes are dots: a whole text that has dots may mean something else.
+    """
+
+    def __init__(
+        self, text: str, naming: Naming, fold: Fold, notes: list[str], by_time: bool
+    ) -> None:
         self.text, self.naming, self.fold, self.notes = text, naming, fold, notes
+        self.by_time = by_time
         self.depth = 0
         self.known: dict[int, tuple[Tree, list[Item]]] = {}
         self.taken: dict[int, tuple[Tree, list[Tree | Token]]] = {}
@@ -97,8 +102,8 @@ class Items:
         return self.taken[id(tree)][1]
 
     def _with_primes(self, found: list[Item]) -> list[Item]:
-        """The items; where nothing has dots, primes are by time, but for ``V'(x)``."""
-        if DOTTED.search(self.text):
+        """The items; primes that are dots are by time, but for ``V'(x)``."""
+        if not self.by_time:
             return found
         for k, item in enumerate(found):
             before_bracket = k + 1 < len(found) and found[k + 1].kind == "bracket"

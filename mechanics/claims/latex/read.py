@@ -207,6 +207,7 @@ GENERAL = re.compile(
     r"\([^=()+*/\d-]*,[^=()+*/-]*(?:\\right\s*)?\)\s*[.,]?"
 )
 UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname|si|SI|unit)\s*\{[^{}]*\}")
+DOTTED = re.compile(r"\\d+ot(?![A-Za-z])")
 RATE_OF_MOMENTUM = re.compile(r"\\dot\s*\{?\s*p(?![a-z])")
 ACCELERATED = re.compile(r"\\d{2,4}ot(?![a-z])|'{2,}")
 
@@ -327,10 +328,11 @@ def _line(pieces: Pieces, text: str, whole: str, offset: int, naming: Naming) ->
         unjudged = (f"the side with {SUM} in {source}",) if len(kept) < len(sides) else ()
         sides = kept
     fold = Fold(naming, notes)
-    nodes = _sides(sides, text, end, fold)
-    others = _others(sides, text, end, naming, nodes) if SLASH in notes else ()
+    by_time = DOTTED.search(whole) is None
+    nodes = _sides(sides, text, end, fold, by_time)
+    others = _others(sides, text, end, naming, nodes, by_time) if SLASH in notes else ()
     if fold.several:
-        shorter = _sides(sides, text, end, Fold(naming, [], argument=FIRST))
+        shorter = _sides(sides, text, end, Fold(naming, [], argument=FIRST), by_time)
         others += ((SHORTER, shorter),) if shorter != nodes else ()
     for tree in (*nodes, *(node for _, other in others for node in other)):
         move(tree, offset)
@@ -366,8 +368,8 @@ def _summed(side: Pieces) -> bool:
     return any(_letters(one) == SUM and not _letters(other) for one, other in pairwise(side))
 
 
-def _sides(sides: list[Pieces], text: str, end: int, fold: Fold) -> tuple[Node, ...]:
-    items = Items(text, fold.naming, fold, fold.notes)
+def _sides(sides: list[Pieces], text: str, end: int, fold: Fold, by_time: bool) -> tuple[Node, ...]:
+    items = Items(text, fold.naming, fold, fold.notes, by_time)
     parts = [items.of(side) for side in sides]
     if len(parts) > 1:
         parts[0] = applied(parts[0], fold.naming, fold.notes)
@@ -377,13 +379,14 @@ def _sides(sides: list[Pieces], text: str, end: int, fold: Fold) -> tuple[Node, 
 
 
 def _others(
-    sides: list[Pieces], text: str, end: int, naming: Naming, first: tuple[Node, ...]
-) -> tuple[tuple[str, tuple[Node, ...]], ...]:
+    sides: list[Pieces], text: str, end: int, naming: Naming, first: tuple[Node, ...],
+    by_time: bool,
+) -> tuple[tuple[str, tuple[Node, ...]], ...]:  # fmt: skip
     """The sides with more than one factor below a slash."""
     found: dict[tuple[Node, ...], str] = {}
     for below in (GLUED, ALL):
         fold = Fold(naming, [], below)
-        nodes = _sides(sides, text, end, fold)
+        nodes = _sides(sides, text, end, fold, by_time)
         if fold.slash is not None and nodes != first:
             words = " ".join(text[slice(*fold.slash)].split())
             found.setdefault(nodes, f"/{words} is /({words}): write the brackets")
