@@ -9,6 +9,7 @@ SYMBOL = r"\\?(?:var)?(?P<name>[A-Za-z]+(?:_\{?\w+\}?)?)"
 """A name with its subscript in a pattern, in LaTeX or plain."""
 NOUNS: tuple[tuple[str, str], ...] = (
     ("kinetic energy", "kinetic energy"),
+    ("effective potential energy|effective potential", "effective potential"),
     ("potential energy|potential", "potential energy"),
     ("total energy|mechanical energy|energy", "energy"),
     ("Lagrangian|Lagrange function", "Lagrangian"),

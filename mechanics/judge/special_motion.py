@@ -25,6 +25,7 @@ MOTIONS = re.compile(
     r"|\bstart(?:s|ed|ing)? (?:from|at) rest\b|\breleased? from rest\b|\binitially\b"
     r"|\baverag(?:ed?|ing)\b|\bmode shapes?\b|\b(?:in|out of) phase\b|\\gg\b|\\ll\b"
     r"|\bmuch (?:heavier|lighter|larger|smaller|greater|less)\b|\bin the frame of\b"
+    r"|\bin (?:the|a) (?:co-?)?(?:rotating|moving|turning) (?:frame|system)\b"
     r"|\bfor\s*\$\s*\\omega"
     r"|\b(?:dimensionless|non-?dimensional|rescaled) (?:time|variables?|form|equations?)\b",
     re.IGNORECASE,

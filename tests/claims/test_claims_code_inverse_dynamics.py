@@ -6,6 +6,7 @@ import pytest
 
 import mechanics
 from mechanics.blame.result import Mistake
+from mechanics.errors import InputError
 from systems import cartpole, rod_pendulum
 
 ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
@@ -108,3 +109,15 @@ def test_numbers_of_a_robot_stand_for_parameters() -> None:
     assert entry.blame is not None and entry.blame.repairs
     (edit,) = entry.blame.repairs[0].edits
     assert edit.mistake is Mistake.FACTOR
+
+
+@pytest.mark.parametrize("share", [3, 4])
+def test_an_action_named_like_accelerations_is_asked_for(share: int) -> None:
+    def rates(s, a, m, l, g):
+        theta, omega = s
+        return omega, 3 * g / (2 * l) * np.sin(theta) + share * a / (m * l**2)
+
+    with pytest.raises(InputError, match="returns rates of a state"):
+        _verdict(ROD, rates)
+    expected = "PROVED" if share == 3 else "REFUTED"
+    assert _verdict(ROD, rates, names={"a": "u"}) == expected

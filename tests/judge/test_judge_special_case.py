@@ -6,7 +6,7 @@ import pytest
 
 from mechanics import check
 from mechanics.kernel import Verdict
-from systems import double_pendulum, rod_pendulum
+from systems import bead_on_hoop, double_pendulum, rod_pendulum
 from tests.notation_scenes import verdicts
 
 FREE = r"\ddot\theta=\frac{3g}{2l}\sin\theta"
@@ -130,3 +130,11 @@ def test_a_line_that_only_gives_an_input_a_value_is_no_wrong_equation() -> None:
 def test_what_stands_behind_a_formula_of_a_text_is_of_that_line(text: str, verdict: str) -> None:
     answer = check(rod_pendulum.scene(), text, blame=False, notation="text")
     assert answer.judged[0].verdict.name == verdict
+
+
+@pytest.mark.parametrize("frame", ["In the rotating frame", "In the frame of the hoop"])
+def test_an_energy_of_another_frame_is_not_refuted(frame: str) -> None:
+    text = rf"{frame} the kinetic energy is $T=\frac12mR^2\dot\theta^2$."
+    assert check(bead_on_hoop.scene(), text, blame=False).verdict is Verdict.UNDECIDED
+    plain = text.replace(f"{frame} the", "The")
+    assert check(bead_on_hoop.scene(), plain, blame=False).verdict is Verdict.REFUTED

@@ -150,6 +150,7 @@ def _unasked(
     entries = [entry for value in values for entry in value]
     held = set().union(*(entry.free_symbols for entry in entries))
     if {*passed, *held} & set(scene.ud):
+        _refuse_rates(scene, entries, title)
         if some := _of_other_accelerations(naming, outputs, title, passed):
             return [_rate_of(scene, u, value) for u, value in zip(some, entries, strict=True)]
         driven = _driven(scene, outputs, title, passed)
@@ -452,6 +453,22 @@ def _of_other_accelerations(
             f" {_choices(naming)}"
         )
     return []
+
+
+def _refuse_rates(scene: Scene, entries: Sequence[Expr], title: str) -> None:
+    """Refuse rates of a state with accelerations: what was taken for these may be the action.
+
+    No residual is a coordinate or a speed by itself.
+
+    Raises
+    ------
+    InputError
+    """
+    if {*entries} & {*scene.q, *scene.u, *scene.qd}:
+        raise InputError(
+            f"{title} returns rates of a state, and an argument of it is read as accelerations, as"
+            " its name is usual for these: say what it is, --name 'a=...' (names={'a': ...})"
+        )
 
 
 def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
