@@ -25,7 +25,7 @@ from mechanics.judge.at_values import (
     units_in,
     words,
 )
-from mechanics.judge.bounded_blame import blamed
+from mechanics.judge.bounded_blame import blamed, nodes
 from mechanics.judge.converted_rows import in_plain_symbols, moves_more
 from mechanics.judge.tries import may_be_tried
 from mechanics.kernel import Verdict
@@ -34,6 +34,9 @@ from mechanics.scene.published import Published
 
 FALL = (9.7, 9.9)
 """What gravity is on the ground."""
+
+LARGEST = 240
+"""Nodes of what is wrong, which is searched once for each choice of values."""
 
 Size = tuple[int, int]
 """Refuted statements without a repair; edits of the others."""
@@ -53,6 +56,8 @@ def with_values(reference: Reference, judged: tuple[Judged, ...]) -> tuple[Judge
     if any((e.right_if or e.open) and not e.statement.file_values for e in wrong):
         return judged
     if not may_be_tried([e.statement for e in judged]):
+        return judged
+    if sum(nodes(e.statement) for e in wrong) > LARGEST:
         return judged
     if any(e.statement.derived for e in wrong):
         return judged
