@@ -19,7 +19,7 @@ WORDS = re.compile(
 NUMBER = r"[ \t]*=[ \t]*[-+]?(?:\d+(?:\.\d+)?|pi(?:/\d)?)(?![\w.])"
 AT = rf"[^\W\d]\w*'{{0,3}}{NUMBER}"
 CONDITION = re.compile(
-    rf"(?:[,;][ \t]*|[ \t]+|^)(?P<bracket>\()?(?:(?:for|at|when|if|whenever)[ \t]+{AT}"
+    rf"(?:[,;][ \t]*+|(?<![ \t])[ \t]++|^)(?P<bracket>\()?(?:(?:for|at|when|if|whenever)[ \t]+{AT}"
     rf"|(?:lineari[sz]\w+[ \t]+)?(?:about|around|near)[ \t]+{AT}(?:,[ \t]*{AT})*"
     rf"|(?:with|where)[ \t]+[^\W\d]\w*'{{1,3}}{NUMBER})(?:,?[ \t]+and[ \t]+{AT})*"
     r"(?(bracket)[ \t]*\))(?=[ \t]*[.,;:]?[ \t\r]*$)",
