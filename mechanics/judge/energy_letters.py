@@ -14,6 +14,7 @@ from mechanics.claims.names import unexplained
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.judge.converted_rows import each_side
+from mechanics.judge.meanings import candidates
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, TotalEnergy
 from mechanics.scene.symbols import symbols_of
@@ -30,7 +31,7 @@ def _with_energies(truth: Equations, statement: Statement) -> Statement:
     row = statement.row
     if row is None or not statement.doubt or not isinstance(row.quantity, UP_TO_A_CONSTANT):
         return statement
-    unknown = [s for s in symbols_of(row.sides) if _meant(s.name)]
+    unknown = [s for s in symbols_of(row.sides) if _meant(truth, s.name)]
     names = sorted(symbol.name for symbol in unknown)
     sides = [(s, side) for s in unknown for side in row.sides]
     added = all(abs(side.diff(s)) in (0, 1) and side not in (s, -s) for s, side in sides)
@@ -40,7 +41,7 @@ def _with_energies(truth: Equations, statement: Statement) -> Statement:
         return statement
     table = {
         s: energy_of(truth.kinematics, quantity)
-        for s in unknown if (quantity := _meant(s.name)) is not None
+        for s in unknown if (quantity := _meant(truth, s.name)) is not None
     }  # fmt: skip
     notes = (*statement.notes, *(f"{name} is read as the {LETTERS[name][0][0]}" for name in names))
     other = each_side(row, lambda side: side.xreplace(table))
@@ -50,7 +51,8 @@ def _with_energies(truth: Equations, statement: Statement) -> Statement:
     return replace(statement, row=other, letter=letter, doubt="", notes=notes)
 
 
-def _meant(name: str) -> Quantity | None:
-    """The energy that a letter means, and nothing else."""
-    words = [word for rank in LETTERS.get(name, ()) for word in rank]
+def _meant(truth: Equations, name: str) -> Quantity | None:
+    """The energy that a letter means, where the scene has nothing else that it may be."""
+    every = [word for rank in LETTERS.get(name, ()) for word in rank]
+    words = [word for word in every if any(True for _ in candidates(truth, word))]
     return QUANTITIES[words[0]]() if len(words) == 1 and words[0] in QUANTITIES else None

@@ -309,8 +309,8 @@ def _dead(truth: Equations, statement: Statement, written: Dimension | None) -> 
         return Settled(replace(statement, doubt=nothing))  # U = F: an input by another name
     if written is None or first not in UNITS or not (moves or constant):
         return Settled(statement)
-    if first in QUANTITIES and (letter.said or sum(map(len, LETTERS[letter.name])) == 1):
-        # What is meant is plain, and has a value: what differs from it can be mended.
+    if first in QUANTITIES and len({UNITS[word] for word in meanings_of(statement)}) == 1:
+        # What is meant has one dimension, and a value: what differs from it can be mended.
         return Settled(_first(truth, statement, first))
     if first in QUANTITIES and not letter.said and letter.name not in ENERGY_NAMES:
         # h is an energy in some books, r^2 phi' in others, of which the rate is judged.

@@ -1,5 +1,6 @@
 """An energy by its letter in what another one is said to be."""
 
+import particles
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
@@ -41,3 +42,12 @@ def test_a_letter_of_an_energy_is_the_scenes_own(text: str, verdict: str) -> Non
 def test_beside_a_force_with_a_potential_it_is_left_open() -> None:
     text = rf"\[ H = {H} + \frac12 k r^2 = E - m w^2 r^2 \]"
     assert check(whirled(stiffness=True), text, blame=False).verdict.name == "UNDECIDED"
+
+
+@pytest.mark.parametrize("potential", ["U", "E_p"])
+def test_a_potential_that_nothing_else_can_be_is_the_scenes_own(potential: str) -> None:
+    """Without a prescribed motion there is no effective potential, so that U is V."""
+    for part, verdict in ((2, "PROVED"), (3, "REFUTED")):
+        text = rf"\[ L = \frac{{1}}{{{part}}} m l^2 \dot\theta^2 - {potential} \]"
+        found = check(particles.pendulum(names="m l g"), text, blame=False)
+        assert found.verdict.name == verdict, str(found)

@@ -95,6 +95,18 @@ def test_a_wrong_one_is_refuted(scene: str, text: str) -> None:
     assert answer(scene, text).verdict is Verdict.REFUTED, str(answer(scene, text))
 
 
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("letter", ["U", "E_p", "V_{tot}"])
+@pytest.mark.parametrize("scene", ["pendulum", "hoop"])
+def test_an_energy_of_another_dimension_is_mended_where_all_its_meanings_have_one(
+    scene: str, letter: str
+) -> None:
+    radius = {"pendulum": "l", "hoop": "R"}[scene]
+    (entry,) = answer(scene, rf"{letter} = -m {radius} {radius}\cos\theta").judged
+    assert entry.blame is not None
+    assert [e.right for repair in entry.blame.repairs[:1] for e in repair.edits] == ["g"]
+
+
 @pytest.mark.parametrize(
     ("scene", "text", "said"),
     [
