@@ -18,7 +18,7 @@ NO_DEMANDS = Demands()
 
 @dataclass(frozen=True)
 class Letter:
-    """A name on the left that may mean several things.
+    """A name on the left, or of a function, that may mean several things.
 
     Attributes
     ----------
@@ -29,12 +29,15 @@ class Letter:
         What the person says that it means, a word of `mechanics.claims.about.WORDS`, or empty.
     own : bool
         Whether the scene has it.
+    returned : bool
+        Whether it is a function, and the sides are what it returns.
     """
 
     name: str
     sides: tuple[Expr, ...]
     said: str = ""
     own: bool = False
+    returned: bool = False
 
 
 @dataclass(frozen=True)

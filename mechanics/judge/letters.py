@@ -286,7 +286,8 @@ def _first(
 def _noted(statement: Statement, letter: Letter, meaning: str) -> Settled:
     if meaning == OWN:
         return Settled(statement)
-    note = f"{letter.name} on the left is read as {_article(meaning)}"
+    name = f"what {letter.name} returns" if letter.returned else f"{letter.name} on the left"
+    note = f"{name} is read as {_article(meaning)}"
     return Settled(replace(statement, notes=(*statement.notes, note)))
 
 

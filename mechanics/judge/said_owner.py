@@ -12,7 +12,7 @@ from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
 
-READ_AS = re.compile(r"on the left is read as (?:the )?(?P<what>.+)")
+READ_AS = re.compile(r"(?:on the left|returns) is read as (?:the )?(?P<what>.+)")
 OWNED = re.compile(
     r"\b(?P<noun>speed|velocity|tension|force|reaction|momentum|torque|moment)s?\b"
     r"(?: (?!of\b|in\b|at\b|about\b|on\b)\w+){0,2} (?:of|in|at|about|on)"

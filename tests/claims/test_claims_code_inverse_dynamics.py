@@ -3,6 +3,7 @@
 import casadi
 import numpy as np
 import pytest
+from notation_scenes import truth
 
 import mechanics
 from mechanics.blame.result import Mistake
@@ -121,3 +122,34 @@ def test_an_action_named_like_accelerations_is_asked_for(share: int) -> None:
         _verdict(ROD, rates)
     expected = "PROVED" if share == 3 else "REFUTED"
     assert _verdict(ROD, rates, names={"a": "u"}) == expected
+
+
+TORQUES = """
+#include <math.h>
+double {}(double theta1, double theta2, double theta1_dot, double theta2_dot, double theta1_ddot,
+          double theta2_ddot, double m1, double m2, double l1, double l2, double g)
+{{
+    double c2 = cos(theta2), s2 = sin(theta2);
+    double both = m2*l2*l2*(theta1_ddot + theta2_ddot) + m2*l1*l2*(c2*theta1_ddot
+                  + s2*theta1_dot*theta1_dot) + m2*l2*g*cos(theta1 + theta2);
+    double inner = (m1 + m2)*l1*l1*theta1_ddot + m2*l1*l2*(c2*(theta1_ddot + theta2_ddot)
+                   - s2*(theta1_dot + theta2_dot)*(theta1_dot + theta2_dot))
+                   + (m1 + m2)*l1*g*cos(theta1);
+    return {};
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "about"),
+    [
+        ("tau2", "both", None), ("compute_tau1", "both + inner", None),
+        ("second", "both", "tau2"), ("f", "both + inner", "tau1"),
+    ],
+)  # fmt: skip
+def test_one_torque_of_several_by_its_name(name: str, value: str, about: str | None) -> None:
+    arm = truth("arm")
+    assert _verdict(arm, TORQUES.format(name, value), notation="c", about=about) == "PROVED"
+    for wrong in ("inner", "both - inner", "2*both"):
+        code = TORQUES.format(name, wrong)
+        assert _verdict(arm, code, notation="c", about=about) == "REFUTED"

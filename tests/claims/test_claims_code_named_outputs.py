@@ -6,6 +6,7 @@ from pathlib import Path
 from uuid import uuid4
 
 import numpy as np
+import particles
 import pytest
 
 from benchmarks.corpus.load import HERE, scene_of
@@ -116,18 +117,76 @@ def test_rates_of_a_state_stand_in_its_order_whatever_they_are_called(
     assert check(rod_pendulum.scene(), rate, blame=False).verdict.name == verdict
 
 
-def test_an_output_that_is_called_a_reaction_or_an_energy_is_no_acceleration() -> None:
-    """T1 and T2 are tensions of the scene, and T is nothing that moves."""
-    scene = scene_of(HERE / "scenes" / "pulley.py", "make_scene")
+PULLEY = scene_of(HERE / "scenes" / "pulley.py", "make_scene")
+ONE = (
+    "#include <math.h>\ndouble {}(double theta, double theta_dot, double m, double l, double g)"
+    " {{ return {}; }}"
+)
+TENSION = "m*g*cos(theta) + m*l*theta_dot*theta_dot"
+
+
+def test_outputs_that_are_called_reactions_are_these() -> None:
     tensions = (
         "void tensions(double m1, double m2, double M, double g, double *T1, double *T2) {\n"
         "  double a = (m1 - m2)*g/(m1 + m2 + 0.5*M); *T1 = m1*(g - a); *T2 = m2*(g + a); }\n"
     )
-    with pytest.raises(InputError, match="calls an output T1 and would be taken to return"):
-        check(scene, tensions, notation="c", blame=False)
+    found = check(PULLEY, tensions, notation="c", blame=False)
+    assert [e.verdict.name for e in found.judged] == ["PROVED", "PROVED"]
+    other = tensions.replace("double *T1, double *T2", "double *T2, double *T1")
+    assert check(PULLEY, other, notation="c", blame=False).verdict.name == "PROVED"  # by name
+    for right, wrong in (("m1*(g - a)", "m1*(g + a)"), ("m2*(g + a)", "m1*(g + a)")):
+        changed = tensions.replace(right, wrong)
+        assert check(PULLEY, changed, notation="c", blame=False).verdict.name == "REFUTED"
+
+
+def test_an_output_that_is_called_an_energy_is_no_acceleration() -> None:
     energy = "void f(double x_dot, double m1, double *T) { *T = 0.5*m1*x_dot*x_dot; }\n"
     with pytest.raises(InputError, match="calls an output T and would be taken to return"):
-        check(scene, energy, notation="c", blame=False)
+        check(PULLEY, energy, notation="c", blame=False)
+    for name in "TVL":
+        with pytest.raises(InputError, match=f"{name} would be taken to return"):
+            check(particles.pendulum(names="m l g"), ONE.format(name, TENSION), notation="c")
+
+
+@pytest.mark.sample(3)
+@pytest.mark.parametrize(
+    ("name", "value", "about"),
+    [
+        ("S", TENSION, None), ("tension", TENSION, None), ("compute_tension", TENSION, None),
+        ("stringTension", TENSION, None), ("normal_force", f"-({TENSION})", None),
+        ("angular_momentum", "m*l*l*theta_dot", None), ("f", TENSION, "tension"),
+        ("f", TENSION, "S"), ("f", "m*l*l*theta_dot", "angular momentum"),
+    ],
+)  # fmt: skip
+def test_one_number_is_what_its_function_is_called(
+    name: str, value: str, about: str | None
+) -> None:
+    """In its own name, or as the person says; never an acceleration."""
+    scene = particles.pendulum(names="m l g")
+    code = ONE.format(name, value)
+    assert check(scene, code, notation="c", about=about, blame=False).verdict.name == "PROVED"
+    for old, new in (("m", "2*m"), ("theta_dot", "theta_dot*2")):
+        wrong = ONE.format(name, value.replace(old, new, 1))
+        found = check(scene, wrong, notation="c", about=about, blame=False)
+        assert found.verdict.name == "REFUTED"
+
+
+@pytest.mark.parametrize("name", ["rod_force", "torque", "centripetalForce"])
+def test_a_force_is_asked_for(name: str) -> None:
+    with pytest.raises(InputError, match=f"{name} returns a force or a torque, .* say what it is"):
+        check(particles.pendulum(names="m l g"), ONE.format(name, TENSION), notation="c")
+
+
+@pytest.mark.parametrize("name", ["with_tension", "accel_without_force", "pendulum"])
+def test_what_is_only_there_is_not_returned(name: str) -> None:
+    code = ONE.format(name, "-g/l*sin(theta)")
+    assert check(particles.pendulum(names="m l g"), code, notation="c").verdict.name == "PROVED"
+
+
+def test_a_part_of_what_drives_is_left_open() -> None:
+    code = ONE.format("coriolis", "-2*g/l*sin(theta)")
+    scene = particles.pendulum(names="m l g")
+    assert check(scene, code, notation="c", blame=False).verdict.name == "UNDECIDED"
 
 
 def test_an_acceleration_may_be_of_another_acceleration() -> None:

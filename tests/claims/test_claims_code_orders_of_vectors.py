@@ -3,14 +3,16 @@
 # mypy: disable-error-code="no-untyped-def"
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from mechanics import check
 from mechanics.errors import InputError
+from mechanics.grading.submission import things_in
 from mechanics.kernel import Verdict
-from systems import acrobot
+from systems import acrobot, two_mass_chain
 
 
 def parts(theta1, theta2, theta1_dot, theta2_dot, tau, m1, m2, l1, lc1, lc2, I1, I2, g):
@@ -90,3 +92,35 @@ def test_a_mass_matrix_is_in_the_order_of_the_coordinates(
 ) -> None:
     answer = check(acrobot.scene(), code, about="mass matrix", blame=False)
     assert answer.verdict is expected
+
+
+WHOLE = """import numpy as np
+
+def rates(z, m, k):
+    # z = [{names}]
+    A = np.array([{rows}])
+    return A @ z
+"""
+IN_BLOCKS = ("0, 0, 1, 0", "0, 0, 0, 1", "-2*k/(3*m), k/(3*m), 0, 0", "k/(2*m), -k/(2*m), 0, 0")
+IN_PAIRS = ("0, 1, 0, 0", "-2*k/(3*m), 0, k/(3*m), 0", "0, 0, 0, 1", "k/(2*m), 0, -k/(2*m), 0")
+FROM_BELOW = ("0, 0, 1, 0", "0, 0, 0, 1", "-k/(2*m), k/(2*m), 0, 0", "k/(3*m), -2*k/(3*m), 0, 0")
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize(
+    ("names", "own"),
+    [
+        ("x1, x2, x1_dot, x2_dot", IN_BLOCKS),
+        ("x1, x1_dot, x2, x2_dot", IN_PAIRS),
+        ("x1 v1 x2 v2", IN_PAIRS),
+        ("x2, x1, x2_dot, x1_dot", FROM_BELOW),
+    ],
+)
+def test_a_comment_says_the_order_of_a_state_that_is_used_as_a_whole(
+    names: str, own: tuple[str, ...], tmp_path: Path
+) -> None:
+    for place, rows in enumerate((IN_BLOCKS, IN_PAIRS, FROM_BELOW)):
+        path = tmp_path / f"rates{place}.py"
+        path.write_text(WHOLE.format(names=names, rows=", ".join(f"[{row}]" for row in rows)))
+        found = check(two_mass_chain.scene(), things_in(path, run_python=True), blame=False)
+        assert found.verdict is (Verdict.PROVED if rows == own else Verdict.REFUTED), str(found)

@@ -25,7 +25,7 @@ from mechanics.claims.demands import Demands
 from mechanics.claims.kind import kind_of
 from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import bases
-from mechanics.claims.statement import Statement
+from mechanics.claims.statement import Letter, Statement
 from mechanics.errors import InputError
 from mechanics.scene import Scene
 from mechanics.scene.loads import Force, Gravity, Torque
@@ -85,7 +85,8 @@ def claims(
     if about is not None:
         return _asked(naming, outputs.values, about)
     found = _unasked(naming, outputs, state, title, passed)
-    _agree(naming, outputs.names, found, title)
+    alone = sum(map(len, outputs.values)) == 1
+    _agree(naming, outputs.names or ((title,) if alone else ()), found, title)
     return found
 
 
@@ -111,9 +112,10 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
     for name, rate in pairs:
         other = named_by_title(name, 1, 0) or name.removesuffix("_") in others
         if other or (meant[name] in moving and meant[name] != rate):
+            calls = "" if name == title else f" calls an output {name} and"
             raise InputError(
-                f"{title} calls an output {name} and would be taken to return {rate}: say what it"
-                f" is: {_choices(naming)}"
+                f"{title}{calls} would be taken to return {rate}: say what it is:"
+                f" {_choices(naming)}"
             )
 
 
@@ -466,8 +468,9 @@ def _refuse_rates(scene: Scene, entries: Sequence[Expr], title: str) -> None:
     """
     if {*entries} & {*scene.q, *scene.u, *scene.qd}:
         raise InputError(
-            f"{title} returns rates of a state, and an argument of it is read as accelerations, as"
-            " its name is usual for these: say what it is, --name 'a=...' (names={'a': ...})"
+            f"{title} returns rates of a state, and an argument of it is read as"
+            f" {' '.join(map(str, scene.ud))}, as its name is usual for accelerations: say what it"
+            " is: --name (names=)"
         )
 
 
@@ -602,7 +605,7 @@ def state_of_scalars(
 def statement(
     claim: Claim, title: str, outputs: Outputs, naming: Naming,
     others: Sequence[tuple[str, Claim]] = (), unsure: tuple[str, ...] = (),
-    anyhow: Claim | None = None,
+    anyhow: Claim | None = None, letter: Letter | None = None,
 ) -> Statement:  # fmt: skip
     """A claim as a statement, with what else it may be; constants stand in its notes."""
     tag, _, sides = claim
@@ -615,7 +618,7 @@ def statement(
         written=written_of(known, naming) if known else None, ways=ways,
         taken=tuple((words, _row(other, title)) for words, other in others),
         demands=_demands(entries, outputs), unsure=unsure,
-        under_any_guess=anyhow and _row(anyhow, title),
+        under_any_guess=anyhow and _row(anyhow, title), letter=letter,
     )  # fmt: skip
 
 

@@ -47,15 +47,18 @@ from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
+from mechanics.claims.code.named_numbers import named_numbers
 from mechanics.claims.code.out_arguments import returning
 from mechanics.claims.code.outputs import (
     MOST_ORDERED,
+    Claim,
     claims,
     in_order,
     in_order_of,
     is_settled,
     manipulator,
     named_by_title,
+    spoken,
     state_of_scalars,
     statement,
     taken_otherwise,
@@ -85,6 +88,7 @@ from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
 from mechanics.claims.state_order import state_order
+from mechanics.claims.statement import Letter
 from mechanics.claims.tree import Name
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.function import Parameter
@@ -388,6 +392,9 @@ def _read(
         if known.vector and not named_entries(naming, name, known):
             for place, entry in enumerate(state_order(text, name, naming)):
                 known.places[place] = {entry}
+    for name in wanted:  # a vector that the code uses as a whole
+        if not (name in given or name in apart or naming.knows(name) or sizes.get(name) == 1):
+            given |= {name: " ".join(order)} if (order := state_order(text, name, naming)) else {}
     sizes = {n: sizes.get(n) or (apart[n].size if n in apart else None) for n in wanted}
     parted = {n for n, known in apart.items() if known.vector}
     parted |= vectors_of_motion(naming, [n for n in wanted if sizes[n] is None])
@@ -422,17 +429,17 @@ def _read(
     by_order = about is None or about in QUANTITIES  # else it names them in the code's order
     places = places_of_vectors(scene, arguments) if by_order and not state else ()
     outputs = in_order_of(outputs, places) if places else outputs
-    found = claims(naming, outputs, state, about, title, passed)
+    found, letter = _claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = [] if places else taken_otherwise(naming, outputs, found, about, title)
     if arguments.state and not _is_said(arguments) and len(_all(outputs)) < len(arguments.state):
         for words, ordered in _in_other_orders(naming, wanted, sizes, given, apart, run, arguments):
             try:
-                other = claims(naming, ordered[1], ordered[0].state, about, title, passed)
+                other, _ = _claims(naming, ordered[1], ordered[0].state, about, title, passed)
             except InputError:
                 continue
             others += [(words, other)] if len(other) == len(found) else []
-    unsure = _unsure(scene, outputs, passed, about, title)
+    unsure = _unsure(scene, outputs, passed, about, title, found)
     parts = about is None and bool(manipulator(scene, outputs))
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
@@ -444,10 +451,20 @@ def _read(
             [(words, other[k]) for words, other in others],
             unsure,
             mass,
+            letter,
         )
         for k, claim in enumerate(found)
     )
     return Reading(statements, arguments.matches, ())
+
+
+def _claims(
+    naming: Naming, outputs: Outputs, state: Sequence[Expr], about: str | None, title: str,
+    passed: Sequence[Expr],
+) -> tuple[list[Claim], Letter | None]:  # fmt: skip
+    """What outputs claim by their names, else by how many they are."""
+    named, letter = named_numbers(naming, outputs, about, title, passed)
+    return named or claims(naming, outputs, state, about, title, passed), letter
 
 
 def _in_other_orders(
@@ -470,19 +487,21 @@ def _in_other_orders(
 
 
 def _unsure(
-    scene: Scene, outputs: Outputs, passed: Sequence[Expr], about: str | None, title: str
-) -> tuple[str, ...]:
+    scene: Scene, outputs: Outputs, passed: Sequence[Expr], about: str | None, title: str,
+    found: Sequence[Claim],
+) -> tuple[str, ...]:  # fmt: skip
     """Under what else outputs may be right that are taken for accelerations."""
     if about is None and manipulator(scene, outputs):
         if is_settled(scene):
             return ()
         return (f"the parts that {title} returns are put together otherwise than M u' + C + G",)
     moving = {*scene.u, *scene.ud, *scene.input_symbols, *momentum_symbols(scene)}
-    if about or len(_all(outputs)) != len(scene.u) or len(scene.u) < 2:
+    if about or [sides[0] for _, _, sides in found] != [*scene.ud]:
         return ()
-    if not {*passed} & moving:
+    if len(scene.u) > 1 and not {*passed} & moving:
         return (f"{title}, which takes neither speeds nor inputs, returns no accelerations",)
-    return (f"{title} returns a part of the forces",) if PART.search(title) else ()
+    name = title if len(scene.u) > 1 else spoken(title).rpartition(" ")[2]
+    return (f"{title} returns a part of the forces",) if PART.search(name) else ()
 
 
 def _is_said(arguments: Arguments) -> bool:
