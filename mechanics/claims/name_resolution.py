@@ -9,6 +9,7 @@ from dataclasses import replace
 from mechanics.claims.arguments import applied
 from mechanics.claims.columns import with_columns, with_entries
 from mechanics.claims.definitions import apart, definitions, momenta, own, turned, used, with_rates
+from mechanics.claims.energy_terms import energy_terms
 from mechanics.claims.guess import guess
 from mechanics.claims.laws import without_laws
 from mechanics.claims.lines import Entry, Line
@@ -37,7 +38,8 @@ def named(
         What is no part of the formulas, as comments.
     """
     lines = _lines(read, naming, text)
-    if functions := applied(lines, naming):
+    energies = energy_terms(lines, naming)
+    if functions := applied(lines, naming) | energies:
         naming = replace(naming, applied=functions)
         lines = _lines(read, naming, text)
     if others := other_letters(lines, naming):
@@ -47,7 +49,8 @@ def named(
     naming = replace(naming, guessed=entries)
     lines = without_laws(lines, naming)
     naming = replace(naming, unread=unread_names(lines, beside, text))
-    guessed = guess(naming, used(lines), own(lines, naming))
+    open_names = [name for name in used(lines) if name.name not in energies]
+    guessed = guess(naming, open_names, own(lines, naming))
     found = momenta(lines, replace(naming, guessed=(*entries, *guessed)))
     of = "the generalized momentum, by what it is defined as"
     guessed += tuple(Match(n, base + DOTS[order], of) for n, (base, order) in found.items())

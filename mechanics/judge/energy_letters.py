@@ -14,7 +14,7 @@ from mechanics.claims.names import unexplained
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.judge.converted_rows import each_side
-from mechanics.judge.meanings import candidates
+from mechanics.judge.meanings import UNITS, candidates
 from mechanics.scene.published import Quantity
 from mechanics.scene.quantities import Hamiltonian, Lagrangian, TotalEnergy
 from mechanics.scene.symbols import symbols_of
@@ -52,7 +52,7 @@ def _with_energies(truth: Equations, statement: Statement) -> Statement:
 
 
 def _meant(truth: Equations, name: str) -> Quantity | None:
-    """The energy that a letter means, where the scene has nothing else that it may be."""
-    every = [word for rank in LETTERS.get(name, ()) for word in rank]
+    """The energy that a letter means, where the scene has no other one that it may be."""
+    every = [word for rank in LETTERS.get(name, ()) for word in rank if UNITS.get(word) == "J"]
     words = [word for word in every if any(True for _ in candidates(truth, word))]
     return QUANTITIES[words[0]]() if len(words) == 1 and words[0] in QUANTITIES else None

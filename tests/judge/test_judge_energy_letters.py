@@ -7,6 +7,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 from benchmarks.corpus.builders import P, of_one_particle
 from mechanics import check
 from mechanics.scene import Scene, force
+from systems import rod_pendulum
 
 T = r"\frac12 m (\dot r^2 + r^2 w^2)"
 H = r"\frac12 m (\dot r^2 - r^2 w^2)"
@@ -51,3 +52,30 @@ def test_a_potential_that_nothing_else_can_be_is_the_scenes_own(potential: str) 
         text = rf"\[ L = \frac{{1}}{{{part}}} m l^2 \dot\theta^2 - {potential} \]"
         found = check(particles.pendulum(names="m l g"), text, blame=False)
         assert found.verdict.name == verdict, str(found)
+
+
+@pytest.mark.parametrize("potential", ["U", r"U(\theta)"])
+@pytest.mark.parametrize(
+    "text", [r"L = \frac16 m l^2 \dot\theta^2 - {}", "L = T - {}", "E = T + {}"]
+)
+def test_an_energy_is_no_input_in_capitals(text: str, potential: str) -> None:
+    """A torque u beside the potential energy U, which may count it: open, and not refuted."""
+    found = check(rod_pendulum.scene(), rf"\[ {text.format(potential)} \]", blame=False)
+    assert found.verdict.name == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("L = T - U", True), (r"L = T - U(\theta)", True), ("E = T + U", True),
+        ("L = T + U", False), ("E = T - U", False), ("H = T + 2 U", False),
+    ],
+)  # fmt: skip
+def test_letters_of_both_energies_are_these(text: str, right: bool) -> None:
+    found = check(particles.pendulum(names="m l g"), rf"\[ {text} \]", blame=False)
+    assert (found.verdict.name == "PROVED") is right, str(found)
+
+
+def test_a_capital_letter_beside_no_energy_is_the_input() -> None:
+    text = r"\[ \ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3U}{ml^2} \]"
+    assert check(rod_pendulum.scene(), text, blame=False).verdict.name == "PROVED"
