@@ -35,8 +35,8 @@ from mechanics.scene.published import Published
 FALL = (9.7, 9.9)
 """What gravity is on the ground."""
 
-LARGEST = 240
-"""Nodes of what is wrong, which is searched once for each choice of values."""
+LARGEST = 160
+"""Nodes of a statement that is wrong, which is searched once for each choice of values."""
 
 Size = tuple[int, int]
 """Refuted statements without a repair; edits of the others."""
@@ -57,7 +57,7 @@ def with_values(reference: Reference, judged: tuple[Judged, ...]) -> tuple[Judge
         return judged
     if not may_be_tried([e.statement for e in judged]):
         return judged
-    if sum(nodes(e.statement) for e in wrong) > LARGEST:
+    if max(nodes(e.statement) for e in wrong) > LARGEST:
         return judged
     if any(e.statement.derived for e in wrong):
         return judged

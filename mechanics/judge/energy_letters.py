@@ -32,6 +32,8 @@ def _with_energies(truth: Equations, statement: Statement) -> Statement:
     if row is None or not statement.doubt or not isinstance(row.quantity, UP_TO_A_CONSTANT):
         return statement
     unknown = [s for s in symbols_of(row.sides) if _meant(truth, s.name)]
+    if not symbols_of(row.sides) - {*unknown}:
+        return statement  # H = T + V names its parts, and says nothing of the scene
     names = sorted(symbol.name for symbol in unknown)
     sides = [(s, side) for s in unknown for side in row.sides]
     added = all(abs(side.diff(s)) in (0, 1) and side not in (s, -s) for s, side in sides)

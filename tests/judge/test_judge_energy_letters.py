@@ -67,11 +67,14 @@ def test_an_energy_is_no_input_in_capitals(text: str, potential: str) -> None:
 @pytest.mark.parametrize(
     ("text", "right"),
     [
-        ("L = T - U", True), (r"L = T - U(\theta)", True), ("E = T + U", True),
-        ("L = T + U", False), ("E = T - U", False), ("H = T + 2 U", False),
+        (r"L = T + m g l\cos\theta", True), (r"E = T - m g l\cos\theta", True),
+        (r"E = U(\theta) + \frac12 m l^2\dot\theta^2", True),
+        (r"L = T - m g l\cos\theta", False), (r"E = T + m g l\sin\theta", False),
+        (r"E = U(\theta) + m l^2\dot\theta^2", False),
+        ("L = T - U", False), ("H = T + U", False),  # which say nothing of the scene
     ],
 )  # fmt: skip
-def test_letters_of_both_energies_are_these(text: str, right: bool) -> None:
+def test_a_letter_beside_an_energy_is_the_other_one(text: str, right: bool) -> None:
     found = check(particles.pendulum(names="m l g"), rf"\[ {text} \]", blame=False)
     assert (found.verdict.name == "PROVED") is right, str(found)
 
