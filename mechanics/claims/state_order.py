@@ -22,6 +22,14 @@ ENTRY = re.compile(r"[^\s,;:\[\](){}]+")
 SPEED = re.compile(r"(?:v|w|om|omega|\u03c9)_?(\w*)")
 COMMENT = re.compile(r"(?://|/\*|[%#*])[^\n]*|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 
+MARKS = "/*%#\"' \t"
+"""Around comments."""
+
+
+def comments_of(text: str) -> str:
+    """Comments and documentation of code, one a paragraph."""
+    return "\n\n".join(found[0].strip(MARKS) for found in COMMENT.finditer(text))
+
 
 def state_order(text: str, array: str, naming: Naming) -> tuple[str, ...]:
     """Names of the scene, with ``_dot``, for the entries of an array; empty where nothing says.

@@ -31,6 +31,8 @@ class Letter:
         Whether the scene has it.
     returned : bool
         Whether it is a function, and the sides are what it returns.
+    owner : frozenset of str
+        Words of its name for whose it is.
     """
 
     name: str
@@ -38,6 +40,7 @@ class Letter:
     said: str = ""
     own: bool = False
     returned: bool = False
+    owner: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -91,6 +94,8 @@ class Statement:
     code_values : tuple of (Expr, Expr)
         Parameters, and the values that code gives them, which are not used; other numbers of it
         may be made of these.
+    comments : str
+        Those of its code, one a paragraph.
     file_values : tuple of (Symbol, Expr)
         Parameters and inputs of which its file says the value, and that its code does not take.
     """
@@ -111,6 +116,7 @@ class Statement:
     unsure: tuple[str, ...] = ()
     defines: str = ""
     rounded: str = ""
+    comments: str = ""
     assumption: str = ""
     missing_code: str = ""
     under_any_guess: Published | None = None

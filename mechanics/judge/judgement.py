@@ -110,7 +110,7 @@ def _read_otherwise(
     judged = as_meant(as_rounded(judged, question.of_code))
     judged = with_standard_names(truth, judged, values) if tries else judged
     judged = in_special_case(truth, judged) if tries and not values else judged
-    judged = tuple(of_its_owner(truth.scene, entry) for entry in judged)
+    judged = tuple(of_its_owner(truth, entry) for entry in judged)
     return tuple(in_declared_order(of_special_motion(entry)) for entry in judged)
 
 

@@ -17,8 +17,10 @@ from mechanics.claims.tree import Table
 from mechanics.scene import Scene
 
 ANGLE = r"\\?(?:(?:var)?theta|(?:var)?phi|alpha|beta|psi|q)"
+COORDINATES = rf"(?:\$?\w+\$?(?:,|,?\s+and)\s+)?\$?{ANGLE}"
+"""An angle, or another coordinate and an angle."""
 SAID = re.compile(
-    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|\$?{ANGLE})"
+    rf"small[ -]+(?:angle|oscillation|amplitude|displacement|motion|pitch|roll|{COORDINATES})"
     rf"|{ANGLE}(?:_\{{?\w+\}}?)?\$?\s+(?:(?:is|are|stays?|remains?)\s+)?small\b"
     r"|(?<!non)(?<!non[- ])(?:lineari[sz]|linear (?:model|equation|approximation))|to first order"
     r"|\\sin\s*\{?\\?\w+\}?\s*\\(?:approx|simeq)",

@@ -1,17 +1,19 @@
 """Coordinates that are the length of a spring: where they are positive nothing is lost.
 
-    |r e(theta)| = |r|        r e(theta) = (-r) e(theta + pi)
+    |r e(theta)| = |r|        r e(theta) = (-r) e(theta + pi)        r e(w t) = (-r) e(w (t + pi/w))
 
 A person writes r for the length of the spring. Each place that a negative r names is named by a
-positive one, too, at an angle that is half a turn further; so what is compared has r, as for r > 0.
+positive one, too, at an angle that is half a turn further, or half a turn of the frame later; so
+what is compared has r, as for r > 0.
 """
 
 from dataclasses import replace
 
-from sympy import Expr, Matrix, Symbol, pi
+from sympy import Expr, Matrix, Symbol, cos, pi, sin
 
 from mechanics.scene import Scene
 from mechanics.scene.loads import Load, Spring
+from mechanics.scene.symbols import TIME
 from mechanics.symbolic import is_zero
 
 
@@ -22,20 +24,20 @@ def with_positive_radii(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     for load in scene.loads:
         found = _radius(scene, load) if isinstance(load, Spring) else None
         if found is not None and isinstance(load, Spring):
-            radius, angle = found
+            radius, turned = found
             place = list(scene.q).index(radius)
             span = load.second.pos_from(load.first)
             load = replace(load, along=span / scene.coordinates[place])
             told.append(
-                f"{radius} is the length of {load.name}, and positive: -{radius} at {angle} + pi is"
-                " the same place"
+                f"{radius} is the length of {load.name}, and positive: -{radius} at {turned} is the"
+                " same place"
             )
         loads.append(load)
     return (replace(scene, loads=tuple(loads)) if told else scene), tuple(told)
 
 
-def _radius(scene: Scene, load: Spring) -> tuple[Symbol, Symbol] | None:
-    """The coordinate that is the length of a spring but for its sign, and its angle."""
+def _radius(scene: Scene, load: Spring) -> tuple[Symbol, Expr] | None:
+    """The coordinate that is the length of a spring but for its sign, and half a turn further."""
     if load.along is not None:
         return None
     span = scene.position(load.second) - scene.position(load.first)
@@ -43,10 +45,17 @@ def _radius(scene: Scene, load: Spring) -> tuple[Symbol, Symbol] | None:
     for radius in sorted(square.free_symbols & {*scene.q}, key=str):
         if not is_zero(square - radius**2) or scene.example.get(radius.name, 1) < 0:
             continue
-        for angle in scene.q:
-            if angle != radius and _same_places(scene, {radius: -radius, angle: angle + pi}):
-                return radius, angle
+        angles = [(angle, angle + pi) for angle in scene.q if angle != radius]
+        for angle, turned in (*angles, *((TIME, TIME + pi / rate) for rate in _rates(span))):
+            if _same_places(scene, {radius: -radius, angle: turned}):
+                return radius, turned
     return None
+
+
+def _rates(span: Matrix) -> list[Expr]:
+    """Of frames that turn by themselves: w of sin(w t)."""
+    rates = {wave.args[0].diff(TIME) for wave in span.atoms(sin, cos)}
+    return sorted((rate for rate in rates if rate and not rate.has(TIME)), key=str)
 
 
 def _same_places(scene: Scene, change: dict[Symbol, Expr]) -> bool:

@@ -5,9 +5,14 @@ The angular momentum about the pivot is L = ...   L is read as that about the ma
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import islice
 
 from mechanics.claims.prose import sentence_around
+from mechanics.claims.statement import Letter
+from mechanics.equations import Equations
+from mechanics.judge.meanings import candidates
 from mechanics.kernel import undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -26,16 +31,20 @@ FIXED = frozenset(("pivot", "hinge", "support", "origin", "suspension", "fixed",
 CENTRES = frozenset(("centre", "center", "centroid"))
 
 
-def of_its_owner(scene: Scene, entry: Judged) -> Judged:
+def of_its_owner(truth: Equations, entry: Judged) -> Judged:
     """The entry; open where it is right for another body or point than its sentence names.
+
+    Or where nothing says that it is that of several which the name of its function says.
 
     Parameters
     ----------
-    scene : Scene
+    truth : Equations
     entry : Judged
     """
-    written = entry.statement.written
+    scene, letter, written = truth.scene, entry.statement.letter, entry.statement.written
     notes = [m["what"] for note in entry.statement.notes if (m := READ_AS.search(note))]
+    if letter is not None and letter.returned:
+        return _of_its_function(truth, entry, letter, notes)
     if written is None or not notes or not entry.finding.shown:
         return entry
     said = OWNED.search(" ".join(sentence_around(written.text, written.start).split()))
@@ -46,12 +55,34 @@ def of_its_owner(scene: Scene, entry: Judged) -> Judged:
     return replace(entry, finding=undecided(entry.finding.subject, doubt))
 
 
-def _fits(scene: Scene, what: str, owner: set[str]) -> bool:
+def _of_its_function(
+    truth: Equations, entry: Judged, letter: Letter, notes: Sequence[str]
+) -> Judged:
+    """The entry of what a function returns; open where its name says which, and nothing else."""
+    several = len(list(islice(candidates(truth, letter.said), 2))) > 1
+    if not (notes and several and letter.owner and entry.finding.shown):
+        return entry
+    if letter.owner <= _tokens(truth.scene, notes[0]):
+        return entry
+    doubt = (
+        f"it is the {notes[0]}, and nothing says that {letter.name} is that one: say which:"
+        f" about (--about) can be {letter.said}, or a reaction"
+    )
+    return replace(entry, finding=undecided(entry.finding.subject, doubt))
+
+
+def _tokens(scene: Scene, what: str) -> set[str]:
+    """Words of a thing of the scene, with those of the bodies that it acts on."""
     tokens = {*re.findall(r"[a-z]+|\d+", what.lower())}
     reactions = {one.name: {*one.on.lower().split(), *(one.by or "").lower().split()}
                  for one in scene.reactions}  # fmt: skip
     for name in {*re.findall(r"\w+", what)} & reactions.keys():
         tokens |= reactions[name]
+    return tokens
+
+
+def _fits(scene: Scene, what: str, owner: set[str]) -> bool:
+    tokens = _tokens(scene, what)
     if owner & tokens:
         return True
     if "momentum" in tokens:

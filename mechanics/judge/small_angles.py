@@ -15,8 +15,10 @@ from dataclasses import replace
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from mechanics.claims.claim import Written
 from mechanics.claims.convention import Table
 from mechanics.claims.kinds import angular
+from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
@@ -71,11 +73,20 @@ def as_said(
     for k, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
         if finding.shown and (words := _called_linear(truth.scene, statement)):
             shown[k] = undecided(finding.subject, words)
-        if finding.verdict is Verdict.REFUTED and statement.written is not None:
-            meant = operating_point(truth.scene, statement.written)
+        if finding.verdict is Verdict.REFUTED and (written := _beside(truth.scene, statement)):
+            meant = operating_point(truth.scene, written)
             if meant is not None:
                 judged[k], shown[k] = _about(truth, statement, finding, meant, table)
     return judged, shown
+
+
+def _beside(scene: Scene, statement: Statement) -> Written | None:
+    """A statement with what is said beside it: of code its comments."""
+    written, comments = statement.written, statement.comments
+    if not comments:
+        return written
+    naming = written.naming if written is not None else Naming(Vocabulary(scene))
+    return Written((), (), naming, "code", comments, len(comments))
 
 
 def _called_linear(scene: Scene, statement: Statement) -> str:
@@ -96,6 +107,9 @@ def _about(
     """A refuted statement and its finding about the place that the text tells."""
     place = _in_scene(truth.scene, meant, table)
     (found,) = to_first_order(truth, [statement], place)
+    if found is None and _is_beyond(truth) and _is_linear(truth.scene, statement, place):
+        doubt = "the text says that it is linearized, which is not compared where constraints hold"
+        return statement, undecided(finding.subject, doubt)
     if found is None:
         return statement, finding
     if meant.place is None:
@@ -149,11 +163,9 @@ def to_first_order(
         About which angles, and other coordinates; zero for angles that it does not hold.
     """
     scene = truth.scene
-    small_ones = [q for q in scene.coordinates if plain_symbol(q) in {*angular(scene), *place}]
-    unfit = scene.constraints or scene.speeds or truth.multipliers
-    if unfit or not statements or not small_ones or len(scene.u) > MOST:
+    orders = _orders(scene, place)
+    if _is_beyond(truth) or not statements or not orders[0] or len(scene.u) > MOST:
         return [None] * len(statements)
-    orders = [{plain_symbol(q, k) for q in small_ones} for k in range(3)]
     small = {s: _near(s, place.get(s, S.Zero)) for s in orders[0] | orders[1]}
     found: list[Finding | None] = []
     try:
@@ -168,6 +180,23 @@ def to_first_order(
         except (MechanicsError, ValueError):
             found.append(None)
     return found
+
+
+def _is_beyond(truth: Equations) -> bool:
+    """Whether it is not known how the accelerations of a scene grow with its angles."""
+    return bool(truth.scene.constraints or truth.scene.speeds or truth.multipliers)
+
+
+def _orders(scene: Scene, place: Mapping[Symbol, Expr]) -> list[set[Symbol]]:
+    """What is small, its rates, and their rates."""
+    small_ones = [q for q in scene.coordinates if plain_symbol(q) in {*angular(scene), *place}]
+    return [{plain_symbol(q, k) for q in small_ones} for k in range(3)]
+
+
+def _is_linear(scene: Scene, statement: Statement, place: Mapping[Symbol, Expr]) -> bool:
+    """Whether a statement is an equation of first order in what is small."""
+    residual = _residual(scene, statement)
+    return residual is not None and _linearized(residual, *_orders(scene, place))
 
 
 def _residual(scene: Scene, statement: Statement) -> Expr | None:

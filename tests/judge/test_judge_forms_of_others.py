@@ -1,11 +1,14 @@
 """Forms that unseen statements had: each is read; right as it stands, wrong with one mistake."""
 
 import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from benchmarks.corpus.builders import of_one_particle
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.grading.submission import things_in
 from mechanics.kernel import Verdict
+from mechanics.scene import parameters, spring
 
 RIGHT = (Verdict.PROVED, Verdict.CERTIFIED)
 PLANAR, TYPED = "planar.py", "typed.py"
@@ -286,3 +289,17 @@ def test_a_radius_is_said_to_be_positive() -> None:
     scene = scene_of(HERE / "scenes" / "spring_pendulum.py", "polar")
     found = check(scene, r"\[ r\ddot\theta + 2\dot r\dot\theta + g\sin\theta = 0 \]")
     assert any(words.startswith("r is the length of k, and positive") for words in found.remarks)
+
+
+def test_a_radius_in_a_frame_that_turns_is_said_to_be_positive() -> None:
+    """A bead in a tube that turns by itself, held by a spring from its axis."""
+    r, (m, k, l0, w) = dynamicsymbols("r"), parameters("m k l0 w", units="kg N/m m 1/s")
+    N, O = ReferenceFrame("N"), Point("O")
+    tube = N.orientnew("H", "Axis", (w * dynamicsymbols._t, N.z))
+    bead = O.locatenew("P", r * tube.x)
+    loads = (spring("spring", O, bead, k, length=l0),)
+    scene = of_one_particle("tube", N, O, (r,), ("bead", bead, m), loads, side=tube.y, up=N.z)
+    for sign, right in (("", True), ("-", False)):
+        found = check(scene, rf"\[ m\ddot r = {sign}m w^2 r - k(r - l_0) \]", blame=False)
+        assert found.ok is right
+        assert any(words.startswith("r is the length of spring") for words in found.remarks)

@@ -1,15 +1,17 @@
 """About which place a text linearizes, and whether it does."""
 
 from functools import cache
+from pathlib import Path
 
 import pytest
 
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.equations import Equations
+from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.kernel import Verdict
-from systems import bead_on_hoop
+from systems import bead_on_hoop, cylinder_in_cylinder, elastic_pendulum, rod_pendulum
 
 BOTTOM = r"$$\ddot\theta = (\omega^2 - g/R)\theta$$"
 TOP = r"$$\ddot\theta = (\omega^2 + g/R)(\theta - \pi)$$"
@@ -122,3 +124,54 @@ def test_a_place_may_hold_several_coordinates(words: str) -> None:
 def test_a_length_that_is_not_said_to_be_small_is_not() -> None:
     only = r"Linearized about $\theta = 0$:"
     assert check(ball_on_beam(), only + IN_LATEX, blame=False).verdict is Verdict.REFUTED
+
+
+CODE = {
+    "python": "def rate(x, u, m, l, g):\n    # {}\n    th, w = x\n    return [w, {}]\n",
+    "c": "/* {} */\ndouble theta_ddot(double th, double u, double m, double l, double g)"
+    " {{ return {}; }}\n",
+    "matlab": "function thdd = f(th, u, m, l, g)\n% {}\nthdd = {};\nend\n",
+}
+SUFFIX = {"python": ".py", "c": ".c", "matlab": ".m"}
+
+
+@pytest.mark.sample(3)
+@pytest.mark.parametrize("language", CODE)
+@pytest.mark.parametrize(
+    ("comment", "value", "verdict"),
+    [
+        ("linearized about the upright position", "1.5*g/l*th + 3*u/(m*l*l)", "PROVED"),
+        ("Linearized about th = pi", "1.5*g/l*th + 3*u/(m*l*l)", "REFUTED"),
+        ("linearized about th = 0", "1.5*g/l*th - 3*u/(m*l*l)", "REFUTED"),
+        ("not linearized", "1.5*g/l*th + 3*u/(m*l*l)", "REFUTED"),
+        ("the rod as it swings", "1.5*g/l*th + 3*u/(m*l*l)", "REFUTED"),
+    ],
+)
+def test_comments_of_code_say_that_it_is_linearized(
+    language: str, comment: str, value: str, verdict: str, tmp_path: Path
+) -> None:
+    path = tmp_path / f"rod{SUFFIX[language]}"
+    path.write_text(CODE[language].format(comment, value))
+    things = things_in(path, run_python=True)
+    found = check(rod_pendulum.scene(), things, only="formulas", blame=False)
+    right = found.verdict.name in ("PROVED", "CERTIFIED")
+    assert (found.verdict.name == verdict) or (right and verdict == "PROVED"), str(found)
+
+
+@pytest.mark.parametrize("words", ["For small angles", r"As $\sin\theta\approx\theta$ here,"])
+@pytest.mark.parametrize("factor", ["2", "3"])
+def test_where_constraints_hold_what_is_linearized_is_left_open(words: str, factor: str) -> None:
+    text = rf"{words} $\ddot\theta + \frac{{{factor}g}}{{3(R-a)}}\theta = 0$."
+    found = check(cylinder_in_cylinder.scene(), text, blame=False)
+    assert found.verdict.name == "UNDECIDED"
+    full = text.replace(r"\theta = 0", r"\sin\theta = 0")
+    right = check(cylinder_in_cylinder.scene(), full, blame=False).verdict.name
+    assert (right == "REFUTED") is (factor == "3")
+
+
+def test_small_coordinates_may_be_listed() -> None:
+    words = r"For small $x$ and $\theta$: $\tfrac12 ML\ddot x + \tfrac13 ML^2\ddot\theta"
+    text = words + r" + {}MgL\theta = 0$"
+    for factor, right in ((r"\tfrac12", True), (r"\tfrac13", False)):
+        found = check(elastic_pendulum.scene(), text.replace("{}", factor), blame=False)
+        assert found.ok is right

@@ -18,6 +18,7 @@ from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import QUANTITIES, named_quantity
+from mechanics.claims.code.function_names import TITLE, spoken
 from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.claims.code.trace.assignments import written_of
 from mechanics.claims.code.trace.tracing import Outputs
@@ -43,10 +44,6 @@ ACC = re.compile(r"_?[aA]cc$")
 BEFORE = re.compile(r"a_?(\w+)")
 """Begins one: atheta, a_x."""
 
-TITLE = re.compile(
-    r"^(?:get|compute|calc|calculate|eval|evaluate)_|_(?:fun|func|fn|function)$", re.IGNORECASE
-)
-"""What people put before and behind the name of what a function returns."""
 ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
 SHORT = {
     "e": "energy", "ke": "kinetic energy", "pe": "potential energy", "kinetic": "kinetic energy",
@@ -271,12 +268,6 @@ def named_by_title(title: str, count: int, size: int) -> str | None:
     return SHORT.get(words) or next(named, None) if count == 1 else None
 
 
-def spoken(title: str) -> str:
-    """The name of a function in words, without what people put before and behind it."""
-    plain = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", title).lower()
-    return TITLE.sub("", plain).strip("_").replace("_", " ")
-
-
 def _residuals(sides: Sequence[Expr]) -> list[Claim]:
     return [
         (f"residual {i}", EquationOfMotion(), (side, S.Zero)) for i, side in enumerate(sides, 1)
@@ -288,10 +279,13 @@ def taken_otherwise(
 ) -> list[tuple[str, list[Claim]]]:
     """Other things that outputs may be, in words, each with its claims in the order of the outputs.
 
-    Accelerations without names in other orders; of a scene without inputs, what drives the speeds
-    as residuals.
+    Accelerations without names in other orders; as residuals what is taken for the inputs by their
+    number, and, of a scene without inputs, for what drives the speeds.
     """
     scene = naming.vocabulary.scene
+    if about is None and [sides[0] for _, _, sides in found] == [*scene.input_symbols]:
+        words = f"{title} returns a residual: say so, about 'equation of motion'"
+        return [(words, _residuals([sides[1] for _, _, sides in found]))]
     if about is not None or not 0 < len(found) == len(scene.u) <= MOST_ORDERED:
         return []
     if manipulator(scene, outputs):
@@ -446,7 +440,8 @@ def _of_other_accelerations(
     rest = [u for u in scene.u if table[u] not in passed]
     left = [table[u] for u in rest]
     words = " ".join((title, *outputs.names)).lower()
-    if "accel" in words and 0 < len(left) < len(scene.u) and count == len(left):
+    said = "accel" in words or any(map(ACC.search, outputs.names))
+    if said and 0 < len(left) < len(scene.u) and count == len(left):
         return rest
     driven = {*scene.input_symbols} & {*passed} and "resid" not in words
     if driven and 0 < len(left) < len(scene.u) and count == len(left):
@@ -475,7 +470,13 @@ def _refuse_rates(scene: Scene, entries: Sequence[Expr], title: str) -> None:
 
 
 def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
-    """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau)."""
+    """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau).
+
+    Raises
+    ------
+    InputError
+        Where it is neither one number for each speed nor one for each input.
+    """
     entries = [entry for value in outputs.values for entry in value]
     inputs, words = scene.input_symbols, " ".join((title, *outputs.names)).lower()
     if set(inputs) & set(passed) or "resid" in words:
@@ -488,6 +489,12 @@ def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]
     if len(entries) == len(inputs):
         pairs = zip(inputs, entries, strict=True)
         return [(str(symbol), EquationOfMotion(), (symbol, entry)) for symbol, entry in pairs]
+    if inputs:
+        choices = ", ".join(map(str, inputs))
+        raise InputError(
+            f"{title} takes accelerations and no input, and returns {len(entries)} numbers: say"
+            f" what it is: --about (about=) can be equation of motion, {choices}"
+        )
     return []
 
 

@@ -45,6 +45,7 @@ from mechanics.claims.code.casadi_symbols import function_of
 from mechanics.claims.code.column_arguments import with_column_arguments
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
+from mechanics.claims.code.function_names import spoken
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.named_numbers import named_numbers
@@ -58,7 +59,6 @@ from mechanics.claims.code.outputs import (
     is_settled,
     manipulator,
     named_by_title,
-    spoken,
     state_of_scalars,
     statement,
     taken_otherwise,
@@ -87,8 +87,7 @@ from mechanics.claims.guess import at_one_step, guess
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match, Naming, Vocabulary
 from mechanics.claims.place import bounded
-from mechanics.claims.state_order import state_order
-from mechanics.claims.statement import Letter
+from mechanics.claims.state_order import comments_of, state_order
 from mechanics.claims.tree import Name
 from mechanics.errors import ExpressionError, InputError
 from mechanics.program.c.function import Parameter
@@ -429,13 +428,20 @@ def _read(
     by_order = about is None or about in QUANTITIES  # else it names them in the code's order
     places = places_of_vectors(scene, arguments) if by_order and not state else ()
     outputs = in_order_of(outputs, places) if places else outputs
-    found, letter = _claims(naming, outputs, state, about, title, passed)
+    named, letter = named_numbers(naming, outputs, about, title, passed)
+    found = named or claims(naming, outputs, state, about, title, passed)
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
-    others = [] if places else taken_otherwise(naming, outputs, found, about, title)
-    if arguments.state and not _is_said(arguments) and len(_all(outputs)) < len(arguments.state):
+    others = [] if places or named else taken_otherwise(naming, outputs, found, about, title)
+    if (
+        letter is None
+        and arguments.state
+        and not _is_said(arguments)
+        and len(_all(outputs)) < len(arguments.state)
+    ):
         for words, ordered in _in_other_orders(naming, wanted, sizes, given, apart, run, arguments):
             try:
-                other, _ = _claims(naming, ordered[1], ordered[0].state, about, title, passed)
+                other, _ = named_numbers(naming, ordered[1], about, title, passed)
+                other = other or claims(naming, ordered[1], ordered[0].state, about, title, passed)
             except InputError:
                 continue
             others += [(words, other)] if len(other) == len(found) else []
@@ -455,16 +461,9 @@ def _read(
         )
         for k, claim in enumerate(found)
     )
+    comments = comments_of(text)
+    statements = tuple(replace(s, comments=comments) for s in statements)
     return Reading(statements, arguments.matches, ())
-
-
-def _claims(
-    naming: Naming, outputs: Outputs, state: Sequence[Expr], about: str | None, title: str,
-    passed: Sequence[Expr],
-) -> tuple[list[Claim], Letter | None]:  # fmt: skip
-    """What outputs claim by their names, else by how many they are."""
-    named, letter = named_numbers(naming, outputs, about, title, passed)
-    return named or claims(naming, outputs, state, about, title, passed), letter
 
 
 def _in_other_orders(
