@@ -162,3 +162,29 @@ def test_an_equation_without_its_input_may_be_a_residual() -> None:
         found = check(cartpole.scene(), wrong, notation="c", blame=False)
         assert found.verdict.name == verdict
         assert any("residual" in note for note in found.judged[0].statement.notes)
+
+
+ENERGY = (
+    MATH + "double {}(double x_dot, double theta, double theta_dot, double mc, double mp,"
+    " double l) {{ return 0.5*(mc + mp)*x_dot*x_dot + mp*l*x_dot*theta_dot*cos(theta)"
+    " + 2.0/3*mp*l*l*theta_dot*theta_dot; }}"
+)
+
+
+@pytest.mark.parametrize("name", ["kinetic_energy", "totalKineticEnergy", "kinetic_energy_of_all"])
+def test_an_energy_is_that_of_all(name: str) -> None:
+    found = check(cartpole.scene(), ENERGY.format(name), notation="c", blame=False)
+    assert found.verdict.name == "PROVED"
+
+
+@pytest.mark.parametrize(
+    "name", ["pole_kinetic_energy", "cartKineticEnergy", "rotational_kinetic_energy",
+             "kinetic_energy_of_pole", "kinetic_energy_2"]
+)  # fmt: skip
+def test_an_energy_of_a_part_is_asked_for(name: str) -> None:
+    with pytest.raises(InputError, match=r"returns the kinetic energy of .* alone"):
+        check(cartpole.scene(), ENERGY.format(name), notation="c")
+    about = check(
+        cartpole.scene(), ENERGY.format(name), notation="c", about="kinetic energy", blame=False
+    )
+    assert about.verdict.name == "PROVED"

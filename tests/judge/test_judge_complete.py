@@ -10,7 +10,7 @@ from serial_arms import serial_arm
 from sympy.physics.mechanics import KanesMethod, ReferenceFrame, dynamicsymbols
 
 from mechanics import check, compile, derive
-from mechanics.claims.code.outputs import named_by_title
+from mechanics.claims.code.energy_names import named_by_title
 from mechanics.equations import Equations
 from mechanics.errors import InputError
 from mechanics.judge.check import derived

@@ -18,7 +18,8 @@ from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import QUANTITIES, named_quantity
-from mechanics.claims.code.function_names import TITLE, spoken
+from mechanics.claims.code.energy_names import MASSES, named_by_title
+from mechanics.claims.code.function_names import TITLE
 from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.claims.code.trace.assignments import written_of
 from mechanics.claims.code.trace.tracing import Outputs
@@ -44,17 +45,8 @@ ACC = re.compile(r"_?[aA]cc$")
 BEFORE = re.compile(r"a_?(\w+)")
 """Begins one: atheta, a_x."""
 
-ENERGIES = ("kinetic energy", "potential energy", "energy", "Lagrangian", "Hamiltonian")
-SHORT = {
-    "e": "energy", "ke": "kinetic energy", "pe": "potential energy", "kinetic": "kinetic energy",
-    "potential": "potential energy", "e tot": "energy", "e kin": "kinetic energy",
-    "e pot": "potential energy",
-}  # fmt: skip
 LETTERS = frozenset("TVUKLHE")
 """Of energies, and of nothing that moves."""
-MASSES = ("mass", "mass matrix", "inertia", "inertia matrix", "m")
-"""Names of functions that fill a square matrix."""
-
 MANIPULATOR = ("mhd", "cvh", "gn")
 """How the names of M, C and G begin, in small letters."""
 
@@ -248,24 +240,6 @@ def _without_held(
     if len(entries) == len(state) and not any(held):
         entries = [entry for entry, moves in zip(entries, moving, strict=True) if moves]
     return [symbol for symbol, moves in zip(state, moving, strict=True) if moves], entries
-
-
-def named_by_title(title: str, count: int, size: int) -> str | None:
-    """What a function returns by its own name, potential_energy; None where that does not tell.
-
-    Parameters
-    ----------
-    title : str
-    count : int
-        How many numbers it returns.
-    size : int
-        How many speeds the scene has.
-    """
-    words = spoken(title)
-    if count == size * size > 1 and words in MASSES:
-        return "mass matrix"
-    named = (name for name in ENERGIES if f" {words}".endswith(f" {name.lower()}"))
-    return SHORT.get(words) or next(named, None) if count == 1 else None
 
 
 def _residuals(sides: Sequence[Expr]) -> list[Claim]:

@@ -45,6 +45,7 @@ from mechanics.claims.code.casadi_symbols import function_of
 from mechanics.claims.code.column_arguments import with_column_arguments
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
+from mechanics.claims.code.energy_names import named_by_title, refuse_energy_of_a_part
 from mechanics.claims.code.function_names import spoken
 from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
@@ -58,7 +59,6 @@ from mechanics.claims.code.outputs import (
     in_order_of,
     is_settled,
     manipulator,
-    named_by_title,
     state_of_scalars,
     statement,
     taken_otherwise,
@@ -421,9 +421,9 @@ def _read(
             arguments, outputs = arranged or (arguments, outputs)
     state = arguments.state or state_of_scalars(scene, outputs.values, arguments.values.values())
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
-    about = about or named_by_title(
-        title, sum(len(value) for value in outputs.values), len(scene.u)
-    )
+    if about is None and len(_all(outputs)) == 1:
+        refuse_energy_of_a_part(scene, title)
+    about = about or named_by_title(title, len(_all(outputs)), len(scene.u))
     passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
     by_order = about is None or about in QUANTITIES  # else it names them in the code's order
     places = places_of_vectors(scene, arguments) if by_order and not state else ()

@@ -11,8 +11,9 @@ from collections.abc import Callable, Iterable, Sequence
 from types import FunctionType
 from typing import Any
 
+from mechanics.claims.code.energy_names import MASSES
 from mechanics.claims.code.function_names import spoken
-from mechanics.claims.code.outputs import MASSES, is_settled
+from mechanics.claims.code.outputs import is_settled
 from mechanics.claims.code.translation.python_page import Page, joined
 from mechanics.scene import Gravity, Scene
 
