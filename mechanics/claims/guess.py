@@ -212,7 +212,9 @@ def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:
     for base in (base for base, order in orders.items() if order > 1):
         head = base.rstrip("0123456789")
         fits = [
-            name for name in (*vocabulary.functions, *vocabulary.constants) if _begins(name, base)
+            name
+            for name in (*vocabulary.functions, *vocabulary.constants)
+            if is_short_for(base, name)
         ]
         if len(fits) == 1 and len(head) > 1 and fits[0] in vocabulary.functions:
             found[base] = fits[0]
@@ -222,7 +224,7 @@ def _short(naming: Naming, used: Sequence[Name]) -> tuple[Match, ...]:
     )
 
 
-def _begins(name: str, base: str) -> bool:
+def is_short_for(base: str, name: str) -> bool:
     """Whether a name begins with the letters of a base, and ends with its number."""
     letters, whole = base.rstrip("0123456789"), key(name)
     number = base[len(letters) :]
@@ -304,7 +306,7 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
 
     def begins(name: str, target: str) -> bool:
         letters = name.rstrip("0123456789_")
-        return len(letters) > 1 and letters != name and _begins(target, name)
+        return len(letters) > 1 and letters != name and is_short_for(name, target)
 
     return [
         (_same_letters, CAPITALS),

@@ -39,8 +39,7 @@ def test_outputs_of_casadi_are_what_their_names_say() -> None:
     for names in (("x_ddot", "theta_ddot"), ("o0", "o1")):
         assert check(CART, function(*names)).verdict is Verdict.PROVED
     assert check(CART, function("theta_ddot", "x_ddot"), blame=False).verdict is Verdict.REFUTED
-    with pytest.raises(InputError, match="calls an output theta_ddot and would be taken"):
-        check(CART, function("theta_ddot", "o1"))
+    assert check(CART, function("theta_ddot", "o1"), blame=False).verdict is Verdict.REFUTED
     with pytest.raises(InputError, match="calls an output energy"):
         check(CART, function("o0", "energy"))
 

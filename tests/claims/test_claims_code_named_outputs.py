@@ -12,6 +12,7 @@ import pytest
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics import check
 from mechanics.errors import InputError
+from mechanics.grading.submission import things_in
 from mechanics.kernel import Verdict
 from systems import cartpole, elastic_pendulum, rod_pendulum
 
@@ -203,3 +204,31 @@ def test_an_acceleration_may_be_of_another_acceleration() -> None:
         assert judged(name, "") == "PROVED"
     with pytest.raises(InputError, match="may return x_ddot, or what is zero"):
         judged("cart", "")
+
+
+SOLVED = """import numpy as np
+def accel(theta, theta_dot, F, mc, mp, l, g):
+    A = np.array([[mp*l*np.cos(theta), mc+mp], [4/3*l, np.cos(theta)]])
+    b = np.array([F + mp*l*theta_dot**2*np.sin(theta), g*np.sin(theta)])
+    {0} = np.linalg.solve(A, b)
+    return {1}
+"""
+
+
+@pytest.mark.parametrize(
+    ("solved", "returned", "verdict"),
+    [
+        ("thdd, xdd", "thdd, xdd", "PROVED"), ("thdd, xdd", "xdd, thdd", "PROVED"),
+        ("xdd, thdd", "xdd, thdd", "REFUTED"), ("xdd, thdd", "thdd, xdd", "REFUTED"),
+        ("xdd, other", "xdd, other", "REFUTED"), ("other, xdd", "other, xdd", "PROVED"),
+        ("one, other", "one, other", "PROVED"),
+    ],
+)  # fmt: skip
+def test_names_of_accelerations_say_their_order(
+    solved: str, returned: str, verdict: str, tmp_path: Path
+) -> None:
+    """Those that are short, too, and where one of two has a name; else dimensions say it."""
+    path = tmp_path / "cart.py"
+    path.write_text(SOLVED.format(solved, returned))
+    things = things_in(path, run_python=True)
+    assert check(cartpole.scene(), things, blame=False).verdict.name == verdict

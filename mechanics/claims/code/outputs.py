@@ -10,7 +10,7 @@ a square matrix              the mass matrix                 with a vector besid
 """
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, permutations, product
 
@@ -24,6 +24,7 @@ from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
 from mechanics.claims.code.trace.assignments import written_of
 from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.demands import Demands
+from mechanics.claims.guess import is_short_for
 from mechanics.claims.kind import kind_of
 from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import bases
@@ -174,7 +175,8 @@ def _unasked(
                 f"{title} returns {bare} as it is, which is no acceleration: say what it is:"
                 f" {_choices(naming)}"
             )
-        return [_rate_of(scene, u, value) for u, value in zip(scene.u, entries, strict=True)]
+        order = next(_orders(naming, outputs.names, size), tuple(scene.u))
+        return [_rate_of(scene, u, value) for u, value in zip(order, entries, strict=True)]
     state, entries = _without_held(scene, state, entries)
     both = _rates(naming, outputs.names) or tuple(state) or (*scene.q, *scene.u)
     if len(entries) == len(both) and STEP in passed:
@@ -267,17 +269,27 @@ def taken_otherwise(
     if all(isinstance(quantity, GeneralizedForce) for _, quantity, _ in found):
         words = f"{title} returns residuals: say so, about 'equation of motion'"
         return [] if scene.inputs else [(words, _residuals([sides[0] for _, _, sides in found]))]
-    if [tag for tag, _, _ in found] != [str(ud) for ud in scene.ud]:
+    if {tag for tag, _, _ in found} != {str(ud) for ud in scene.ud}:
         return []
     if _named_accelerations(naming, outputs, title, len(found)):
         return []
     every = []
-    for order in islice(permutations(scene.u), 1, None):
+    for order in islice(_orders(naming, outputs.names, len(found)), 1, None):
         pairs = zip(order, found, strict=True)
         claimed = [_rate_of(scene, u, sides[1]) for u, (_, _, sides) in pairs]
         names = " ".join(tag for tag, _, _ in claimed)
         every.append((f"{title} returns {names}: say so, about {names!r}", claimed))
     return every
+
+
+def _orders(naming: Naming, names: Sequence[str], size: int) -> Iterator[tuple[Expr, ...]]:
+    """The orders of speeds in which the outputs that code calls accelerations are these."""
+    scene = naming.vocabulary.scene
+    table = {rate: u for u, rate in rate_table(scene).items()}
+    known = [table[naming.symbol(*found)] if (found := _second(naming, n)) else None for n in names]
+    for order in permutations(scene.u) if size <= MOST_ORDERED else [tuple(scene.u)]:
+        if len(known) != size or all(u in (None, v) for u, v in zip(known, order, strict=True)):
+            yield order
 
 
 def _stepped(
@@ -511,6 +523,10 @@ def _second(naming: Naming, name: str) -> tuple[str, int] | None:
     found = naming.lookup(ACC.sub("_ddot", name))
     if found is None and (part := BEFORE.fullmatch(name)):
         found = naming.lookup(f"{part[1]}_ddot")
+    for base, order in bases(name) if found is None else ():
+        longer = [q for q in map(str, naming.vocabulary.scene.q) if is_short_for(base, q)]
+        if order == 2 and len(longer) == 1 and len(base.rstrip("0123456789")) > 1:
+            found = longer[0], order  # thdd of theta
     if found is None or found[0] not in naming.vocabulary.functions:
         return None
     symbol = naming.symbol(found[0], found[1])
