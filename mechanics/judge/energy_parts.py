@@ -37,11 +37,20 @@ def of_a_part(scene: Scene, entry: Judged) -> Judged:
     if not written.text or not isinstance(row.quantity, ENERGIES):
         return entry
     before = " ".join(written.text[max(0, written.start - 120) : written.start].split())
-    part = PART.search(ENDS.split(before)[-1])
-    if part is None or not _is_part(scene, part):
+    sentence = ENDS.split(before)[-1]
+    part = PART.search(sentence)
+    if part is None or not (_is_part(scene, part) or _of_it(scene, sentence[: part.start()])):
         return entry
     words = f"the text speaks of the {part['part'].strip()}: parts of an energy are not judged"
     return replace(entry, finding=undecided(entry.finding.subject, words))
+
+
+def _of_it(scene: Scene, before: str) -> bool:
+    """Whether it is its energy, where the same sentence speaks of one of several bodies."""
+    words = {*re.findall("[a-z]+", before.lower())}
+    bodies = {word for body in scene.bodies for word in re.findall("[a-z]+", body.name.lower())}
+    own = before.lower().rstrip().endswith((" its", " whose"))
+    return own and len(scene.bodies) > 1 and bool(words & bodies)
 
 
 def _is_part(scene: Scene, said: re.Match[str]) -> bool:

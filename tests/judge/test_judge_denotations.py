@@ -164,6 +164,8 @@ def test_what_a_model_declares_is_in_a_table_or_not_read(
         (r"The kinetic energy of rotation is $\frac16 m_pl^2\dot\theta^2$.", "UNDECIDED"),
         (r"Twice the kinetic energy of the cart is $m_c\dot x^2$.", "UNDECIDED"),
         (r"The potential energy of the pole is $m_pgl\cos\theta$.", "PROVED"),
+        (r"The cart rolls on a rail, its kinetic energy is $\frac12 m_c\dot x^2$.", "UNDECIDED"),
+        (r"On a rail, its kinetic energy is $\frac12 m_c\dot x^2$.", "REFUTED"),
         (r"The kinetic energy of the system is $\frac12 m_c\dot x^2$.", "REFUTED"),
         (r"The kinetic energy is $\frac12 m_c\dot x^2$.", "REFUTED"),
     ],

@@ -115,7 +115,9 @@ def _of_the_scene(
     reactions = {one.name for one in scene.reactions}
     inputs = _inputs(scene, passed)
     claims: list[Claim] = []
-    for name, entry in zip(names, entries, strict=False):
+    for written, entry in zip(names, entries, strict=False):
+        known = naming.lookup(written)
+        name = known[0] if known is not None and known[1] == 0 else written
         momentum = None if naming.lookup(name) else naming.momentum(name)
         if name in reactions:
             claims.append((name, ReactionValue(name), (entry,)))

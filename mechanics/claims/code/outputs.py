@@ -10,17 +10,18 @@ a square matrix              the mass matrix                 with a vector besid
 """
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import islice, permutations, product
+from itertools import islice, product
 
 from sympy import Expr, Matrix, S, Symbol
 from sympy.matrices import MatrixBase
 
 from mechanics.claims.about import QUANTITIES, named_quantity
 from mechanics.claims.code.energy_names import MASSES, named_by_title
-from mechanics.claims.code.function_names import TITLE
+from mechanics.claims.code.function_names import TITLE, function_name
 from mechanics.claims.code.integrators import INTEGRATORS, STEP, step_of
+from mechanics.claims.code.output_names import coordinates_of, orders_by_names
 from mechanics.claims.code.trace.assignments import written_of
 from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.demands import Demands
@@ -42,6 +43,8 @@ Claim = tuple[str, Quantity, tuple[Expr | Matrix, ...]]
 
 ACC = re.compile(r"_?[aA]cc$")
 """Ends the name of an acceleration; in a text such a name is one of the author's own."""
+
+CAMEL = re.compile(r"D[dD]ot$")
 
 BEFORE = re.compile(r"a_?(\w+)")
 """Begins one: atheta, a_x."""
@@ -92,6 +95,7 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
     pairs = [(n, sides[0]) for n, (_, _, sides) in zip(names, found, strict=False)]
     if len(names) != len(found) or any(rate not in [*of_rates] for _, rate in pairs):
         return
+    _agree_in_order(scene, pairs, of_rates, title)
     own = [(meant[name], rate) for name, rate in pairs if meant[name] is not None]
     said = any(meant[name] is None and any(bases(name)) for name in names)  # wdot
     states = all(symbol == of_rates[rate] for symbol, rate in own)
@@ -106,6 +110,22 @@ def _agree(naming: Naming, names: Sequence[str], found: Sequence[Claim], title: 
             raise InputError(
                 f"{title}{calls} would be taken to return {rate}: say what it is:"
                 f" {_choices(naming)}"
+            )
+
+
+def _agree_in_order(
+    scene: Scene, pairs: Sequence[tuple[str, Expr]], of_rates: Mapping[Expr, Symbol], title: str
+) -> None:
+    """Refuse outputs whose names say that they are of other coordinates: dv, dtheta for x', v'."""
+    if scene.speeds or len(scene.q) != len(scene.u):
+        return
+    of = {**dict(zip(scene.u, scene.q, strict=True)), **{q: q for q in scene.q}}
+    hints = coordinates_of(scene, [name for name, _ in pairs])
+    for (name, rate), hint in zip(pairs, hints, strict=True):
+        if of[of_rates[rate]] not in hint:
+            raise InputError(
+                f"{title} calls an output {name} and would be taken to return {rate} there: say"
+                " what each output is, by its name or by --about (about=)"
             )
 
 
@@ -145,9 +165,16 @@ def _unasked(
         _refuse_rates(scene, entries, title)
         if some := _of_other_accelerations(naming, outputs, title, passed):
             return [_rate_of(scene, u, value) for u, value in zip(some, entries, strict=True)]
-        driven = _driven(scene, outputs, title, passed)
+        driven = _driven(naming, outputs, title, passed)
         # Rates of coordinates are speeds by name: f(t, y, yp) says that again, in as many rows.
         kinematic = len(entries) == 2 * size == 2 * sum(bool(e.is_zero) for e in entries)
+        drives = ("", "torque", "force") if driven else ("",)
+        if nouns := [n for n in outputs.names if function_name(n).word not in drives]:
+            raise InputError(
+                f"{title} calls outputs {', '.join(nouns)} and would be taken to return"
+                f" {'what drives it' if driven else 'residuals'}: say what they are:"
+                f" {_choices(naming)}"
+            )
         return (
             driven
             if driven
@@ -283,13 +310,18 @@ def taken_otherwise(
 
 
 def _orders(naming: Naming, names: Sequence[str], size: int) -> Iterator[tuple[Expr, ...]]:
-    """The orders of speeds in which the outputs that code calls accelerations are these."""
+    """The orders of speeds that the names of outputs leave; the scene's, where they say nothing."""
     scene = naming.vocabulary.scene
-    table = {rate: u for u, rate in rate_table(scene).items()}
-    known = [table[naming.symbol(*found)] if (found := _second(naming, n)) else None for n in names]
-    for order in permutations(scene.u) if size <= MOST_ORDERED else [tuple(scene.u)]:
-        if len(known) != size or all(u in (None, v) for u, v in zip(known, order, strict=True)):
-            yield order
+    if scene.speeds or len(scene.q) != size:
+        yield tuple(scene.u)
+        return
+    rates = {rate: u for u, rate in rate_table(scene).items()}
+    of = dict(zip(scene.u, scene.q, strict=True))
+    own = [rates[naming.symbol(*found)] if (found := _second(naming, n)) else None for n in names]
+    known = [None if u is None else of[u] for u in own]
+    speeds = {q: u for u, q in of.items()}
+    for order in orders_by_names(scene, names, known):
+        yield tuple(speeds[q] for q in order)
 
 
 def _stepped(
@@ -455,7 +487,7 @@ def _refuse_rates(scene: Scene, entries: Sequence[Expr], title: str) -> None:
         )
 
 
-def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
+def _driven(naming: Naming, outputs: Outputs, title: str, passed: Collection[Expr]) -> list[Claim]:
     """What drives the speeds, tau = f(q, q', q''); nothing for residuals, f(q, q', q'', tau).
 
     Raises
@@ -463,14 +495,15 @@ def _driven(scene: Scene, outputs: Outputs, title: str, passed: Collection[Expr]
     InputError
         Where it is neither one number for each speed nor one for each input.
     """
-    entries = [entry for value in outputs.values for entry in value]
+    scene, entries = naming.vocabulary.scene, [e for value in outputs.values for e in value]
     inputs, words = scene.input_symbols, " ".join((title, *outputs.names)).lower()
     if set(inputs) & set(passed) or "resid" in words:
         return []
     if len(entries) == len(scene.u):
+        order = next(_orders(naming, outputs.names, len(entries)), tuple(scene.u))
         return [
             (f"drive of {u}", GeneralizedForce(u.name), (entry,))
-            for u, entry in zip(scene.u, entries, strict=True)
+            for u, entry in zip(order, entries, strict=True)
         ]
     if len(entries) == len(inputs):
         pairs = zip(inputs, entries, strict=True)
@@ -520,7 +553,7 @@ def _rates(naming: Naming, names: Sequence[str]) -> tuple[Expr, ...]:
 
 def _second(naming: Naming, name: str) -> tuple[str, int] | None:
     """The scene's name, and no more dots, of what a name is an acceleration of."""
-    found = naming.lookup(ACC.sub("_ddot", name))
+    found = naming.lookup(CAMEL.sub("_ddot", ACC.sub("_ddot", name)))
     if found is None and (part := BEFORE.fullmatch(name)):
         found = naming.lookup(f"{part[1]}_ddot")
     for base, order in bases(name) if found is None else ():

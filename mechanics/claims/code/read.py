@@ -51,6 +51,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.named_numbers import named_numbers
 from mechanics.claims.code.out_arguments import returning
+from mechanics.claims.code.output_names import unknown_words
 from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     Claim,
@@ -446,6 +447,9 @@ def _read(
                 continue
             others += [(words, other)] if len(other) == len(found) else []
     unsure = _unsure(scene, outputs, passed, about, title, found)
+    if others and unknown_words(scene, outputs.names):
+        others = []
+        unsure += (f"{', '.join(outputs.names)} are in another order: say what {title} returns",)
     parts = about is None and bool(manipulator(scene, outputs))
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     statements = tuple(
