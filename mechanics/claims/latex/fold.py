@@ -182,7 +182,7 @@ class Fold:
             return self._determinant(node, queue)
         if isinstance(node, Name) and queue and is_time(queue[0]):
             return self._of_time(node, queue)
-        if isinstance(node, Name) and queue and queue[0].kind == "bracket":
+        if isinstance(node, Name) and queue and queue[0].kind == "bracket" and queue[0].node:
             return self._dependent(node, queue)
         return node
 
