@@ -127,7 +127,7 @@ def test_a_length_that_is_not_said_to_be_small_is_not() -> None:
 
 
 CODE = {
-    "python": "def rate(x, u, m, l, g):\n    # {}\n    th, w = x\n    return [w, {}]\n",
+    "python": "# {}\ndef rate(x, u, m, l, g):\n    th, w = x\n    return [w, {}]\n",
     "c": "/* {} */\ndouble theta_ddot(double th, double u, double m, double l, double g)"
     " {{ return {}; }}\n",
     "matlab": "function thdd = f(th, u, m, l, g)\n% {}\nthdd = {};\nend\n",

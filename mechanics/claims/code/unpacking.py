@@ -119,7 +119,7 @@ class Apart:
 def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str, ...], str]:
     """What a function does with its arguments, the names of what it returns, and its text.
 
-    Nothing where its text is not at hand.
+    The text has the comments above it. Nothing where its text is not at hand.
     """
     try:
         lines, first = inspect.getsourcelines(function)
@@ -166,7 +166,7 @@ def in_python(function: Callable[..., Any]) -> tuple[dict[str, Apart], tuple[str
     for apart in found.values():
         apart.count_from_the_end()
     names = _names(returned[0]) if len(returned) == 1 else ()
-    return found, names, "".join(lines)
+    return found, names, (inspect.getcomments(function) or "") + "".join(lines)
 
 
 class _Entries(ast.NodeTransformer):
