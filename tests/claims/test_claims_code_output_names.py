@@ -19,6 +19,7 @@ OF_TWO_KINDS = (
     " acc_cart,acc_pole linear_acc,angular_acc ddx,ddth xpp,tpp vdot,omegadot"
     " v_dot,omega_dot dv,domega dv,dw x2,theta2dot x_double_dot,theta_double_dot"
     " qdd_x,qdd_theta x_ddot,other xDdot,thetaDdot"
+    " xdot_update,thetadot_update"
 )
 OF_ONE_KIND = (
     "a1,a2 alpha1,alpha2 w1_dot,w2_dot w1dot,w2dot dw1,dw2 wd1,wd2 domega1,domega2"

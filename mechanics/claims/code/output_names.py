@@ -143,12 +143,12 @@ def _bodies(scene: Scene) -> dict[str, Coordinates]:
 def _by_stem(scene: Scene, name: str, stems: dict[str, Coordinates]) -> Coordinates:
     """The coordinates of the longest stem that a name has between marks of rates."""
     bare = name.replace("_", "")
+    words = [bare, *(word for word in name.split("_") if len(word) > 2)]  # xdot_update
     for stem in sorted(stems, key=len, reverse=True):
         if bare == stem and stem in LETTERS and stems[stem] != _named(scene, stem):
             return frozenset()  # u and v are any two
-        if re.fullmatch(rf"(?:{BEFORE})?{re.escape(stem)}(?:{AFTER})?", bare):
-            return stems[stem]
-        if len(stem) > 2 and stem in name.split("_"):
+        marked = re.compile(rf"(?:{BEFORE})?{re.escape(stem)}(?:{AFTER})?")
+        if any(map(marked.fullmatch, words)):
             return stems[stem]
     return frozenset()
 
