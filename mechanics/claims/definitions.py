@@ -173,12 +173,10 @@ def _divided(line: Entry, naming: Naming, known: Container[str], lines: Sequence
     wanted = [factor for factor in left.factors if free(factor)]
     rest = [factor for factor in left.factors if not free(factor)]
     held = [name for factor in rest for name in names(factor)]
-    if (
-        len(wanted) != 1
-        or 0 in map(constant, rest)
-        or not all(
-            n.order == 0 and (n.name in known or naming.is_function(n.name) is False) for n in held
-        )
+    if len(wanted) != 1 or any(constant(factor) == 0 for factor in rest):
+        return line
+    if not all(
+        n.order == 0 and (n.name in known or naming.is_function(n.name) is False) for n in held
     ):
         return line
     name = names(wanted[0])[0].name
