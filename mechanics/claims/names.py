@@ -154,6 +154,13 @@ class Vocabulary:
                 found.setdefault(key(name + dots), (name, order))
         return found
 
+    def parameter(self, name: str) -> str:
+        """The constant that a name of code stands for, ``G`` for g; empty where it is none."""
+        if (exact := self.lookup(name)) is not None:
+            return exact[0] if exact[0] in self.constants and exact[1] == 0 else ""
+        alike = [one for one in self.constants if one.lower() == name.lower()]
+        return alike[0] if len(alike) == 1 else ""
+
     def momentum(self, name: str) -> tuple[str, int] | None:
         """Momentum of a coordinate that a name may stand for, and the order of its derivative.
 

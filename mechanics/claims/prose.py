@@ -57,7 +57,8 @@ def energy_before(text: str, at: int) -> str:
 
 EQUILIBRIUM = re.compile(
     r"equilibri|stationary (?:point|solution)|fixed point"
-    r"|\b(?:rests|balances|is balanced|(?:rests|held) horizontally)\s+(?:when|where|if|with)\b"
+    r"|\b(?:balances|is balanced|held horizontally)\s+(?:when|where|if|with)\b"
+    r"|(?<!from )(?<!starts )(?<!released )\bat rest\b|\brests\b(?! (?:on|against|upon)\b)"
     r"|(?:oscillat|vibrat)\w+\s+(?:about|around)\b",
     re.IGNORECASE,
 )

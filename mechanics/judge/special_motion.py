@@ -23,7 +23,9 @@ ENERGIES = (KineticEnergy, PotentialEnergy, TotalEnergy, Lagrangian, Hamiltonian
 MOTIONS = re.compile(
     r"\bsteady\b|\bcircular orbits?\b|\bat constant\b|\brelative equilibri\w+|\bhover\w*"
     r"|\bstart(?:s|ed|ing)? (?:from|at) rest\b|\breleased? from rest\b|\binitially\b"
-    r"|\baverag(?:ed?|ing)\b|\bmode shapes?\b|\b(?:in|out of) phase\b|\\gg\b|\\ll\b"
+    r"|\baverag(?:ed?|ing)\b|\bmode shapes?\b|\bin (?:the|this|its) (?:\w+ )?(?:normal )?mode\b"
+    r"|\b(?:when|if|while|with) (?:\w+ ){1,4}?(?:held|clamped|locked|blocked)\b"
+    r"|\b(?:in|out of) phase\b|\\gg\b|\\ll\b"
     r"|\bmuch (?:heavier|lighter|larger|smaller|greater|less)\b|\bin the frame of\b"
     r"|\bin (?:the|a) (?:co-?)?(?:rotating|moving|turning) (?:frame|system)\b"
     r"|\bfor\s*\$\s*\\omega"

@@ -93,6 +93,40 @@ def test_a_default_that_the_parameter_cannot_be_stays_a_number() -> None:
     assert _verdict(down) == REFUTED
 
 
+CAPITALS = """
+M = 2.0
+C = 0.5
+G = 9.81
+def rate(y, F):
+    return [y[1], (F - C*y[1])/M - G]
+def inside(y, F):
+    M = 2.0
+    return [y[1], (F - C*y[1])/M - G]
+def wrong(y, F):
+    return [y[1], (F + C*y[1])/M - G]
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "after", "verdict"),
+    [
+        ("rate", "", "", RIGHT),
+        ("inside", "", "", RIGHT),
+        ("wrong", "", "", REFUTED),
+        ("rate", "G = 9.81", "G = -9.81", REFUTED),
+        ("rate", "M = 2.0", "m = 1.0\nM = 2.0", REFUTED),
+    ],
+)
+def test_constants_in_capitals_are_parameters_where_no_other_name_is(
+    tmp_path: Path, name: str, before: str, after: str, verdict: str
+) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(CAPITALS.replace(before, after, 1))
+    found = check(SCENE, getattr(run_file(path), name), blame=False)
+    assert found.verdict.name == verdict
+    assert verdict != RIGHT or "G = 9.81 (g)" in str(found)
+
+
 FILE = """
 import numpy as np
 m, c, g = 2, 0.5, 9.81

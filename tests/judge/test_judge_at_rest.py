@@ -42,6 +42,10 @@ def test_equilibria(formula: str, verdict: str) -> None:
     [
         (r"Equilibria: $\theta=0$ and $\cos\theta = g/(\omega^2 R)$.", "PROVED"),
         (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta\cos\theta$.", "PROVED"),
+        (r"At rest $\cos\theta = g/(\omega^2 R)$.", "PROVED"),
+        (r"At rest $\cos\theta = 2g/(\omega^2 R)$.", "REFUTED"),
+        (r"The bead rests where $\cos\theta = g/(\omega^2 R)$.", "PROVED"),
+        (r"The bead rests where $\sin\theta = g/(\omega^2 R)$.", "REFUTED"),
         (r"Equilibria: $\cos\theta = \omega^2 R/g$.", "REFUTED"),
         (r"In equilibrium $mg\sin\theta = m\omega^2R\sin\theta$.", "REFUTED"),
         (r"In equilibrium $\theta = \arccos\frac{g}{R\omega^2}$.", "PROVED"),

@@ -148,6 +148,12 @@ PAGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
         "two_mass_chain", r"Mode shapes: for $\omega_1^2 = k/(6m)$, $x_2 = \frac{3}{2}x_1$.",
         NOT_REFUTED,
     ),
+    "a mode by its number": (
+        "two_mass_chain", r"In the first mode $x_2 = \frac{3}{2}x_1$.", OPEN,
+    ),
+    "what is held": (
+        "two_mass_chain", r"When the first mass is held, $\ddot x_2 = -\frac{k}{2m}x_2$.", OPEN,
+    ),
     "a steady motion": (
         "spinning_top",
         r"For steady precession at constant $\theta$: $I_3\dot\psi\dot\phi = Mgl$", OPEN,

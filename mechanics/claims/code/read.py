@@ -145,8 +145,8 @@ def read_function(
     refuse_stale(function)
     size = len(scene.q) + len(scene.u)
     vocabulary = Vocabulary(scene)
-    held = {*vocabulary.constants, *(names or {}), *STEPS}
-    function = with_local_numbers(unwrapped(function), held)
+    constants = {one for n in vocabulary.constants for one in (n, n.upper(), n.lower())}
+    function = with_local_numbers(unwrapped(function), {*constants, *(names or {}), *STEPS})
     function = returning(with_column_arguments(function), size, names or {})
     title = getattr(function, "__name__", type(function).__name__)
     called = signature_of(function, Naming(vocabulary), names or {}, title)

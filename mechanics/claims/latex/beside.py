@@ -155,13 +155,14 @@ def _side_by_side(part: Pieces, columns: dict[int, int]) -> Iterator[Row]:
 
 def _factor(part: Pieces, columns: dict[int, int]) -> str:
     """Doubt whether what stands behind a wide space is a factor."""
+    first = next((i for i, piece in enumerate(part) if is_kind(piece, "REL")), len(part))
     for start, end in _runs(part):
         around = [*part[max(start - 1, 0) : start], *part[end + 1 : end + 2]]
         if len(around) < 2 or any(
             is_kind(piece, "REL", "TAG", "ORDER", *OPERATORS) for piece in around
         ):
             continue
-        behind = related(part[:start]) and _column(part, (start, end), columns)
+        behind = first < start and _column(part, (start, end), columns)
         if behind or _wide(part[start : end + 1]):
             return FACTOR
     return ""

@@ -70,24 +70,25 @@ def _written_lines(pieces: Pieces) -> Iterator[tuple[Pieces, str]]:
 
     A line without one, that begins with a factor, may go on or begin another: that is a doubt.
     """
-    found: list[tuple[Pieces, str]] = [([], "")]
-    blank = False
+    before: Pieces = []
+    doubt, complete, blank = "", False, False
     for line in _cut(pieces):
-        before, doubt = found[-1]
         if not line:
             blank = True
             continue
         goes_on = is_kind(line[0], "REL", "TIMES", "SLASH") or (
             bool(before) and is_kind(before[-1], "REL", *OPERATORS)
         )
-        whole = related(line) or blank
-        if related(before) and whole and not goes_on and (blank or line[0] != "+"):
-            found.append((line, ""))
-        else:
-            factor = related(before) and not goes_on and not is_kind(line[0], "SIGN", "TAG")
-            found[-1] = ([*before, *line], doubt or (WRAPPED if factor else ""))
-        blank = False
-    yield from found
+        relation = related(line)
+        if complete and not goes_on:
+            if (relation or blank) and (blank or line[0] != "+"):
+                yield before, doubt
+                before, doubt, complete = [], "", False
+            elif not is_kind(line[0], "SIGN", "TAG"):
+                doubt = doubt or WRAPPED
+        before += line
+        complete, blank = complete or relation, False
+    yield before, doubt
 
 
 def _cut(pieces: Pieces) -> Iterator[Pieces]:

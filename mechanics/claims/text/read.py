@@ -6,7 +6,7 @@ A whitelist grammar makes a tree; no text is ever evaluated.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -141,14 +141,19 @@ def _tree(clean: str, text: str, naming: Naming) -> Tree:
     return parser.feed_eof()
 
 
+@lru_cache(maxsize=64)
+def _dialect(text: str) -> tuple[bool, bool, Mapping[str, int], bool]:
+    """How brackets and names of a text are read; each of its lines asks for that of all."""
+    arrays, state = ARRAYS.search(text) is not None, TAKEN_APART.search(text) is not None
+    return arrays, state, operators(text), has_columns(text)
+
+
 def _lines(clean: str, text: str, offset: int, naming: Naming) -> list[Entry]:
     try:
         tree = _tree(clean, text, naming)
     except UnexpectedInput as error:
         raise _unexpected(error, clean, offset) from None
-    arrays = ARRAYS.search(text) is not None
-    state = TAKEN_APART.search(text) is not None
-    how = (arrays, state, operators(text), has_columns(text))
+    how = _dialect(text)
     found: list[Entry] = []
     for statement in tree.children:
         if text[offset + statement.meta.start_pos : offset + statement.meta.end_pos] in ENDS:

@@ -7,6 +7,7 @@ What stands behind a function without brackets is its argument, and stays: cos w
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 
 from lark import Token
 
@@ -124,6 +125,12 @@ def _below(tokens: Sequence[Token], i: int, constant: Callable[[str], bool]) -> 
     return tokens[i - 2] == "/" and constant(plain(str(tokens[i - 1]))[0])
 
 
+@lru_cache(maxsize=64)
+def _defined(text: str) -> frozenset[str] | None:
+    """Names before an equals sign; None of a program. Each line of a text asks for those of all."""
+    return None if HEADER.search(text) else frozenset(DEFINED.findall(text))
+
+
 def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
     """What splits words: mgl is m g l where these are names, and the text says nothing of mgl.
 
@@ -135,9 +142,9 @@ def letters_of(naming: Naming, text: str) -> Callable[[str], list[str]]:
     text : str
         What stands before an equals sign in it is a name.
     """
-    if HEADER.search(text):
+    defined = _defined(text)
+    if defined is None:
         return lambda word: [word]
-    defined = frozenset(DEFINED.findall(text))
 
     def letters(word: str) -> list[str]:
         if (

@@ -114,13 +114,9 @@ def _called(text: str, functions: list[re.Pattern[str]], names: Sequence[str]) -
 
 def _parameter(name: str, vocabulary: Vocabulary) -> str:
     """The parameter of the scene that a name is, or a step of time; empty for none."""
-    exact = vocabulary.lookup(name)
-    if exact is not None:
-        return exact[0] if exact[0] in vocabulary.constants and exact[1] == 0 else ""
-    alike = [one for one in vocabulary.constants if one.lower() == name.lower()]
-    if len(alike) != 1 and name in STEPS and name != "h":
-        return "a step of time"
-    return alike[0] if len(alike) == 1 else ""
+    meaning = vocabulary.parameter(name)
+    unknown = not meaning and vocabulary.lookup(name) is None
+    return "a step of time" if unknown and name in STEPS and name != "h" else meaning
 
 
 def _assigned_again(text: str, name: str) -> bool:

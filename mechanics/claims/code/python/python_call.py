@@ -4,7 +4,7 @@ def f(t, z, m=2.0, g=9.81, tol=1e-9)    ->    t, z, m, g        m and g are name
 """
 
 import inspect
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from math import isfinite
 from types import CodeType
@@ -175,8 +175,12 @@ def _standing(
     own = held(function, constants).numbers
     # Beside what is named, the file may compute from numbers that only it uses.
     whole = getattr(owner_of(function)[0], "__globals__", {})
-    values = {n: v for n, v in whole.items() if is_number(v)} | own | held(function, names).numbers
-    meant = constants | {n: constants[m] for n, m in names.items() if m in constants}
+    used = held(function, _used(function)).numbers
+    values = {n: v for n, v in whole.items() if is_number(v)} | used | own
+    values |= held(function, names).numbers
+    named = {*values, *names}
+    meant = {n: constants[m] for n in named if (m := _in_capitals(naming, n, named))}
+    meant |= constants | {n: constants[m] for n, m in names.items() if m in constants}
     known: dict[str, Expr] = {
         n: s for n, s in meant.items() if n not in values or _may_be(s, values[n])
     }
@@ -195,11 +199,16 @@ def _standing(
             )
     told = [f"{n} = {v}" + ("" if n == str(known[n]) else f" ({known[n]})")
             for n, v in numbers.items()]  # fmt: skip
-    others = [f"{n} = {v}" for n, v in held(function, _used(function)).numbers.items()
-              if n not in known]  # fmt: skip
+    others = [f"{n} = {v}" for n, v in used.items() if n not in known]
     values = {known[n]: Rational(str(v)) for n, v in numbers.items()
               if known[n].is_Symbol and isfinite(v) and not isinstance(v, Unsaid)}  # fmt: skip
     return {name: known[name] for name in numbers}, told, others[:MOST], values
+
+
+def _in_capitals(naming: Naming, name: str, others: Collection[str]) -> str:
+    """The parameter that a constant of a file is, ``G`` for g; empty where another name is it."""
+    meaning = naming.vocabulary.parameter(name)
+    return "" if meaning in others or meaning.lower() != name.lower() else meaning
 
 
 def _used(function: Callable[..., Any]) -> list[str]:
