@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice
 
+from mechanics.claims.counting_words import ONE_OF_SEVERAL
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Letter
 from mechanics.equations import Equations
@@ -96,16 +97,4 @@ def _fits(scene: Scene, what: str, owner: set[str]) -> bool:
 def _names_a_body(scene: Scene, owner: set[str]) -> bool:
     """Whether words tell bodies apart."""
     bodies = {word for body in scene.bodies for word in re.findall(r"[a-z]+", body.name.lower())}
-    sides = {
-        "upper",
-        "lower",
-        "left",
-        "right",
-        "first",
-        "second",
-        "inner",
-        "outer",
-        "front",
-        "rear",
-    }
-    return bool(owner & (bodies | sides))
+    return bool(owner & (bodies | ONE_OF_SEVERAL))

@@ -5,6 +5,7 @@ pole_kinetic_energy, spring_energy      of a part of it, which is asked for
 """
 
 from mechanics.claims.code.function_names import function_name, spoken
+from mechanics.claims.counting_words import ONE_OF_SEVERAL
 from mechanics.errors import InputError
 from mechanics.scene import Gravity, RigidBody, Scene
 from mechanics.scene.loads import Spring, TorsionSpring
@@ -19,8 +20,6 @@ SHORT = {
 }  # fmt: skip
 MASSES = ("mass", "mass matrix", "inertia", "inertia matrix", "m")
 """Names of functions that fill a square matrix."""
-ONE = frozenset(("upper", "lower", "first", "second", "left", "right", "inner", "outer", "one"))
-"""What tells bodies of a kind apart."""
 OF_SPRINGS = frozenset(("spring", "elastic", "strain"))
 OF_GRAVITY = frozenset(("gravity", "gravitational", "height"))
 OF_TURNING = frozenset(("rotational", "rotation", "translational", "translation", "spin"))
@@ -66,7 +65,9 @@ def _parts(scene: Scene) -> frozenset[str]:
     """Words for what has a part of the energy of a scene."""
     found: set[str] = set()
     if len(scene.bodies) > 1:
-        found |= ONE.union(*(body.name.lower().replace("_", " ").split() for body in scene.bodies))
+        found |= ONE_OF_SEVERAL.union(
+            *(body.name.lower().replace("_", " ").split() for body in scene.bodies)
+        )
     kinds = {type(load) for load in scene.loads}
     if Gravity in kinds and kinds & {Spring, TorsionSpring}:
         found |= OF_SPRINGS | OF_GRAVITY

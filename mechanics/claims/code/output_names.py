@@ -13,6 +13,7 @@ from itertools import permutations
 
 from sympy import Symbol
 
+from mechanics.claims.counting_words import COUNTED
 from mechanics.claims.kinds import angular
 from mechanics.claims.spelled_rates import key
 from mechanics.scene import RigidBody, Scene
@@ -27,12 +28,6 @@ MARKS = re.compile(
 ANGULAR = ("angular", "rotational", "rotation", "rot", "ang", "angle", "omega", "alpha", "om", "w")
 LINEAR = ("linear", "translation", "trans", "lin", "vel", "v", "x", "y", "z", "s", "r")
 LETTERS = frozenset(stem for stem in (*ANGULAR, *LINEAR) if len(stem) == 1)
-COUNTED = (
-    ("first", "upper", "inner", "shoulder", "one"),
-    ("second", "lower", "outer", "elbow", "two"),
-    ("third", "wrist", "three"),
-)
-"""Words that count, those of each place; what is nearer to the ground comes first."""
 MOST = 3
 """Coordinates whose orders are tried."""
 
