@@ -1,33 +1,41 @@
 """Rates that are spelled with letters.
 
-thetadd, theta_dd, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
+thetadd, theta_acc, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
 """
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 SPELLINGS = (
-    (2, ("ddot", "dotdot", "dd", "2dot"), ("dd", "d2")),
-    (1, ("dot", "d"), ("d",)),
+    (2, ("ddot", "dotdot", "dd", "2dot", "accel", "acc"), ("dd", "d2")),
+    (1, ("dot", "d", "vel"), ("d",)),
 )
 """Orders, and what stands behind or before the name of what is differentiated."""
 NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dotdot|dot|dd|d)(?P<number>\d{1,2})")
 """The rate of a letter, and then its number: qdot1, thdd2."""
 
-
+KEPT = 4096
+"""Names that are remembered: a page asks for each of its own many times."""
 VARIANT = re.compile(
     r"var(?=phi|theta|epsilon|rho|sigma|kappa|pi)|^el(?=l\d*(?:d{1,2}|dot|ddot)?$)"
 )
 """What stands before a letter in another shape."""
 
 
+@lru_cache(maxsize=KEPT)
 def key(name: str) -> str:
     """What two names have in common when they are the same: varphi_1 is phi1, ell is l."""
     return VARIANT.sub("", name.replace("_", ""))
 
 
-def bases(name: str) -> Iterator[tuple[str, int]]:
+@lru_cache(maxsize=KEPT)
+def bases(name: str) -> tuple[tuple[str, int], ...]:
     """Keys of names whose rate a name may be, each with the order."""
+    return tuple(_bases(name))
+
+
+def _bases(name: str) -> Iterator[tuple[str, int]]:
     bare = key(name)
     for order, ends, starts in SPELLINGS:
         for end in ends:

@@ -112,6 +112,25 @@ def test_words_that_are_unknown_leave_an_exchange_open(tmp_path: Path) -> None:
         assert found.verdict.name == verdict
 
 
+@pytest.mark.parametrize(
+    ("comment", "verdict"),
+    [
+        ("Returns xdd and thdd.", "PROVED"),
+        ("theta_ddot, x_ddot", "UNDECIDED"),
+        ("thdd and xdd", "UNDECIDED"),
+        ("of theta, x", "PROVED"),
+    ],
+)
+def test_a_comment_that_lists_outputs_has_their_order(
+    comment: str, verdict: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "cart.py"
+    text = PYTHON.format("xdd, thdd", "a", "xdd, thdd")
+    path.write_text(text.replace("    A = ", f'    """{comment}"""\n    A = ', 1))
+    found = check(CART, things_in(path, run_python=True), blame=False)
+    assert found.verdict.name == verdict
+
+
 TORQUES = """from math import cos, sin
 def inverse(theta1, theta2, w1, w2, theta1_ddot, theta2_ddot, m1, m2, l1, l2, g):
     c2, s2 = cos(theta2), sin(theta2)

@@ -17,7 +17,9 @@ l2*{0}2{2} + l1*{0}1{2}*cos({0}1-{0}2) - l1*{0}1{1}^2*sin({0}1-{0}2) + g*sin({0}
 
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("stem", ["th", "phi", "theta_", "q"])
-@pytest.mark.parametrize(("once", "twice"), [("d", "dd"), ("_dot", "_ddot"), ("dot", "ddot")])
+@pytest.mark.parametrize(
+    ("once", "twice"), [("d", "dd"), ("_dot", "_ddot"), ("dot", "ddot"), ("_vel", "_acc")]
+)
 def test_rates_follow_their_coordinate(stem: str, once: str, twice: str) -> None:
     found = mechanics.check(DOUBLE.scene(), ROWS.format(stem, once, twice))
     assert [entry.finding.shown for entry in found.judged] == [True, True]
@@ -36,7 +38,7 @@ def test_rates_of_a_name_that_is_given() -> None:
     ("name", "found"),
     [
         ("thdd", ("th", 2)), ("th1_ddot", ("th1", 2)), ("dtheta", ("theta", 1)), ("d2x", ("x", 2)),
-        ("x_dot", ("x", 1)),
+        ("x_dot", ("x", 1)), ("theta1acc", ("theta1", 2)), ("x_vel", ("x", 1)),
     ],
 )  # fmt: skip
 def test_bases(name: str, found: tuple[str, int]) -> None:

@@ -15,8 +15,10 @@ from sympy import Symbol
 
 from mechanics.claims.counting_words import COUNTED
 from mechanics.claims.kinds import angular
+from mechanics.claims.names import Naming
 from mechanics.claims.spelled_rates import key
 from mechanics.scene import RigidBody, Scene
+from mechanics.scene.symbols import DOTS
 
 TWICE = "double_?dot|dotdot|ddot|dd|pp|accelerations?|accel|acc"
 BEFORE = "ang_?acc|qdd|ddq|d2|dd|accelerations?|accel|acc|d|a"
@@ -28,6 +30,8 @@ MARKS = re.compile(
 ANGULAR = ("angular", "rotational", "rotation", "rot", "ang", "angle", "omega", "alpha", "om", "w")
 LINEAR = ("linear", "translation", "trans", "lin", "vel", "v", "x", "y", "z", "s", "r")
 LETTERS = frozenset(stem for stem in (*ANGULAR, *LINEAR) if len(stem) == 1)
+SEPARATED = re.compile(r"\s*(?:[,;]|\band\b)\s*")
+LISTED = re.compile(rf"[^\W\d]\w*(?:{SEPARATED.pattern}[^\W\d]\w*)+")
 MOST = 3
 """Coordinates whose orders are tried."""
 
@@ -55,6 +59,26 @@ def orders_by_names(
     for order in permutations(scene.q) if size <= MOST else [tuple(scene.q)]:
         if len(hints) != size or all(q in hint for q, hint in zip(order, hints, strict=True)):
             yield order
+
+
+def listed_otherwise(naming: Naming, outputs: Sequence[object], comments: str) -> str:
+    """The list of a comment that has the outputs of a function in another order; empty for none.
+
+    Parameters
+    ----------
+    naming : Naming
+    outputs : sequence of Symbol or other
+        What the outputs are taken for, in their order.
+    comments : str
+        Of the function.
+    """
+    names = [str(output) for output in outputs]
+    for found in LISTED.finditer(comments):
+        known = [naming.lookup(word) for word in re.findall(r"\w+", SEPARATED.sub(" ", found[0]))]
+        listed = [one[0] + DOTS[one[1]] for one in known if one is not None]
+        if sorted(listed) == sorted(names) and len(known) == len(names) and listed != names:
+            return found[0]
+    return ""
 
 
 def unknown_words(scene: Scene, names: Sequence[str]) -> bool:

@@ -51,7 +51,7 @@ from mechanics.claims.code.integrators import NAMES as STEPS
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.named_numbers import named_numbers
 from mechanics.claims.code.out_arguments import returning
-from mechanics.claims.code.output_names import unknown_words
+from mechanics.claims.code.output_names import listed_otherwise, unknown_words
 from mechanics.claims.code.outputs import (
     MOST_ORDERED,
     Claim,
@@ -466,6 +466,9 @@ def _read(
         for k, claim in enumerate(found)
     )
     comments = comments_of(text)
+    if listed := listed_otherwise(naming, [sides[0] for _, _, sides in found], comments):
+        words = f"a comment of {title} says {listed!r}, which is another order than it returns"
+        statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
     statements = tuple(replace(s, comments=comments) for s in statements)
     return Reading(statements, arguments.matches, ())
 
