@@ -61,24 +61,33 @@ def orders_by_names(
             yield order
 
 
-def listed_otherwise(naming: Naming, outputs: Sequence[object], comments: str) -> str:
+def listed_otherwise(
+    naming: Naming, names: Sequence[str], outputs: Sequence[object], comments: str
+) -> str:
     """The list of a comment that has the outputs of a function in another order; empty for none.
 
     Parameters
     ----------
     naming : Naming
+    names : sequence of str
+        Of the outputs, where they have some.
     outputs : sequence of Symbol or other
-        What the outputs are taken for, in their order.
+        What they are taken for.
     comments : str
         Of the function.
     """
-    names = [str(output) for output in outputs]
+    meanings = [str(output) for output in outputs]
     for found in LISTED.finditer(comments):
-        known = [naming.lookup(word) for word in re.findall(r"\w+", SEPARATED.sub(" ", found[0]))]
-        listed = [one[0] + DOTS[one[1]] for one in known if one is not None]
-        if sorted(listed) == sorted(names) and len(known) == len(names) and listed != names:
+        words = re.findall(r"\w+", SEPARATED.sub(" ", found[0]))
+        known = [naming.lookup(word) for word in words]
+        meant = [one[0] + DOTS[one[1]] for one in known if one is not None]
+        if _in_another_order(words, names) or _in_another_order(meant, meanings):
             return found[0]
     return ""
+
+
+def _in_another_order(some: Sequence[str], others: Sequence[str]) -> bool:
+    return list(some) != list(others) and sorted(some) == sorted(others)
 
 
 def unknown_words(scene: Scene, names: Sequence[str]) -> bool:

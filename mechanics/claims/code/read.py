@@ -466,7 +466,8 @@ def _read(
         for k, claim in enumerate(found)
     )
     comments = comments_of(text)
-    if listed := listed_otherwise(naming, [sides[0] for _, _, sides in found], comments):
+    meanings = [sides[0] for _, _, sides in found]
+    if listed := listed_otherwise(naming, outputs.names, meanings, comments):
         words = f"a comment of {title} says {listed!r}, which is another order than it returns"
         statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
     statements = tuple(replace(s, comments=comments) for s in statements)
