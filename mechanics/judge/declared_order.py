@@ -9,8 +9,10 @@ from dataclasses import replace
 
 from mechanics.claims.claim import Written
 from mechanics.claims.names import Naming
+from mechanics.judge.words_beside import beside
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
+from mechanics.scene import Scene
 from mechanics.scene.quantities import MassMatrix
 
 COLUMN = re.compile(
@@ -27,14 +29,15 @@ BY_PLACE = re.compile(r"\s*\\?(?:[MDHBCGQp]|tau|pi|Gamma)\s*_\s*\{?\s*\d")
 """What a statement by place begins with."""
 
 
-def in_declared_order(entry: Judged) -> Judged:
+def in_declared_order(scene: Scene, entry: Judged) -> Judged:
     """The entry; undecided where it is of a place, and its text has another order.
 
     Parameters
     ----------
+    scene : Scene
     entry : Judged
     """
-    written = entry.statement.written
+    written = beside(scene, entry.statement)
     decided = entry.finding.shown or entry.verdict is Verdict.REFUTED
     row = entry.statement.row
     if written is None or not decided or row is None:
@@ -43,7 +46,6 @@ def in_declared_order(entry: Judged) -> Judged:
     if not (by_place or isinstance(row.quantity, MassMatrix)):
         return entry
     order = _order(written)
-    scene = written.naming.vocabulary.scene
     if not order or order == [q.name for q in scene.q][: len(order)]:
         return entry
     doubt = f"the text counts the coordinates in the order {', '.join(order)}, which is not used"

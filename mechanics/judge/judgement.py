@@ -111,7 +111,7 @@ def _read_otherwise(
     judged = with_standard_names(truth, judged, values) if tries else judged
     judged = in_special_case(truth, judged) if tries and not values else judged
     judged = tuple(of_its_owner(truth, entry) for entry in judged)
-    return tuple(in_declared_order(of_special_motion(entry)) for entry in judged)
+    return tuple(in_declared_order(truth.scene, of_special_motion(entry)) for entry in judged)
 
 
 def _right(truth: Equations, values: Values, apart: bool, statement: Statement) -> bool:

@@ -22,7 +22,7 @@ READ_AS = re.compile(r"(?:on the left|returns) is read as (?:the )?(?P<what>.+)"
 OWNED = re.compile(
     r"\b(?P<noun>speed|velocity|tension|force|reaction|momentum|torque|moment)s?\b"
     r"(?: (?!of\b|in\b|at\b|about\b|on\b)\w+){0,2} (?:of|in|at|about|on)"
-    r"(?P<owner>(?: (?!is\b|are\b|and\b|as\b|with\b|given\b)[\w-]+){1,4})",
+    r"(?P<owner>(?: (?!is\b|are\b|and\b|as\b|with\b|given\b)[\w-]+){1,6})",
     re.IGNORECASE,
 )
 SMALL_WORDS = frozenset(("the", "a", "an", "its", "of", "each", "this", "that", "our", "along"))
@@ -48,11 +48,16 @@ def of_its_owner(truth: Equations, entry: Judged) -> Judged:
         return _of_its_function(truth, entry, letter, notes)
     if written is None or not notes or not entry.finding.shown:
         return entry
-    said = OWNED.search(" ".join(sentence_around(written.text, written.start).split()))
+    return _as_said(scene, entry, notes[0], sentence_around(written.text, written.start))
+
+
+def _as_said(scene: Scene, entry: Judged, what: str, words: str) -> Judged:
+    """The entry; open where words say that it is of something else than it is read as."""
+    said = OWNED.search(" ".join(words.split()))
     owner = {*said["owner"].lower().split()} - SMALL_WORDS if said else set()
-    if said is None or not owner or _fits(scene, notes[0], owner):
+    if said is None or not owner or _fits(scene, what, owner):
         return entry
-    doubt = f"it is the {notes[0]}, and the text says '{said[0].strip()}'"
+    doubt = f"it is the {what}, and the text says '{said[0].strip()}'"
     return replace(entry, finding=undecided(entry.finding.subject, doubt))
 
 
@@ -60,9 +65,12 @@ def _of_its_function(
     truth: Equations, entry: Judged, letter: Letter, notes: Sequence[str]
 ) -> Judged:
     """The entry of what a function returns; open where its name says which, and nothing else."""
-    several = len(list(islice(candidates(truth, letter.said), 2))) > 1
-    if not (notes and several and letter.owner and entry.finding.shown):
+    if not (notes and entry.finding.shown):
         return entry
+    commented = _as_said(truth.scene, entry, notes[0], entry.statement.comments)
+    several = len(list(islice(candidates(truth, letter.said), 2))) > 1
+    if not (several and letter.owner and commented.finding.shown):
+        return commented
     if letter.owner <= _tokens(truth.scene, notes[0]):
         return entry
     doubt = (
@@ -84,11 +92,10 @@ def _tokens(scene: Scene, what: str) -> set[str]:
 
 def _fits(scene: Scene, what: str, owner: set[str]) -> bool:
     tokens = _tokens(scene, what)
-    if owner & tokens:
+    if "momentum" in tokens and owner & (FIXED | CENTRES):
+        return ("about" in tokens) is bool(owner & FIXED)
+    if owner & tokens or "momentum" in tokens:
         return True
-    if "momentum" in tokens:
-        about = "about" in tokens
-        return about if owner & FIXED else not about if owner & CENTRES else True
     if "speed" in tokens or "velocity" in tokens:
         return not owner & POINTS and (len(scene.bodies) == 1 or not _names_a_body(scene, owner))
     return len(scene.reactions) < 2 or not _names_a_body(scene, owner)

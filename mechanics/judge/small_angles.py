@@ -15,16 +15,15 @@ from dataclasses import replace
 from sympy import Abs, Dummy, Expr, Matrix, Max, Min, Mod, Piecewise, S, Symbol, sign
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from mechanics.claims.claim import Written
 from mechanics.claims.convention import Table
 from mechanics.claims.kinds import angular
-from mechanics.claims.names import Naming, Vocabulary
 from mechanics.claims.statement import Statement
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.judge.converted_rows import slopes_of
 from mechanics.judge.meanings import NO_TABLE
 from mechanics.judge.operating_point import OperatingPoint, called_linear, operating_point
+from mechanics.judge.words_beside import beside
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
@@ -73,20 +72,11 @@ def as_said(
     for k, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
         if finding.shown and (words := _called_linear(truth.scene, statement)):
             shown[k] = undecided(finding.subject, words)
-        if finding.verdict is Verdict.REFUTED and (written := _beside(truth.scene, statement)):
+        if finding.verdict is Verdict.REFUTED and (written := beside(truth.scene, statement)):
             meant = operating_point(truth.scene, written)
             if meant is not None:
                 judged[k], shown[k] = _about(truth, statement, finding, meant, table)
     return judged, shown
-
-
-def _beside(scene: Scene, statement: Statement) -> Written | None:
-    """A statement with what is said beside it: of code its comments."""
-    written, comments = statement.written, statement.comments
-    if not comments:
-        return written
-    naming = written.naming if written is not None else Naming(Vocabulary(scene))
-    return Written((), (), naming, "code", comments, len(comments))
 
 
 def _called_linear(scene: Scene, statement: Statement) -> str:

@@ -118,6 +118,8 @@ def test_words_that_are_unknown_leave_an_exchange_open(tmp_path: Path) -> None:
         ("Returns xdd and thdd.", "PROVED"),
         ("theta_ddot, x_ddot", "UNDECIDED"),
         ("thdd and xdd", "UNDECIDED"),
+        ("theta'', x''.", "UNDECIDED"),
+        ("x'' and theta''.", "PROVED"),
         ("of theta, x", "PROVED"),
     ],
 )

@@ -31,7 +31,7 @@ ANGULAR = ("angular", "rotational", "rotation", "rot", "ang", "angle", "omega", 
 LINEAR = ("linear", "translation", "trans", "lin", "vel", "v", "x", "y", "z", "s", "r")
 LETTERS = frozenset(stem for stem in (*ANGULAR, *LINEAR) if len(stem) == 1)
 SEPARATED = re.compile(r"\s*(?:[,;]|\band\b)\s*")
-LISTED = re.compile(rf"[^\W\d]\w*(?:{SEPARATED.pattern}[^\W\d]\w*)+")
+LISTED = re.compile(rf"[^\W\d]\w*'*(?:{SEPARATED.pattern}[^\W\d]\w*'*)+")
 MOST = 3
 """Coordinates whose orders are tried."""
 
@@ -78,9 +78,9 @@ def listed_otherwise(
     """
     meanings = [str(output) for output in outputs]
     for found in LISTED.finditer(comments):
-        words = re.findall(r"\w+", SEPARATED.sub(" ", found[0]))
-        known = [naming.lookup(word) for word in words]
-        meant = [one[0] + DOTS[one[1]] for one in known if one is not None]
+        words = SEPARATED.sub(" ", found[0]).split()
+        known = [(naming.lookup(word.rstrip("'")), word.count("'")) for word in words]
+        meant = [one[0] + "".join(DOTS[one[1] + k :][:1]) for one, k in known if one is not None]
         if _in_another_order(words, names) or _in_another_order(meant, meanings):
             return found[0]
     return ""
