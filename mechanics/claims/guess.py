@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from mechanics.claims.kinds import angular, kinds
-from mechanics.claims.names import GREEK, Match, Naming
+from mechanics.claims.names import GREEK, Match, Naming, Vocabulary
 from mechanics.claims.scaled_names import another_quantity
 from mechanics.claims.spelled_rates import bases, families, key
 from mechanics.claims.step_indices import at_different_steps
@@ -59,9 +59,13 @@ REASONS = (
 OTHERS = frozenset(
     ("spring", "friction", "fric", "damper", "damping", "damp", "drag", "gravity", "grav",
      "restoring", "inertia", "inertial", "net", "total", "tot", "crit", "critical", "cr", "avg",
-     "mean", "rms", "el", "elastic", "bead")
+     "mean", "rms", "el", "elastic", "bead", "half", "tip")
 )  # fmt: skip
-"""What a subscript says that makes a force or a coefficient another one."""
+"""What a subscript says that makes a force, a length or a coefficient another one."""
+OTHER_INPUTS = frozenset(("left", "right", "wind", "volt", "voltage", "current", "pwm"))
+CENTRES = frozenset(("com", "cog", "cg", "cm"))
+CENTRE = re.compile(r"\b(?:cent(?:re|er)|half|com)\b", re.IGNORECASE)
+"""Of a distance up to a mass centre: in a name, and in the meaning of a parameter."""
 Rule = tuple[Callable[[str, str], bool], str]
 
 
@@ -119,7 +123,7 @@ def guess(naming: Naming, used: Sequence[Name], defined: Iterable[str]) -> tuple
     apart = _at_different_steps(naming, used, every)
     first = {n for n in still if FIRST.search(n) and f"{n[:-1]}1" not in still | moving}
     first = {m.name for m in every if m.name in first and m.meaning in vocabulary.functions}
-    slips = {match.name for match in every if _is_slip(match, taken, vocabulary.constants)}
+    slips = {match.name for match in every if _is_slip(match, taken, vocabulary)}
     unlike = {key(name) for name in apart | first | slips}
     every = tuple(match for match in every if key(match.name) not in unlike)
     left_over = (moving | still) - {match.name for match in every} - apart - first - slips
@@ -171,11 +175,21 @@ def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> l
     return found
 
 
-def _is_slip(match: Match, taken: Iterable[str], constants: Iterable[str]) -> bool:
+def _is_slip(match: Match, taken: Iterable[str], vocabulary: Vocabulary) -> bool:
     """Whether a guess takes l_3 for l2, or l_2 for lc2 beside l_1, or F_spring for F."""
+    constants = vocabulary.constants
     (stem, number), (other, end) = (_stem(name) for name in (match.name, match.meaning))
-    parts = re.split(r"[_{}]+", match.name.lower())[1:]
-    if any(part in OTHERS for part in parts) or (parts == ["g"] and "g" in constants):
+    first, *parts = filter(None, re.split(r"[_{}\d]+", match.name.lower()))
+    is_input = match.meaning not in constants
+    words = {first[1:], *parts, *([first] if is_input else [])}  # Ffriction, F_friction, friction
+    said = getattr(constants.get(match.meaning), "meaning", "")
+    if words & OTHERS or (words & CENTRES and said and not CENTRE.search(said)):
+        return True
+    if is_input and (
+        words & OTHER_INPUTS or ("force" in words and match.meaning in _torques(vocabulary.scene))
+    ):
+        return True
+    if "g" in constants and ([first, *parts] == ["mg"] or parts == ["g"]):
         return True
     if not (number or end):
         return False
@@ -283,10 +297,7 @@ def _moving_rules(scene: Scene) -> list[Rule]:
 
 def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
     units = {symbol.name: getattr(symbol, "unit", "") for symbol in scene.parameters}
-    turning = {
-        symbol.name for load in scene.loads if isinstance(load, Torque)
-        for symbol in scene.vector(load.vector, load.name).free_symbols
-    }  # fmt: skip
+    turning = _torques(scene)
 
     def unit(name: str, target: str) -> bool:
         if name in RATES:
@@ -317,6 +328,14 @@ def _still_rules(scene: Scene, inputs: set[str]) -> list[Rule]:
         (force, "the only input that is left"),
         (first, FIRST_LETTER),
     ]
+
+
+def _torques(scene: Scene) -> set[str]:
+    """Names that torques of a scene are made of."""
+    return {
+        symbol.name for load in scene.loads if isinstance(load, Torque)
+        for symbol in scene.vector(load.vector, load.name).free_symbols
+    }  # fmt: skip
 
 
 def _greek(name: str) -> bool:

@@ -29,14 +29,14 @@ from mechanics.symbolic import is_zero
 WHICH = re.compile(
     r"\b(?:low(?:est|er)|high(?:est|er)|small(?:est|er)|larg(?:est|er)|slow(?:est|er)|fast(?:est|er)"
     r"|fundamental|ground|only|sole|single|short(?:est|er)|long(?:est|er)|first|second"
-    r"|min(?:imum|imal)|max(?:imum|imal))\s+"
+    r"|min(?:imum|imal)|max(?:imum|imal)|upper(?=\s+(?:\w*frequenc|mode|root|eigen)))\s+"
     r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root|eigen\w+)"
     r"|\b(?:opposite directions?|out of phase|in phase|in unison|(?:anti-?)?symmetric mode"
     r"|held|clamped|fixed|locked)\b",
     re.IGNORECASE,
 )
 LOWER = re.compile(r"(?:low|small|slow|fundamental|ground|min)(?!.*period)", re.IGNORECASE)
-HIGHER = re.compile(r"(?:high|larg|fast|max)(?!.*period)", re.IGNORECASE)
+HIGHER = re.compile(r"(?:high|upper|larg|fast|max)(?!.*period)", re.IGNORECASE)
 """Of frequencies; a period is larger where its frequency is smaller."""
 WITHOUT = (
     r"(?<!not )(?<!without )(?<!never )(?:without|no|neglect\w*|ignor\w*|disregard\w*)"

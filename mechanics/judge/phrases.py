@@ -158,8 +158,8 @@ PUSHES = phrase(r"NAMEACTS (?:to (?:the )?)?(?P<way>left|right|leftwards?|rightw
 
 UNIT = phrase(
     r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
-    r"(?:(?!in\b|not\b)[a-z]+ ){0,5}?"
-    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:degrees|deg|grad(?:ian)?s?"
+    r"(?:(?!in\b|not\b)[a-z]+,? ){0,5}?"
+    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:N ?[mck]m|degrees|deg|grad(?:ian)?s?"
     r"|(?:centi|milli|kilo(?!gram))\w+|[cmk]m|kN|minutes|hours|inch(?:es)?|feet|pounds)\b"
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )

@@ -176,6 +176,14 @@ PAGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "the greater eigenvalue": (
         "two_mass_chain", r"The smallest eigenvalue is $\omega^2 = k/m$.", OPEN,
     ),
+    "the upper of two": (
+        "two_mass_chain", r"The upper frequency is $\omega = \sqrt{k/(6m)}$.", OPEN,
+    ),
+    "degrees behind a comma": (
+        "rod_pendulum",
+        r"$\theta$ is counted from upright, in degrees."
+        r" $\ddot\theta = \frac{3g}{2l}\sin\theta + \frac{3u}{ml^2}$", OPEN,
+    ),
     "the smaller eigenvalue": (
         "two_mass_chain", r"The smallest eigenvalue is $\omega^2 = k/(6m)$.", RIGHT,
     ),

@@ -69,6 +69,7 @@ from mechanics.claims.code.python.kept_values import refuse_stale
 from mechanics.claims.code.python.local_numbers import with_local_numbers
 from mechanics.claims.code.python.python_call import beside, signature_of
 from mechanics.claims.code.python.wrappers import unwrapped
+from mechanics.claims.code.qualified_names import another_one, unknown_qualifiers
 from mechanics.claims.code.trace.execution_paths import ways_of
 from mechanics.claims.code.trace.formulas import (
     Assignment,
@@ -424,6 +425,8 @@ def _read(
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
     if about is None and len(_all(outputs)) == 1:
         refuse_energy_of_a_part(scene, title)
+    otherwise = another_one(scene, title) if about is None else ""
+    unknown = unknown_qualifiers(scene, title) if about is None else ()
     about = about or named_by_title(title, len(_all(outputs)), len(scene.u))
     passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
     by_order = about is None or about in QUANTITIES  # else it names them in the code's order
@@ -470,8 +473,12 @@ def _read(
     if listed := listed_otherwise(naming, outputs.names, meanings, comments):
         words = f"a comment of {title} says {listed!r}, which is another order than it returns"
         statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
+    if otherwise:
+        words = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
+        statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
     statements = tuple(replace(s, comments=comments) for s in statements)
-    return Reading(statements, arguments.matches, ())
+    quoted = tuple(f"the word {word} in the name {title}" for word in unknown)
+    return Reading(statements, arguments.matches, (), quoted)
 
 
 def _in_other_orders(
