@@ -30,7 +30,7 @@ WHICH = re.compile(
     r"\b(?:low(?:est|er)|high(?:est|er)|small(?:est|er)|larg(?:est|er)|slow(?:est|er)|fast(?:est|er)"
     r"|fundamental|ground|only|sole|single|short(?:est|er)|long(?:est|er)|first|second"
     r"|min(?:imum|imal)|max(?:imum|imal)|upper(?=\s+(?:\w*frequenc|mode|root|eigen)))\s+"
-    r"(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root|eigen\w+)"
+    r"(?:of\s+(?:the\s+|both\s+)?(?:two\s+)?)?(?:\w+\s+){0,2}(?:\w*frequenc|mode|period|root|eigen\w+)"
     r"|\b(?:opposite directions?|out of phase|in phase|in unison|(?:anti-?)?symmetric mode"
     r"|held|clamped|fixed|locked)\b",
     re.IGNORECASE,

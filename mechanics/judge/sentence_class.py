@@ -72,7 +72,8 @@ def _limiting(sentence: Sentence, rest: str) -> list[str]:
     """What may deny or limit, of what nothing compares; of a comment what denies an equation."""
     denials = [m[0] for m in p.DENIAL.finditer(sentence.words)]
     if sentence.comment:
-        return [*denials, *(m[0] for m in p.FLAWED.finditer(sentence.words))]
+        rows = (p.FLAWED, p.FOREIGN_UNIT)
+        return [*denials, *(m[0] for row in rows for m in row.finditer(sentence.words))]
     marked = sentence.marked
     asked = ["?"] if "?" in marked and (MARK.search(marked) or not WORDS.search(marked)) else []
     plain = MARK.sub(" ", p.IDIOMS.sub(" ", rest))

@@ -22,7 +22,7 @@ from mechanics.claims.text.line_continuation import CONDITION as OF_LINE
 from mechanics.claims.text.prepare import BLOCK, LEADS
 from mechanics.claims.unread_names import assigned_names
 from mechanics.judge.markup import without_markup
-from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED
+from mechanics.judge.phrases import CONDITION, DENIAL, FLAWED, FOREIGN_UNIT
 from mechanics.judge.sentence_forms import one_form
 
 DELIMITER = re.compile(
@@ -181,8 +181,11 @@ def _formula(line: re.Match[str]) -> str:
     return line[0] if WITH_UNIT.search(line[0]) or _spoken(line[0]) else MARKED
 
 
+SPOKEN = (TWO_WORDS, SUPPOSED, FLAWED, FOREIGN_UNIT, DENIAL, TURNED)
+
+
 def _spoken(line: str) -> bool:
-    return any(words.search(line) for words in (TWO_WORDS, SUPPOSED, FLAWED, DENIAL, TURNED))
+    return any(words.search(line) for words in SPOKEN)
 
 
 def _statement(line: re.Match[str]) -> str:

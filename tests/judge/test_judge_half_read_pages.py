@@ -179,6 +179,10 @@ PAGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "the upper of two": (
         "two_mass_chain", r"The upper frequency is $\omega = \sqrt{k/(6m)}$.", OPEN,
     ),
+    "the higher of two": (
+        "two_mass_chain",
+        r"The higher of the two natural frequencies is $\omega = \sqrt{k/(6m)}$.", OPEN,
+    ),
     "degrees behind a comma": (
         "rod_pendulum",
         r"$\theta$ is counted from upright, in degrees."
