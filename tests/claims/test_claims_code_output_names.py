@@ -133,6 +133,19 @@ def test_a_comment_that_lists_outputs_has_their_order(
     assert found.verdict.name == verdict
 
 
+@pytest.mark.parametrize(
+    ("title", "verdict"),
+    [("xdd_thdd", "PROVED"), ("thdd_xdd", "UNDECIDED"), ("theta_ddot_x_ddot", "PROVED")],
+)
+def test_a_name_that_lists_outputs_has_their_order(
+    title: str, verdict: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "cart.py"
+    path.write_text(PYTHON.format("xdd, thdd", "a", "xdd, thdd").replace("accel", title))
+    found = check(CART, things_in(path, run_python=True), blame=False)
+    assert found.verdict.name == verdict
+
+
 TORQUES = """from math import cos, sin
 def inverse(theta1, theta2, w1, w2, theta1_ddot, theta2_ddot, m1, m2, l1, l2, g):
     c2, s2 = cos(theta2), sin(theta2)

@@ -470,12 +470,13 @@ def _read(
     )
     comments = comments_of(text)
     meanings = [sides[0] for _, _, sides in found]
-    if listed := listed_otherwise(naming, outputs.names, meanings, comments):
-        words = f"a comment of {title} says {listed!r}, which is another order than it returns"
-        statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
+    for lists, what in ((title.replace("_", ", "), "its name"), (comments, "a comment")):
+        if listed := listed_otherwise(naming, outputs.names, meanings, lists):
+            doubt = f"{what} says {listed!r}, which is another order than {title} returns"
+            statements = tuple(replace(s, doubt=s.doubt or doubt) for s in statements)
     if otherwise:
-        words = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
-        statements = tuple(replace(s, doubt=s.doubt or words) for s in statements)
+        doubt = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
+        statements = tuple(replace(s, doubt=s.doubt or doubt) for s in statements)
     statements = tuple(replace(s, comments=comments) for s in statements)
     quoted = tuple(f"the word {word} in the name {title}" for word in unknown)
     return Reading(statements, arguments.matches, (), quoted)
