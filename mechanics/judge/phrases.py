@@ -695,7 +695,7 @@ FLAWED = re.compile(
 """What denies or limits code where a comment has it."""
 FOREIGN_UNIT = re.compile(
     r"(?<![\w/*.])(?:(?:deg(?:rees?)?|\u00b0|rev(?:s|olutions?)?|turns?|[cmk]m|mrad|ft|feet|in"
-    r"|inch(?:es)?|lbf?|kN|mph)\s*/\s*[a-z]+|(?:1|rad|m|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b"
+    r"|inch(?:es)?|lbf?|kN|mph)\s*/\s*(?:s|sec|min|hr?)(?![a-z])|(?:1|rad|m|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b"
     r"|(?:rpm|mph)\b)"
     r"|(?m:^\W*(?:units?\b\W*)?(?:[cmk]m|deg(?:rees?)?|\u00b0|in(?:ch(?:es)?)?|ft|feet|lbs?|kN|ms"
     r"|N ?[cm]m)\W*$)"
