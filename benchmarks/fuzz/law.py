@@ -1,11 +1,14 @@
 """The law that every input keeps, and what it costs.
 
     bytes  ->  a Check, or a MechanicsError of one line with "line N, column M"
+    Check  ->  its answer for a terminal, in JSON and as a page
 
 Reading takes less than 2 s and 500 MB; a verdict, that of a wrong equation with its blame
-included, less than `LONGEST_VERDICT`. Nothing that the bytes say is run.
+included, less than `LONGEST_VERDICT`, and its answers together less than `LONGEST_ANSWERS`.
+Nothing that the bytes say is run.
 """
 
+import json
 import re
 import resource
 import traceback
@@ -17,10 +20,13 @@ from typing import Any
 from mechanics.equations import Equations
 from mechanics.errors import MechanicsError
 from mechanics.judge.check import Check, check
+from mechanics.judge.check_json import to_json
 from mechanics.judge.readers import read
+from mechanics.report.answer.page import check_html
 
 LONGEST_READING = 2.0
 LONGEST_VERDICT = 30.0
+LONGEST_ANSWERS = 10.0
 """Seconds of the processor."""
 
 LARGEST_MEMORY = 500.0
@@ -39,7 +45,7 @@ class Outcome:
         The worst verdict, or ``"refused"``.
     broken : str
         How it breaks the law; empty where it does not.
-    reading, verdict : float
+    reading, verdict, answers : float
         Seconds of the processor.
     memory : float
         Megabytes that the process grew by.
@@ -49,11 +55,12 @@ class Outcome:
     broken: str
     reading: float
     verdict: float
+    answers: float
     memory: float
 
 
 def outcome(truth: Equations, notation: str, data: bytes, *, blame: bool = True) -> Outcome:
-    """Read an input, and judge it; time and memory are measured, not judged.
+    """Read an input, judge it, write its answers; time and memory are measured, not judged.
 
     Parameters
     ----------
@@ -66,12 +73,14 @@ def outcome(truth: Equations, notation: str, data: bytes, *, blame: bool = True)
     """
     before = memory()
     _, broken, reading = _timed(lambda: read(truth.scene, data, None, notation, None))
-    kind, verdict = "read", 0.0
+    kind, verdict, answers = "read", 0.0, 0.0
     if not broken:
         found, broken, verdict = _timed(lambda: check(truth, data, notation=notation, blame=blame))
         kind = found.verdict.name if isinstance(found, Check) else "refused"
-        broken = broken or (_doubts(found) if isinstance(found, Check) else "")
-    return Outcome(kind, broken, reading, verdict, memory() - before)
+        if isinstance(found, Check) and not broken:
+            _, broken, answers = _timed(lambda: _answers(found))
+            broken = broken or _doubts(found)
+    return Outcome(kind, broken, reading, verdict, answers, memory() - before)
 
 
 def over(found: Outcome) -> str:
@@ -82,6 +91,8 @@ def over(found: Outcome) -> str:
         return f"{found.memory:.0f} MB"
     if found.verdict > LONGEST_VERDICT:
         return f"the verdict took {found.verdict:.1f} s"
+    if found.answers > LONGEST_ANSWERS:
+        return f"the answers took {found.answers:.1f} s"
     return ""
 
 
@@ -101,6 +112,11 @@ def _timed(act: Callable[[], Any]) -> tuple[Any, str, float]:
     except Exception as error:
         broken = f"{type(error).__name__} {_origin(error)}"
     return found, broken, process_time() - start
+
+
+def _answers(found: Check) -> tuple[str, str, str]:
+    """What a person sees of a verdict."""
+    return str(found), json.dumps(to_json(found)), check_html(found)
 
 
 def _line(words: str) -> str:

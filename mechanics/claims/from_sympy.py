@@ -9,11 +9,12 @@ from fractions import Fraction
 import sympy
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
+from mechanics.claims.place import Refused
 from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum
 
 
 class Untreeable(Exception):
-    """An expression holds what the trees do not know: cases, matrices, derivatives."""
+    """An expression holds what the trees do not know: cases, derivatives, more than they may."""
 
 
 def tree_of(expression: Expr, named: Callable[[Symbol], Name]) -> Node:
@@ -22,8 +23,16 @@ def tree_of(expression: Expr, named: Callable[[Symbol], Name]) -> Node:
     Raises
     ------
     Untreeable
-        Where it holds what the trees do not know.
+        Where it holds what the trees do not know, or is larger than they may be: what a person
+        may not write at once (``x**64``), products of it can come to.
     """
+    try:
+        return _tree(expression, named)
+    except Refused as reason:
+        raise Untreeable(reason.words) from None
+
+
+def _tree(expression: Expr, named: Callable[[Symbol], Name]) -> Node:
     if isinstance(expression, Rational):
         return _number(expression)
     if isinstance(expression, Symbol):
@@ -31,16 +40,16 @@ def tree_of(expression: Expr, named: Callable[[Symbol], Name]) -> Node:
     if isinstance(expression, Add):
         # SymPy keeps terms in an order of its own; people read the one that it prints.
         terms = expression.as_ordered_terms() if len(expression.args) < 30 else expression.args
-        return Sum(0, tuple(tree_of(term, named) for term in terms))
+        return Sum(0, tuple(_tree(term, named) for term in terms))
     if isinstance(expression, Mul):
         return _product(expression, named)
     if isinstance(expression, Pow):
-        return Power(0, tree_of(expression.base, named), tree_of(expression.exp, named))
+        return Power(0, _tree(expression.base, named), _tree(expression.exp, named))
     if expression is sympy.pi:
         return Call(0, "pi", ())
     if isinstance(expression, sympy.Function) and type(expression).__name__ in CALLS:
         name = CALLS[type(expression).__name__]
-        return Call(0, name, tuple(tree_of(argument, named) for argument in expression.args))
+        return Call(0, name, tuple(_tree(argument, named) for argument in expression.args))
     raise Untreeable(type(expression).__name__)
 
 
@@ -69,7 +78,7 @@ def _product(expression: Mul, named: Callable[[Symbol], Name]) -> Node:
         nodes += [Number(0, abs(ratio))] if abs(ratio) != 1 else []
     else:
         ratio = Fraction(1)
-        nodes.append(tree_of(coefficient, named))
-    nodes += [tree_of(factor, named) for factor in factors]
+        nodes.append(_tree(coefficient, named))
+    nodes += [_tree(factor, named) for factor in factors]
     inner = nodes[0] if len(nodes) == 1 else Product(0, tuple(nodes))
     return Product(0, (Number(0, Fraction(-1)), inner)) if ratio < 0 else inner
