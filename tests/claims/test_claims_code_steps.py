@@ -117,6 +117,38 @@ def test_a_step_of_no_integrator_that_is_known_is_never_proved() -> None:
         mechanics.check(ROD, elsewhere, blame=False)
 
 
+@pytest.mark.sample(3)
+@pytest.mark.parametrize(("step", "name"), STEPS)
+def test_a_step_may_limit_its_input(step, name) -> None:
+    def limited(state, u, dt, m, l, g, **changed):
+        return (step(*state, np.clip(u, -2, 2), dt, m, l, g, **changed) if step is semi_implicit
+                else step(state, np.clip(u, -2, 2), dt, m, l, g, **changed))  # fmt: skip
+
+    right = mechanics.check(ROD, limited, blame=False)
+    assert right.ok
+    assert f"a step of {name}" in [entry.statement.tag for entry in right.judged]
+    assert "limited to +-2" in str(right)
+    wrong = mechanics.check(ROD, partial(limited, share=3), blame=False)
+    assert wrong.verdict.name == "REFUTED"
+
+
+def test_a_limit_of_one_part_is_no_step_of_an_integrator() -> None:
+    def where_weak(state, u, dt, m, l, g):
+        th, w = state
+        after = w + dt * acceleration(th, np.clip(u, -2, 2), m, l, g)
+        return th + dt * (after if u < 1 else w), after
+
+    assert mechanics.check(ROD, where_weak, blame=False).verdict.name == "REFUTED"
+
+    def fastest(state, u, dt, m, l, g):
+        th, w = state
+        w = np.clip(w + dt * acceleration(th, u, m, l, g), -8, 8)
+        return th + dt * w, w
+
+    with pytest.raises(InputError, match="no state after a step"):
+        mechanics.check(ROD, fastest, blame=False)
+
+
 C = """
 #include <math.h>
 void step(double state[2], double u, double dt, double m, double l, double g, double next[2])

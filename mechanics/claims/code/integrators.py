@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from random import Random
 from typing import Protocol
 
-from sympy import Expr, Float, S, Symbol, nan, oo, zoo
+from sympy import Expr, Float, Piecewise, S, Symbol, nan, oo, zoo
 
 from mechanics.scene import Scene
 
@@ -87,17 +87,25 @@ def step_of(
     Step or None
         None where a value less the entry is not a multiple of the step.
     """
-    rates = {}
-    for symbol, value in zip(state, values, strict=True):
-        at_once = put((value - symbol) / STEP, {STEP: S.Zero})
-        if at_once.has(zoo, nan, oo):
-            at_once = put(((value - symbol) / STEP).expand(), {STEP: S.Zero})
-        if at_once.has(zoo, nan, oo):
-            return None
-        rates[symbol] = at_once
+    rates = {s: _per_step(value, s) for s, value in zip(state, values, strict=True)}
+    if any(rate.has(zoo, nan, oo) for rate in rates.values()):
+        return None
     symbols = sorted({*passed, *scene.parameters, *scene.definitions}, key=str)
     name, composed = integrator_of(scene, rates, state, values, symbols)
     return Step(rates, name, composed)
+
+
+def _per_step(value: Expr, symbol: Expr) -> Expr:
+    """What an entry gains in a step by that step, as it goes to zero; case by case."""
+    if isinstance(value, Piecewise):
+        cases = [
+            (_per_step(inner, symbol), put(where, {STEP: S.Zero})) for inner, where in value.args
+        ]
+        return Piecewise(*cases)
+    at_once = put((value - symbol) / STEP, {STEP: S.Zero})
+    if at_once.has(zoo, nan, oo):
+        at_once = put(((value - symbol) / STEP).expand(), {STEP: S.Zero})
+    return at_once
 
 
 def integrator_of(
