@@ -14,7 +14,7 @@ from mechanics.claims.tree import Call, Name, Node, Number, Power, Product, Sum
 
 
 class Untreeable(Exception):
-    """An expression holds what the trees do not know: cases, derivatives, more than they may."""
+    """An expression holds what no tree can: cases, derivatives, or it is too large for one."""
 
 
 def tree_of(expression: Expr, named: Callable[[Symbol], Name]) -> Node:

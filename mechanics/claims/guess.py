@@ -63,6 +63,7 @@ OTHERS = frozenset(
 )  # fmt: skip
 """What a subscript says that makes a force, a length or a coefficient another one."""
 OTHER_INPUTS = frozenset(("left", "right", "wind", "volt", "voltage", "current", "pwm"))
+"""What a subscript says that makes an input another one."""
 CENTRES = frozenset(("com", "cog", "cg", "cm"))
 CENTRE = re.compile(r"\b(?:cent(?:re|er)|half|com)\b", re.IGNORECASE)
 """Of a distance up to a mass centre: in a name, and in the meaning of a parameter."""
@@ -178,8 +179,22 @@ def _twins(names: Sequence[str], taken: set[str], functions: Iterable[str]) -> l
 def _is_slip(match: Match, taken: Iterable[str], vocabulary: Vocabulary) -> bool:
     """Whether a guess takes l_3 for l2, or l_2 for lc2 beside l_1, or F_spring for F."""
     constants = vocabulary.constants
+    if _says_another(match, vocabulary):
+        return True
     (stem, number), (other, end) = (_stem(name) for name in (match.name, match.meaning))
-    first, *parts = filter(None, re.split(r"[_{}\d]+", match.name.lower()))
+    if not (number or end):
+        return False
+    if stem == other:
+        return bool(number and end and number != end) or any(_stem(n)[0] == stem for n in taken)
+    if stem.lower() == other.lower() and number == end:  # L_2 for l2, where the scene has no L1
+        return any(_stem(name)[0] == stem for name in constants)
+    return any(_stem(name)[0].lower() == stem.lower() for name in taken)
+
+
+def _says_another(match: Match, vocabulary: Vocabulary) -> bool:
+    """Whether a word in a name says that it is no such thing: F_spring, l_com, mg, u_left."""
+    constants = vocabulary.constants
+    first, *parts = [*filter(None, re.split(r"[_{}\d]+", match.name.lower()))] or [""]
     is_input = match.meaning not in constants
     words = {first[1:], *parts, *([first] if is_input else [])}  # Ffriction, F_friction, friction
     said = getattr(constants.get(match.meaning), "meaning", "")
@@ -189,15 +204,7 @@ def _is_slip(match: Match, taken: Iterable[str], vocabulary: Vocabulary) -> bool
         words & OTHER_INPUTS or ("force" in words and match.meaning in _torques(vocabulary.scene))
     ):
         return True
-    if "g" in constants and ([first, *parts] == ["mg"] or parts == ["g"]):
-        return True
-    if not (number or end):
-        return False
-    if stem == other:
-        return bool(number and end and number != end) or any(_stem(n)[0] == stem for n in taken)
-    if stem.lower() == other.lower() and number == end:  # L_2 for l2, where the scene has no L1
-        return any(_stem(name)[0] == stem for name in constants)
-    return any(_stem(name)[0].lower() == stem.lower() for name in taken)
+    return "g" in constants and ([first, *parts] == ["mg"] or parts == ["g"])
 
 
 def _stem(name: str) -> tuple[str, str]:

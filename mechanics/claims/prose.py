@@ -55,10 +55,15 @@ def energy_before(text: str, at: int) -> str:
     return "T" if match["kinetic"] else "V" if match["potential"] else "E"
 
 
+FROM_REST = re.compile(
+    r"\b(?:start|releas|beg[iau]n)\w* (?:from |at )?rest\b|\bfrom rest\b|\binitially at rest\b",
+    re.IGNORECASE,
+)
+"""How a motion begins."""
 EQUILIBRIUM = re.compile(
     r"equilibri|stationary (?:point|solution)|fixed point"
     r"|\b(?:balances|is balanced|held horizontally)\s+(?:when|where|if|with)\b"
-    r"|(?<!from )(?<!starts )(?<!released )\bat rest\b|\brests\b(?! (?:on|against|upon)\b)"
+    r"|(?<!frame )\bat rest\b|\brests\b(?! (?:on|against|upon)\b)"
     r"|(?:oscillat|vibrat)\w+\s+(?:about|around)\b",
     re.IGNORECASE,
 )
@@ -91,7 +96,8 @@ def sentence_around(text: str, at: int) -> str:
 
 def of_equilibrium(text: str, at: int) -> bool:
     """Whether the sentence around a place in a text speaks of an equilibrium."""
-    return EQUILIBRIUM.search(sentence_around(text, at)) is not None
+    sentence = " ".join(sentence_around(text, at).split())
+    return EQUILIBRIUM.search(FROM_REST.sub("", sentence)) is not None
 
 
 def denies_equilibrium(text: str, at: int) -> str:

@@ -12,7 +12,11 @@ SPELLINGS = (
     (1, ("dot", "d", "vel"), ("d",)),
 )
 """Orders, and what stands behind or before the name of what is differentiated."""
-NUMBERED = re.compile(r"(?P<name>[^\W\d_]+?)(?P<rate>ddot|dotdot|dot|dd|d)(?P<number>\d{1,2})")
+_ORDERS = {end: order for order, ends, _ in SPELLINGS for end in ends if end.isalpha()}
+NUMBERED = re.compile(
+    rf"(?P<name>[^\W\d_]+?)(?P<rate>{'|'.join(sorted(_ORDERS, key=len, reverse=True))})"
+    r"(?P<number>\d{1,2})"
+)
 """The rate of a letter, and then its number: qdot1, thdd2."""
 
 KEPT = 4096
@@ -47,7 +51,7 @@ def _bases(name: str) -> Iterator[tuple[str, int]]:
             if bare.startswith(start) and bare != start:
                 yield bare.removeprefix(start), order
     if part := NUMBERED.fullmatch(bare):
-        yield part["name"] + part["number"], 1 + (part["rate"] not in ("dot", "d"))
+        yield part["name"] + part["number"], _ORDERS[part["rate"]]
 
 
 def families(names: Iterable[str]) -> dict[str, str]:

@@ -180,6 +180,11 @@ def _to_centre(facts: SceneFacts, said: Said) -> Outcome:
     if own not in facts.parameters:
         return None
     if ratio == 1:
+        words = re.split(r"[,;.\u27e8]", said.string[said.end("name") + 1 :], maxsplit=1)[0]
+        far = p.FAR_END.search(words) and not p.FAR_END.search(facts.meaning(own))
+        if far or _same_number(own, words) is False:
+            have = f"the text says {bare(said.string)!r}"
+            return f"{have}, the scene's {own} is the {facts.meaning(own)}"
         return "" if only_words(said, p.TO_A_CENTRE | facts.words, facts) else None
     if ratio in RATIOS:
         return read_declared([f"half-length of {name_of(said)}"], facts.known)
@@ -287,11 +292,8 @@ def _same_thing(facts: SceneFacts, own: str, words: str) -> frozenset[str] | Non
     """
     symbol, said = facts.parameters[own], facts.nouns(words)
     things = frozenset(facts.alike(m[0]) for m in p.THINGS.finditer(words))
-    orders = frozenset().union(*p.ORDINALS.values()) & {*words.split()}
-    if orders and re.search(r"\d$", own):
-        return orders | things if orders <= p.ORDINALS.get(own[-1], frozenset()) else None
-    if numbers := re.findall(r"\d+", words):
-        return things if numbers == re.findall(r"\d+", own) else None
+    if (numbered := _same_number(own, words)) is not None:
+        return things.union(_orders(words)) if numbered else None
     bodies = [b for b in facts.scene.bodies if facts.nouns(b.name) & said]
     if not bodies and len(facts.scene.bodies) == 1:
         bodies = [*facts.scene.bodies]
@@ -308,6 +310,18 @@ def _same_thing(facts: SceneFacts, own: str, words: str) -> frozenset[str] | Non
     return same or (frozenset() if _usual_letter(facts, own, words) else None)
 
 
+def _orders(words: str) -> frozenset[str]:
+    return frozenset().union(*p.ORDINALS.values()) & {*words.split()}
+
+
+def _same_number(own: str, words: str) -> bool | None:
+    """Whether words have the number of a name, "second" for 2; None where they have none."""
+    if (orders := _orders(words)) and re.search(r"\d$", own):
+        return orders <= p.ORDINALS.get(own[-1], frozenset())
+    numbers = re.findall(r"\d+", words)
+    return numbers == re.findall(r"\d+", own) if numbers else None
+
+
 def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:
     """Whether a name begins as people's do for what it is said to be, and no other of its unit."""
     unit = facts.unit(own)
@@ -317,9 +331,16 @@ def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:
 
 
 def _other_distance(facts: SceneFacts, said: Said, meaning: str, words: str) -> bool:
-    """Whether a distance is said to be between what a length is not."""
-    if not meaning or "distance" in meaning or p.TO_CENTRE.match(said.string, said.start()):
+    """Whether a distance is said to be between what a length is not; one to a centre, a length."""
+    if not meaning or p.TO_CENTRE.match(said.string, said.start()):
         return False
+    if "distance" in meaning:
+        own_is_to_centre = p.A_CENTRE.search(meaning) is not None
+        return (
+            own_is_to_centre
+            and re.match("length of", words) is not None
+            and not (p.A_CENTRE.search(said.string) or re.search("half|centroid", said.string))
+        )
     if re.match("distance (?:from|between|of|to)", words) is None:
         return False
     ends = facts.nouns(words.partition(" ")[2]) - {"distance"}
@@ -405,7 +426,7 @@ def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
         other = dimension_of_unit(facts.unit(own), "") if facts.unit(own) else one
     except MechanicsError:
         return None
-    if one == other or own not in facts.parameters:
+    if one == other:
         return None
     return f"the text says {name_of(said)} in {bare(said['unit'])}, it is in {facts.unit(own)}"
 

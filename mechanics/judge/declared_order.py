@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from mechanics.claims.claim import Written
 from mechanics.claims.names import Naming
-from mechanics.judge.words_beside import beside
+from mechanics.judge.words_beside import written_or_comments
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene import Scene
@@ -37,7 +37,7 @@ def in_declared_order(scene: Scene, entry: Judged) -> Judged:
     scene : Scene
     entry : Judged
     """
-    written = beside(scene, entry.statement)
+    written = written_or_comments(scene, entry.statement)
     decided = entry.finding.shown or entry.verdict is Verdict.REFUTED
     row = entry.statement.row
     if written is None or not decided or row is None:

@@ -11,8 +11,23 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr, Symbol, degree, expand, factor, factor_list, numer, sqrt, together
+from sympy import (
+    Dummy,
+    Expr,
+    Pow,
+    S,
+    Symbol,
+    degree,
+    expand,
+    factor,
+    factor_list,
+    numer,
+    sqrt,
+    together,
+)
 
+from mechanics.claims.code.function_names import spoken
+from mechanics.claims.counting_words import ONE_OF_SEVERAL
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Statement
 from mechanics.claims.tree import names
@@ -35,6 +50,10 @@ WHICH = re.compile(
     r"|held|clamped|fixed|locked)\b",
     re.IGNORECASE,
 )
+WHICH_OF_NAME = re.compile(
+    r"(?:low|high|slow|fast)(?:er|est)?|(?:small|larg)(?:er|est)|fundamental|m(?:in|ax)(?:imum)?"
+)
+"""The same in the name of a function."""
 LOWER = re.compile(r"(?:low|small|slow|fundamental|ground|min)(?!.*period)", re.IGNORECASE)
 HIGHER = re.compile(r"(?:high|upper|larg|fast|max)(?!.*period)", re.IGNORECASE)
 """Of frequencies; a period is larger where its frequency is smaller."""
@@ -208,8 +227,13 @@ def _left_open(entry: Judged, words: str) -> Judged:
 
 
 def _which(statement: Statement) -> str:
-    """Which of several it is said to be."""
-    written = statement.written
+    """Which of several it is said to be, of code by the name of the function."""
+    written, letter = statement.written, statement.letter
+    if letter is not None and letter.returned:
+        said = spoken(letter.name).split()
+        word = next((w for w in said if WHICH_OF_NAME.fullmatch(w) or w in ONE_OF_SEVERAL), "")
+        kind = "period" if "period" in said else "frequency"
+        return f"{word} {kind}" if word else ""
     if written is None:
         return ""
     found = WHICH.search(" ".join(sentence_around(written.text, written.start).split()))
@@ -230,7 +254,14 @@ def _is_so(truth: Equations, statement: Statement, words: str) -> bool:
             return False
         other = -whole.coeff(SQUARE, 1) / whole.coeff(SQUARE, 2) - square
         gaps.append(factor(together(sign * (other - square))))
-    return bool(gaps) and all(gap.is_positive for gap in gaps)
+    return bool(gaps) and all(_with_roots_positive(gap).is_positive for gap in gaps)
+
+
+def _with_roots_positive(gap: Expr) -> Expr:
+    """A gap with letters for its square roots, which are positive where two frequencies differ."""
+    return gap.replace(
+        lambda e: isinstance(e, Pow) and e.exp == S.Half, lambda _: Dummy(positive=True)
+    )
 
 
 def _name(statement: Statement) -> str:

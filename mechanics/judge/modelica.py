@@ -328,7 +328,7 @@ def _otherwise(facts: SceneFacts, one: Declared, name: str) -> Iterator[str]:
             yield f"{declared} as input, the scene's is a parameter"
     if known and one.size:
         yield f"{declared} as an array, the scene's is a number"
-    unit = one.attributes.get("unit", "")
+    unit = one.attributes.get("unit", "") or TYPES.get(one.attributes.get("quantity", ""), "")
     if known and one.type in WHOLE:
         yield f"{one.name} is declared as an integer, the scene's is a real number"
     elif one.type not in ("Real", *WHOLE):

@@ -9,6 +9,7 @@ in capitals stand for what `SLOTS` has.
 
 import re
 
+from mechanics.claims.counting_words import NUMBERED
 from mechanics.claims.prose import SYMBOL
 
 SLOTS = {
@@ -527,11 +528,7 @@ WITHOUT_A_BODY = re.compile(
 """What has no mass where no body is called so."""
 LINKS = ("rod", "string", "thread", "rope", "wire")
 """What angles are of; `ALIKE` has more words for the first."""
-ORDINALS = {
-    "1": frozenset(("first", "upper", "inner")),
-    "2": frozenset(("second", "lower", "outer")),
-    "3": frozenset(("third",)),
-}
+ORDINALS = {str(number): some for number, some in enumerate(NUMBERED, start=1)}
 """Words for the number in a name."""
 AXIS = re.compile(r"(?P<sign>negative|positive) (?P<axis>[xyz]) axis")
 GRAVITY = frozenset(("gravity", "gravitational", "acceleration", "due", "to", "constant"))
@@ -582,6 +579,9 @@ OF_AN_END = ENDPOINTS | words("is length total full whole from to free other out
 """Words of a length to an end."""
 TO_A_CENTRE = ENDPOINTS | words("is are denotes distance length from to between and of gravity com")
 """Words of a distance to a mass centre."""
+A_CENTRE = re.compile(SLOTS["CENTRE"], re.IGNORECASE)
+FAR_END = re.compile(r"\b(?:tip|(?:free|far|outer|other|distal|opposite) end)\b", re.IGNORECASE)
+"""From where nobody counts a distance who counts from the joint."""
 OF_QUANTITIES = words("""
     mass masses length inertia moment spring constant stiffness damping damper coefficient radius
     viscous friction for point rigid circle kg
@@ -695,9 +695,12 @@ FLAWED = re.compile(
 """What denies or limits code where a comment has it."""
 FOREIGN_UNIT = re.compile(
     r"(?<![\w/*.])(?:(?:deg(?:rees?)?|\u00b0|rev(?:s|olutions?)?|turns?|[cmk]m|mrad|ft|feet|in"
-    r"|inch(?:es)?|lbf?|kN|mph)\s*/\s*(?:s|sec|min|hr?)(?![a-z])|(?:1|rad|m|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b"
-    r"|(?:rpm|mph)\b)"
-    r"|(?m:^\W*(?:units?\b\W*)?(?:[cmk]m|deg(?:rees?)?|\u00b0|in(?:ch(?:es)?)?|ft|feet|lbs?|kN|ms"
-    r"|N ?[cm]m)\W*$)"
+    r"|inch(?:es)?|lbf?|kN)\s*/\s*(?:s|sec|min|hr?)(?![a-z])"
+    r"|(?:rad|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b|(?:rpm|mph)\b)"
+    r"|(?m:\[(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms)\]"
+    r"|^\W*(?:units?\b\W*)?(?:[cmk]m|deg(?:rees?)?|\u00b0|inch(?:es)?|ft|feet|lbs?|kN|N ?[cm]m"
+    r"|(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms))\W*$)"
 )
-"""A unit that no scene has, in a comment of code: deg/s^2; cm where it says nothing else."""
+"""A unit that no scene has, in a comment of code: deg/s^2; cm where it says nothing else. 1/h and
+m/h are formulas, too, and units in brackets or alone.
+"""

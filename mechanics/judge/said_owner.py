@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice
 
-from mechanics.claims.counting_words import ONE_OF_SEVERAL
+from mechanics.claims.counting_words import ONE_OF_SEVERAL, without_counts
 from mechanics.claims.prose import sentence_around
 from mechanics.claims.statement import Letter
 from mechanics.equations import Equations
@@ -54,7 +54,7 @@ def of_its_owner(truth: Equations, entry: Judged) -> Judged:
 def _as_said(scene: Scene, entry: Judged, what: str, words: str) -> Judged:
     """The entry; open where words say that it is of something else than it is read as."""
     said = OWNED.search(" ".join(words.split()))
-    owner = {*said["owner"].lower().split()} - SMALL_WORDS if said else set()
+    owner = {*without_counts(said["owner"].lower()).split()} - SMALL_WORDS if said else set()
     if said is None or not owner or _fits(scene, what, owner):
         return entry
     doubt = f"it is the {what}, and the text says '{said[0].strip()}'"
@@ -67,7 +67,9 @@ def _of_its_function(
     """The entry of what a function returns; open where its name says which, and nothing else."""
     if not (notes and entry.finding.shown):
         return entry
-    commented = _as_said(truth.scene, entry, notes[0], entry.statement.comments)
+    commented = entry
+    for paragraph in entry.statement.comments.split("\n\n"):
+        commented = _as_said(truth.scene, commented, notes[0], paragraph)
     several = len(list(islice(candidates(truth, letter.said), 2))) > 1
     if not (several and letter.owner and commented.finding.shown):
         return commented

@@ -8,6 +8,7 @@ from functools import cached_property
 from sympy import Expr, Number, Rational, Symbol
 
 from mechanics.claims.directions import Counted, counted
+from mechanics.claims.kinds import angular
 from mechanics.claims.names import Match
 from mechanics.judge import phrases as p
 from mechanics.scene import Gravity, Particle, RigidBody, Scene
@@ -72,8 +73,18 @@ class SceneFacts:
         return getattr(self.parameters.get(name), "meaning", "")
 
     def unit(self, name: str) -> str:
-        """Of a parameter; empty where none is declared."""
+        """Of a parameter or an input; empty where none is known."""
+        if name in self.inputs:
+            return self._unit_of_input(name)
         return getattr(self.parameters.get(name), "unit", "")
+
+    def _unit_of_input(self, name: str) -> str:
+        """That of its loads, where these are the input itself in some direction."""
+        loads = [load for load in self.loads if name in self.names_in(load)]
+        beside = set[str]().union(*map(self.names_in, loads)) - {name}
+        if len({*map(type, loads)}) != 1 or beside - {q.name for q in angular(self.scene)}:
+            return ""
+        return "N*m" if isinstance(loads[0], Torque) else "N"
 
     def is_sole(self, name: str) -> bool:
         """Whether no other parameter has the unit of one: nothing can be exchanged with it."""

@@ -23,7 +23,7 @@ from mechanics.errors import MechanicsError
 from mechanics.judge.converted_rows import slopes_of
 from mechanics.judge.meanings import NO_TABLE
 from mechanics.judge.operating_point import OperatingPoint, called_linear, operating_point
-from mechanics.judge.words_beside import beside
+from mechanics.judge.words_beside import written_or_comments
 from mechanics.kernel import Finding, Verdict, undecided
 from mechanics.scene import Scene
 from mechanics.scene.quantities import EquationOfMotion
@@ -72,7 +72,9 @@ def as_said(
     for k, (statement, finding) in enumerate(zip(statements, findings, strict=True)):
         if finding.shown and (words := _called_linear(truth.scene, statement)):
             shown[k] = undecided(finding.subject, words)
-        if finding.verdict is Verdict.REFUTED and (written := beside(truth.scene, statement)):
+        if finding.verdict is Verdict.REFUTED and (
+            written := written_or_comments(truth.scene, statement)
+        ):
             meant = operating_point(truth.scene, written)
             if meant is not None:
                 judged[k], shown[k] = _about(truth, statement, finding, meant, table)

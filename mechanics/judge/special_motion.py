@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 
 from mechanics.claims.claim import Written
-from mechanics.claims.prose import sentence_around
+from mechanics.claims.prose import FROM_REST, sentence_around
 from mechanics.kernel import Verdict, undecided
 from mechanics.report.answer.judged import Judged
 from mechanics.scene.quantities import (
@@ -22,9 +22,10 @@ from mechanics.scene.quantities import (
 ENERGIES = (KineticEnergy, PotentialEnergy, TotalEnergy, Lagrangian, Hamiltonian)
 MOTIONS = re.compile(
     r"\bsteady\b|\bcircular orbits?\b|\bat constant\b|\brelative equilibri\w+|\bhover\w*"
-    r"|\bstart(?:s|ed|ing)? (?:from|at) rest\b|\breleased? from rest\b|\binitially\b"
+    rf"|{FROM_REST.pattern}|\binitially\b"
     r"|\baverag(?:ed?|ing)\b|\bmode shapes?\b|\bin (?:the|this|its) (?:\w+ )?(?:normal )?mode\b"
-    r"|\b(?:when|if|while|with) (?:\w+ ){1,4}?(?:held|clamped|locked|blocked)\b"
+    r"|\b(?:when|if|while|with) (?:(?!(?:end|pivot|support|hinge|base|axle|axis|cent(?:re|er))\b)"
+    r"\w+ ){1,4}?(?:held|clamped|locked|blocked)\b"
     r"|\b(?:in|out of) phase\b|\\gg\b|\\ll\b"
     r"|\bmuch (?:heavier|lighter|larger|smaller|greater|less)\b|\bin the frame of\b"
     r"|\bin (?:the|a) (?:co-?)?(?:rotating|moving|turning) (?:frame|system)\b"

@@ -6,8 +6,8 @@ from mechanics.claims.statement import Statement
 from mechanics.scene import Scene
 
 
-def beside(scene: Scene, statement: Statement) -> Written | None:
-    """What a statement was read from, in the text that is said beside it.
+def written_or_comments(scene: Scene, statement: Statement) -> Written | None:
+    """What a statement was read from; for code its comments, with the place behind them.
 
     Parameters
     ----------

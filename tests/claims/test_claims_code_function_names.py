@@ -171,7 +171,16 @@ ENERGY = (
 )
 
 
-@pytest.mark.parametrize("name", ["kinetic_energy", "totalKineticEnergy", "kinetic_energy_of_all"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "kinetic_energy",
+        "totalKineticEnergy",
+        "kinetic_energy_of_all",
+        "two_body_kinetic_energy",
+        "kinetic_energy_of_two_masses",
+    ],
+)
 def test_an_energy_is_that_of_all(name: str) -> None:
     found = check(cartpole.scene(), ENERGY.format(name), notation="c", blame=False)
     assert found.verdict.name == "PROVED"
@@ -179,7 +188,7 @@ def test_an_energy_is_that_of_all(name: str) -> None:
 
 @pytest.mark.parametrize(
     "name", ["pole_kinetic_energy", "cartKineticEnergy", "rotational_kinetic_energy",
-             "kinetic_energy_of_pole", "kinetic_energy_2"]
+             "kinetic_energy_of_pole", "kinetic_energy_2", "kinetic_energy_of_body_two"]
 )  # fmt: skip
 def test_an_energy_of_a_part_is_asked_for(name: str) -> None:
     with pytest.raises(InputError, match=r"returns the kinetic energy of .* alone"):

@@ -77,9 +77,9 @@ void accel(double theta, double theta_dot, double F, double mc, double mp, doubl
 }}
 """
 MATLAB = """function [{}] = accel(theta, theta_dot, F, mc, mp, l, g)
-a = [mc+mp, mp*l*cos(theta); cos(theta), 4/3*l] \\ [F + mp*l*theta_dot^2*sin(theta); g*sin(theta)];
-{} = a(1);
-{} = a(2);
+sol = [mc+mp, mp*l*cos(theta); cos(theta), 4/3*l] \\ [F + mp*l*theta_dot^2*sin(theta); g*sin(theta)];
+{} = sol(1);
+{} = sol(2);
 end
 """
 
@@ -121,6 +121,7 @@ def test_words_that_are_unknown_leave_an_exchange_open(tmp_path: Path) -> None:
         ("theta'', x''.", "UNDECIDED"),
         ("x'' and theta''.", "PROVED"),
         ("of theta, x", "PROVED"),
+        ("Solve for thdd and xdd by Cramer's rule.", "PROVED"),
     ],
 )
 def test_a_comment_that_lists_outputs_has_their_order(

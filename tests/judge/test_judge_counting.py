@@ -27,8 +27,29 @@ HINGED = r"$$(M+m)\ddot x + b\dot x + ml\ddot\theta\cos\theta - ml\dot\theta^2\s
 ROWS = r"\begin{tabular}{ll} $m_c$ & mass of the %s \\ $m_p$ & mass of the %s \end{tabular}"
 ITEMS = r"\begin{itemize} \item[$m_c$] mass of the %s \item[$m_p$] mass of the %s \end{itemize}"
 
+ELBOW = (
+    r"$$(m_2(l_{c2}^2 + l_1 l_{c2}\cos\theta_2) + I_2)\ddot\theta_1 + (m_2 l_{c2}^2 + I_2)"
+    r"\ddot\theta_2 + m_2 l_1 l_{c2}\dot\theta_1^2\sin\theta_2"
+    r" + m_2 l_{c2} g\sin(\theta_1 + \theta_2) = \tau$$"
+)
+
 CASES: dict[str, tuple[str, str, str, str]] = {
     # from where
+    "a mass centre from the joint": (
+        "acrobot", r"$l_{c2}$ is the distance of the second link's centre of mass from its joint.",
+        ELBOW, RIGHT,
+    ),
+    "a mass centre from the tip": (
+        "acrobot", r"$l_{c2}$ is the distance from the tip of link 2 to its centre of mass.",
+        ELBOW, OPEN,
+    ),
+    "a mass centre of another link": (
+        "acrobot", r"$l_{c2}$ is the distance from the joint of link 1 to its centre of mass.",
+        ELBOW, OPEN,
+    ),
+    "a mass centre as a length": (
+        "acrobot", r"Here $l_{c2}$ is the length of link 2.", ELBOW, OPEN,
+    ),
     "upright with its unit": (
         "rod_pendulum", r"$\theta$ is the angle of the rod in rad from the upright.", ROD, RIGHT,
     ),

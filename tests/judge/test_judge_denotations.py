@@ -88,6 +88,8 @@ def test_more_ways_to_call_an_equation_wrong(before: str, behind: str) -> None:
         ("parameter Real g", "N/mm", "UNDECIDED"),
         ("parameter Real m", "N", "UNDECIDED"),
         ("input Real u", "N.m", "PROVED"),
+        ("input Real u", "N", "UNDECIDED"),
+        ("input Real u", "V", "UNDECIDED"),
     ],
 )
 def test_a_declaration_of_modelica_says_units(name: str, unit: str, verdict: str) -> None:
@@ -137,6 +139,9 @@ end P;
         ("Real theta", "Real theta[2]", "an array"),
         ("Real theta", "Foo theta", "Foo, which is not read"),
         ("Real theta", "Modelica.Units.SI.Length theta", "another unit"),
+        ("input Real u", "input Modelica.Units.SI.Force u", "another unit"),
+        ("input Real u", 'input Real u(quantity="Force")', "another unit"),
+        ("input Real u", 'input Real u(quantity="Torque")', ""),
         ("Real theta;", "", "nothing declares theta"),
         ("Real w;", "Real w; extends Base;", "'extends Base' is not read"),
         ("g = 9.81", "g = 1 - 10.81", "g is positive"),

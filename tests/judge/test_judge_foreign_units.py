@@ -35,7 +35,19 @@ def test_a_unit_that_no_scene_has_leaves_code_open(tmp_path: Path, suffix: str, 
 
 @pytest.mark.parametrize("suffix", CODE)
 @pytest.mark.parametrize(
-    "unit", ["rad/s^2", "m/s^2", "[1/s]", "N*m", "SI units", "kg m/s", "in/out arrays"]
+    "unit",
+    [
+        "rad/s^2",
+        "m/s^2",
+        "[1/s]",
+        "N*m",
+        "SI units",
+        "kg m/s",
+        "in/out arrays",
+        "in:",
+        "ms",
+        "the ratio m/h",
+    ],
 )
 def test_a_unit_of_the_si_does_not(tmp_path: Path, suffix: str, unit: str) -> None:
     assert _verdict(tmp_path, suffix, unit, unit) == "PROVED"

@@ -1,6 +1,7 @@
 """Frequencies and periods of small oscillations, which a text gives beside its equations."""
 
 from functools import cache
+from pathlib import Path
 
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
@@ -8,6 +9,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 import mechanics
 from benchmarks.corpus.load import HERE, scene_of
 from mechanics.equations import Equations
+from mechanics.grading.submission import things_in
 from mechanics.judge.check import derived
 from mechanics.scene import Particle, Scene, force, gravity, parameters, reaction
 from systems import cartpole, cylinder_in_cylinder, two_mass_chain
@@ -278,3 +280,48 @@ def test_undamped_is_said_of_a_frequency_or_of_the_scene(words: str, verdict: st
     scene = scene_of(HERE / "scenes" / "oscillators.py", "linear")
     found = mechanics.check(scene, words.format(r"$\omega_n = \sqrt{k/m}$"), blame=False)
     assert [entry.verdict.name for entry in found.judged] == [verdict]
+
+
+CHAIN = """import math
+
+
+def {}(k, m):
+    return math.sqrt({}*k/m)
+"""
+
+
+@pytest.mark.parametrize(
+    ("title", "factor", "verdict"),
+    [
+        ("natural_frequency", "1/6", "PROVED"),
+        ("natural_frequency", "1", "PROVED"),
+        ("lower_natural_frequency", "1/6", "PROVED"),
+        ("lower_natural_frequency", "1", "UNDECIDED"),
+        ("fundamental_frequency", "1", "UNDECIDED"),
+        ("highestNaturalFrequency", "1/6", "UNDECIDED"),
+        ("highestNaturalFrequency", "1", "PROVED"),
+        ("second_frequency", "1/6", "UNDECIDED"),
+        ("frequency_of_small_oscillations", "1/6", "PROVED"),
+    ],
+)
+def test_the_name_of_a_function_says_which(
+    title: str, factor: str, verdict: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "chain.py"
+    path.write_text(CHAIN.format(title, factor))
+    things = things_in(path, run_python=True)
+    found = mechanics.check(two_mass_chain.scene(), things, blame=False)
+    assert found.verdict.name == verdict
+
+
+def test_of_two_with_parameters_of_their_own_the_smaller_root_is_the_lower(tmp_path: Path) -> None:
+    path = tmp_path / "chain.py"
+    for sign, verdict in (("-", "PROVED"), ("+", "UNDECIDED")):
+        path.write_text(
+            "import math\n\n\ndef lower_frequency(m1, m2, k1, k2):\n"
+            "    b = m1*k2 + m2*(k1 + k2)\n"
+            f"    return math.sqrt((b {sign} math.sqrt(b*b - 4*m1*m2*k1*k2))/(2*m1*m2))\n"
+        )
+        things = things_in(path, run_python=True)
+        found = mechanics.check(two_mass_chain.unequal(), things, blame=False)
+        assert found.verdict.name == verdict

@@ -12,6 +12,7 @@ from mechanics.judge.check import derived
 from mechanics.judge.numbers_of_parameters import values_for
 from mechanics.scene.published import published
 from mechanics.scene.quantities import EquationOfMotion
+from systems import rod_pendulum
 
 SHOWN = ("PROVED", "CERTIFIED")
 ROD = derived(hanging_rod())
@@ -166,3 +167,9 @@ dy(4) = {};
     found = check(truth, written(two, one), notation="text", blame=False)
     assert found.verdict.name == "UNDECIDED"
     assert "the state is in the order theta2 theta1" in found.judged[-1].right_if
+
+
+def test_a_name_without_a_letter_is_guessed_like_any_other() -> None:
+    found = check(rod_pendulum.scene(), "_'' = 3*g/(2*l)*sin(_) + 3*u/(m*l^2)", blame=False)
+    assert found.verdict.name == "PROVED"
+    assert any(match.name == "_" for match in found.names)

@@ -154,6 +154,11 @@ PAGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "what is held": (
         "two_mass_chain", r"When the first mass is held, $\ddot x_2 = -\frac{k}{2m}x_2$.", OPEN,
     ),
+    "what is always held": (
+        "rod_pendulum",
+        r"With the pivot held fixed, $\ddot\theta = \frac{3g}{l}\sin\theta+\frac{3u}{ml^2}$",
+        ("REFUTED",),
+    ),
     "a steady motion": (
         "spinning_top",
         r"For steady precession at constant $\theta$: $I_3\dot\psi\dot\phi = Mgl$", OPEN,

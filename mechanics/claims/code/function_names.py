@@ -9,6 +9,7 @@ accel_from_force, f        nothing
 import re
 from dataclasses import dataclass
 
+from mechanics.claims.counting_words import without_counts
 from mechanics.claims.prose import NOUNS
 
 TITLE = re.compile(
@@ -55,7 +56,7 @@ def function_name(title: str) -> FunctionName:
     title : str
         In small letters and underscores, or with capitals between its words.
     """
-    words = re.sub(r"(\d+)", r" \1", BESIDE.sub("", f" {spoken(title)} "))
+    words = re.sub(r"(\d+)", r" \1", BESIDE.sub("", f" {without_counts(spoken(title))} "))
     head, *rest = OWNED.split(f" {words.strip()} ", maxsplit=1)
     parts = head.split()
     ends: list[str] = []

@@ -32,6 +32,8 @@ LINEAR = ("linear", "translation", "trans", "lin", "vel", "v", "x", "y", "z", "s
 LETTERS = frozenset(stem for stem in (*ANGULAR, *LINEAR) if len(stem) == 1)
 SEPARATED = re.compile(r"\s*(?:[,;]|\band\b)\s*")
 LISTED = re.compile(rf"[^\W\d]\w*'*(?:{SEPARATED.pattern}[^\W\d]\w*'*)+")
+WITHIN = re.compile(r"\b(?:for|from|between|by|with|in|into) (?:both )?(?:the )?$")
+"""Before two names of a sentence on something else: solve for thetadd and xdd."""
 MOST = 3
 """Coordinates whose orders are tried."""
 
@@ -78,6 +80,10 @@ def listed_otherwise(
     """
     meanings = [str(output) for output in outputs]
     for found in LISTED.finditer(comments):
+        if "," not in found[0] and WITHIN.search(
+            comments, max(0, found.start() - 24), found.start()
+        ):
+            continue
         words = SEPARATED.sub(" ", found[0]).split()
         known = [(naming.lookup(word.rstrip("'")), word.count("'")) for word in words]
         meant = [one[0] + "".join(DOTS[one[1] + k :][:1]) for one, k in known if one is not None]

@@ -7,7 +7,7 @@ crane_acceleration, pendel_energy                         a word that nothing kn
 
 import re
 
-from mechanics.claims.code.function_names import TITLE
+from mechanics.claims.code.function_names import spoken
 from mechanics.claims.counting_words import COUNTED
 from mechanics.claims.guess import is_short_for
 from mechanics.claims.scaled_names import UNITS
@@ -24,23 +24,25 @@ OTHERWISE = frozenset((
     *(unit.lower() for unit in UNITS if len(unit) > 2),
 ))  # fmt: skip
 """What makes anything another one."""
-QUALIFIERS = (
+_QUALIFIERS = (
     "half halved twice doubled specific dimensionless normalized normalised scaled mean average avg"
     " not relative tip rim end centre center cm com cg error loss change delta initial"
     " desired above below linearized linearised approx"
 )
+QUALIFIERS = frozenset(_QUALIFIERS.split())
 """What makes an acceleration or energy another one."""
-PLAIN = (
+_PLAIN = (
     "angular rotational generalized joint joints system total mechanical full exact nonlinear state"
     " vector all get compute calc calculate eval evaluate fun func function fn fcn ode rhs dynamics"
     " eom model motion forward of the my new next time at numeric num value val from with by for"
     " under given and to body rigid pendulum kinetic potential conserved mass torque force input"
     " control"
 )
+PLAIN = frozenset(_PLAIN.split())
 """What tells nothing apart."""
 
 
-def another_one(scene: Scene, title: str) -> str:
+def another_quantity_word(scene: Scene, title: str) -> str:
     """The word by which a function returns something else than the scene has; empty for none.
 
     Parameters
@@ -50,7 +52,7 @@ def another_one(scene: Scene, title: str) -> str:
         The name of the function.
     """
     words = _words(title)
-    said = OTHERWISE | {*(QUALIFIERS.split() if _is_headed(scene, words) else ())}
+    said = OTHERWISE | {*(QUALIFIERS if _is_headed(scene, words) else ())}
     return next((w for w in words if w in said - _words_of(scene)), "")
 
 
@@ -63,9 +65,11 @@ def unknown_qualifiers(scene: Scene, title: str) -> tuple[str, ...]:
     title : str
     """
     words = _words(title)
-    known = {*PLAIN.split(), *_words_of(scene), *(word for some in COUNTED for word in some)}
+    if not _is_headed(scene, words):
+        return ()
+    known = {*PLAIN, *_words_of(scene), *(word for some in COUNTED for word in some)}
     rest = [w for w in words if len(w) > 1 and w not in known and not HEAD.fullmatch(w)]
-    return tuple(w for w in rest if _is_headed(scene, words) and not _orders(scene, w))
+    return tuple(w for w in rest if not _orders(scene, w))
 
 
 def _is_headed(scene: Scene, words: list[str]) -> bool:
@@ -86,5 +90,4 @@ def _words_of(scene: Scene) -> set[str]:
 
 
 def _words(title: str) -> list[str]:
-    parted = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", TITLE.sub("", title)).lower()
-    return [re.sub(r"\d", "", word) for word in parted.split("_") if word.strip("0123456789")]
+    return [re.sub(r"\d", "", word) for word in spoken(title).split() if not word.isdigit()]

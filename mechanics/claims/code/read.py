@@ -69,7 +69,7 @@ from mechanics.claims.code.python.kept_values import refuse_stale
 from mechanics.claims.code.python.local_numbers import with_local_numbers
 from mechanics.claims.code.python.python_call import beside, signature_of
 from mechanics.claims.code.python.wrappers import unwrapped
-from mechanics.claims.code.qualified_names import another_one, unknown_qualifiers
+from mechanics.claims.code.qualified_names import another_quantity_word, unknown_qualifiers
 from mechanics.claims.code.trace.execution_paths import ways_of
 from mechanics.claims.code.trace.formulas import (
     Assignment,
@@ -425,7 +425,7 @@ def _read(
     passed = [entry for value in arguments.values.values() for entry in _entries(value)]
     if about is None and len(_all(outputs)) == 1:
         refuse_energy_of_a_part(scene, title)
-    otherwise = another_one(scene, title) if about is None else ""
+    otherwise = another_quantity_word(scene, title) if about is None else ""
     unknown = unknown_qualifiers(scene, title) if about is None else ()
     about = about or named_by_title(title, len(_all(outputs)), len(scene.u))
     passed += [STEP] if any(entry.has(STEP) for entry in _all(outputs)) else []
@@ -470,16 +470,29 @@ def _read(
     )
     comments = comments_of(text)
     meanings = [sides[0] for _, _, sides in found]
-    for lists, what in ((title.replace("_", ", "), "its name"), (comments, "a comment")):
-        if listed := listed_otherwise(naming, outputs.names, meanings, lists):
-            doubt = f"{what} says {listed!r}, which is another order than {title} returns"
-            statements = tuple(replace(s, doubt=s.doubt or doubt) for s in statements)
-    if otherwise:
-        doubt = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
-        statements = tuple(replace(s, doubt=s.doubt or doubt) for s in statements)
-    statements = tuple(replace(s, comments=comments) for s in statements)
+    doubt = _doubt_of_words(naming, outputs.names, meanings, title, comments) or (
+        f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
+        if otherwise else ""
+    )  # fmt: skip
+    statements = tuple(replace(s, doubt=s.doubt or doubt, comments=comments) for s in statements)
     quoted = tuple(f"the word {word} in the name {title}" for word in unknown)
     return Reading(statements, arguments.matches, (), quoted)
+
+
+def _doubt_of_words(
+    naming: Naming, names: Sequence[str], meanings: Sequence[object], title: str, comments: str
+) -> str:
+    """How the name of a function, or a comment, lists its outputs otherwise; empty if neither."""
+    taken = ", ".join(map(str, meanings))
+    ways = ((title.replace("_", ", "), f"the name {title}"), (comments, "a comment"))
+    for text, what in ways:
+        if listed := listed_otherwise(naming, names, meanings, text):
+            said = "" if what.endswith(title) else f" {listed!r}"
+            return (
+                f"{what} says{said} another order than that in which {title} returns {taken}:"
+                " say which, --about (about=)"
+            )
+    return ""
 
 
 def _in_other_orders(

@@ -87,7 +87,7 @@ def leaf(expression: Expr) -> Formula:
     count = sum(1 for _ in preorder_traversal(expression))
     try:
         return Known(tree_of(expression, lambda symbol: Name(0, symbol.name)), count)
-    except (Untreeable, Refused):
+    except Untreeable:
         return None
 
 
