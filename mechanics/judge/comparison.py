@@ -416,7 +416,9 @@ def _unit(facts: SceneFacts, said: Said) -> Outcome:
 
 
 def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
-    """A unit of another dimension than the scene's."""
+    """A unit of another dimension than the scene's; in a list, u, m, l, the second is a name."""
+    if re.fullmatch(r"\u27e9\s*,\s*", said.string[said.end("name") : said.start("unit")]):
+        return None
     own, stated = (
         facts.own(said),
         re.sub(r"[ ·]+|(?<=[Nm])(?=[ms])", "*", bare(said["unit"]).replace("²", "^2")),

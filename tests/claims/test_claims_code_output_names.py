@@ -77,9 +77,9 @@ void accel(double theta, double theta_dot, double F, double mc, double mp, doubl
 }}
 """
 MATLAB = """function [{}] = accel(theta, theta_dot, F, mc, mp, l, g)
-sol = [mc+mp, mp*l*cos(theta); cos(theta), 4/3*l] \\ [F + mp*l*theta_dot^2*sin(theta); g*sin(theta)];
-{} = sol(1);
-{} = sol(2);
+s = [mc+mp, mp*l*cos(theta); cos(theta), 4/3*l] \\ [F + mp*l*theta_dot^2*sin(theta); g*sin(theta)];
+{} = s(1);
+{} = s(2);
 end
 """
 

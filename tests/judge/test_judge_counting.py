@@ -35,6 +35,10 @@ ELBOW = (
 
 CASES: dict[str, tuple[str, str, str, str]] = {
     # from where
+    "an input in another unit": ("rod_pendulum", r"$u$ [N] drives it.", ROD, OPEN),
+    "an input in its unit": ("rod_pendulum", r"$u$ [Nm] drives it.", ROD, QUOTED),
+    "an input in a list": ("rod_pendulum", r"The torque $u$, m and g are given.", ROD, QUOTED),
+    "parameters in a list": ("rod_pendulum", r"We know $g$, $m$ and $l$.", ROD, QUOTED),
     "a mass centre from the joint": (
         "acrobot", r"$l_{c2}$ is the distance of the second link's centre of mass from its joint.",
         ELBOW, RIGHT,
