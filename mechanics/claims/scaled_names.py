@@ -8,7 +8,9 @@ import re
 OF_UNITS = (
     "deg degs degree degrees dps arcmin arcsec rpm rps rev revs turns Hz hz kHz mm cm km um"
     " micron inch inches ft feet yd mile miles kmh kph mph knots kN mN MN kNm mNm Nmm Ncm kgf"
-    " lb lbs lbf oz ton tons gram grams ms hours percent pct"
+    " lb lbs lbf oz ton tons gram grams ms minutes hours percent pct millimetre millimetres"
+    " millimeter millimeters centimetre centimetres centimeter centimeters kilometre kilometres"
+    " kilometer kilometers milliseconds kilonewton kilonewtons revolutions pound pounds"
 )
 UNITS = frozenset(OF_UNITS.split())
 """That are no coherent ones of the SI; as the last word of a name."""
@@ -33,5 +35,15 @@ def another_quantity(name: str) -> str:
     said = [word for word in words if word.lower() in PARTS | OTHERS]
     if not said and parts and (len(parts) > 1 or len(parts[-1]) > 2):
         last = [parts[-1], *WORD.findall(parts[-1])[1:]]
-        said = [w for w in last if w in UNITS or (len(w) > 2 and w.lower() in UNITS)]
+        said = [word for word in last if _is_unit(word)]
     return said[0] if said else ""
+
+
+def unit_in(words: str) -> str:
+    """The first of words, or of the parts of a name, that is no coherent unit of the SI."""
+    parts = (part for word in re.findall(r"[^\W_]+", words) for part in (word, *WORD.findall(word)))
+    return next((part for part in parts if _is_unit(part)), "")
+
+
+def _is_unit(word: str) -> bool:
+    return word in UNITS or (len(word) > 2 and word.lower() in UNITS)

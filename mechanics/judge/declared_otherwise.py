@@ -15,6 +15,7 @@ from mechanics.claims.statement import Statement
 from mechanics.judge.modelica import is_model, model_otherwise
 from mechanics.judge.phrases import GIVEN
 from mechanics.judge.scene_facts import SceneFacts
+from mechanics.judge.types_of_numbers import units_of_types
 from mechanics.scene.unit_names import Dimension, dimension_of_unit
 
 DEFINED = re.compile(
@@ -69,6 +70,8 @@ def declared_in_code(
 
     yield from _outside(facts, _assignments(source), no_zero)
     yield from _integers(facts, source)
+    for name, unit in units_of_types(source, {*(m.name for m in facts.known), *facts.names}):
+        yield f"the text declares {name} in {unit}, which is no coherent unit of the SI"
     yield from _aliases(facts, "\n".join(m[0] for m in LASTING.finditer(source)))
 
 

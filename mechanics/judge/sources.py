@@ -20,6 +20,7 @@ from mechanics.claims.code.python.objects import methods_used, names_in
 from mechanics.claims.code.python.wrappers import unwrapped
 from mechanics.claims.read import file_text
 from mechanics.errors import InputError
+from mechanics.judge.types_of_numbers import units_of_types
 
 PAGES = (".tex", ".md", ".mo")
 """Of files whose words are read with their formulas."""
@@ -212,6 +213,7 @@ def _source(function: FunctionType) -> Source:
 def on_the_file(code: str) -> list[Beside]:
     """What a file in Python says, with the name before a comment behind what it is given to."""
     words = list(comments(ASSIGNED.sub(_with_its_name, code), ".py"))
+    words += [f"{name} is a number in {unit}" for name, unit in units_of_types(code)]
     return [Beside("\n\n".join(words))] if words else []
 
 
