@@ -17,10 +17,12 @@ from mechanics.claims.tree import Name, Node, Number, ended, names
 CONSTANT = ("const", "constant", "konst", "cst")
 NOTE = "what is constant has the rate zero"
 SAID = re.compile(
-    r"[^$]*\$\s*(?:,\s*which\s+)?is\s+(?:(?:thus|therefore|also|then|hence|a)\s+)*"
-    r"(?:conserved|constant|(?:first\s+)?integral)\b"
+    r"(?:(?!\$|\\\]|\\end\b).)*(?:\$\$?|\\\]|\\end\s*\{[a-z]+\*?\})"
+    r"\s*(?:,\s*which\s+)?is\s+(?:(?:thus|therefore|also|then|hence|a)\s+)*"
+    r"(?:conserved|constant|(?:first\s+)?integral)\b",
+    re.DOTALL,
 )
-"""Behind a formula in a sentence."""
+"""Behind a formula in a sentence, or a display."""
 
 
 def with_first_integrals(lines: Iterable[Entry], naming: Naming, text: str) -> Iterator[Entry]:

@@ -1,6 +1,6 @@
 """Rates that are spelled with letters.
 
-thetadd, theta_acc, th1_ddot, ddtheta, d2x    ->    theta, theta, th1, theta, x    order 2
+thetadd, theta_acc, th1_ddot, ddtheta, xDDot    ->    theta, theta, th1, theta, x    order 2
 """
 
 import re
@@ -19,6 +19,8 @@ NUMBERED = re.compile(
 )
 """The rate of a letter, and then its number: qdot1, thdd2."""
 
+CAPITALS = re.compile(r"(?<=[a-z\d])(?:DD?ot|Dot[Dd]ot|Ddot|Accel|Acc|Vel)$")
+"""Ends of names that are told apart by capitals: thetaDot, xDDot."""
 KEPT = 4096
 """Names that are remembered: a page asks for each of its own many times."""
 VARIANT = re.compile(
@@ -40,7 +42,7 @@ def bases(name: str) -> tuple[tuple[str, int], ...]:
 
 
 def _bases(name: str) -> Iterator[tuple[str, int]]:
-    bare = key(name)
+    bare = CAPITALS.sub(lambda end: end[0].lower(), key(name))
     for order, ends, starts in SPELLINGS:
         for end in ends:
             if end == "d" and name.endswith("_d"):

@@ -98,7 +98,9 @@ def _right_with(truth: Equations, row: Published, table: Mapping[Symbol, Expr]) 
     plain = in_plain_symbols(truth.kinematics, as_identity(truth, row))
     if any(isinstance(side, MatrixBase) for side in plain.sides):
         return False
-    gives_it = len({side.xreplace(dict(table)) for side in plain.sides}) == 1
+    # A value of the scene's, a reaction, has one side: what it equals is not written.
+    values = [side.xreplace(dict(table)) for side in plain.sides]
+    gives_it = len(values) > 1 and len({*values}) == 1
     return gives_it or right_with(truth, [put(plain, table)], table)
 
 

@@ -18,6 +18,14 @@ MOMENTUM = r"p=(m_c+m_p)\dot x+m_pl\dot\theta\cos\theta"
     [
         (bead_on_hoop, f"The energy ${ENERGY}$ is conserved.", ["PROVED", "REFUTED"]),
         (bead_on_hoop, f"The energy ${ENERGY}$ is not conserved.", ["PROVED"]),
+        (bead_on_hoop, rf"The energy \[{ENERGY}\] is conserved.", ["PROVED", "REFUTED"]),
+        (bead_on_hoop, f"The energy\n$${ENERGY},$$\nis conserved.", ["PROVED", "REFUTED"]),
+        (
+            bead_on_hoop,
+            rf"Here \begin{{equation}}{JACOBI}\end{{equation}} is conserved.",
+            ["PROVED", "PROVED"],
+        ),
+        (bead_on_hoop, rf"The energy \[{ENERGY}\] is not conserved.", ["PROVED"]),
         (bead_on_hoop, f"But ${JACOBI}$ is conserved.", ["PROVED", "PROVED"]),
         (two_mass_chain, f"The energy ${SPRINGS}$ is thus constant.", ["PROVED", "PROVED"]),
         (cartpole, f"The momentum ${MOMENTUM}$ is conserved.", ["PROVED", "REFUTED"]),

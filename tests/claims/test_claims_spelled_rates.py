@@ -18,7 +18,8 @@ l2*{0}2{2} + l1*{0}1{2}*cos({0}1-{0}2) - l1*{0}1{1}^2*sin({0}1-{0}2) + g*sin({0}
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("stem", ["th", "phi", "theta_", "q"])
 @pytest.mark.parametrize(
-    ("once", "twice"), [("d", "dd"), ("_dot", "_ddot"), ("dot", "ddot"), ("_vel", "_acc")]
+    ("once", "twice"),
+    [("d", "dd"), ("_dot", "_ddot"), ("dot", "ddot"), ("_vel", "_acc"), ("Dot", "DDot")],
 )
 def test_rates_follow_their_coordinate(stem: str, once: str, twice: str) -> None:
     found = mechanics.check(DOUBLE.scene(), ROWS.format(stem, once, twice))
@@ -39,6 +40,8 @@ def test_rates_of_a_name_that_is_given() -> None:
     [
         ("thdd", ("th", 2)), ("th1_ddot", ("th1", 2)), ("dtheta", ("theta", 1)), ("d2x", ("x", 2)),
         ("x_dot", ("x", 1)), ("theta1acc", ("theta1", 2)), ("x_vel", ("x", 1)),
+        ("thetaDot", ("theta", 1)), ("x1DDot", ("x1", 2)), ("phiDdot", ("phi", 2)),
+        ("thAcc", ("th", 2)), ("theta_acc1", ("theta1", 2)),
     ],
 )  # fmt: skip
 def test_bases(name: str, found: tuple[str, int]) -> None:

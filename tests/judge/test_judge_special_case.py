@@ -138,3 +138,10 @@ def test_an_energy_of_another_frame_is_not_refuted(frame: str) -> None:
     assert check(bead_on_hoop.scene(), text, blame=False).verdict is Verdict.UNDECIDED
     plain = text.replace(f"{frame} the", "The")
     assert check(bead_on_hoop.scene(), plain, blame=False).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("wrong", ["Y = m*g", "Y = 2*m*g", "p_theta = m*theta_dot"])
+def test_a_value_beside_a_wrong_reaction_makes_it_no_better(wrong: str) -> None:
+    answer = check(rod_pendulum.scene(), f"l = 1\n{wrong}", blame=False)
+    assert answer.verdict is Verdict.REFUTED
+    assert not answer.judged[-1].right_if
