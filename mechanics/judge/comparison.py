@@ -182,7 +182,7 @@ def _to_centre(facts: SceneFacts, said: Said) -> Outcome:
     if ratio == 1:
         words = re.split(r"[,;.\u27e8]", said.string[said.end("name") + 1 :], maxsplit=1)[0]
         far = p.FAR_END.search(words) and not p.FAR_END.search(facts.meaning(own))
-        if far or _same_number(own, words) is False:
+        if far or _another_number(own, words):
             have = f"the text says {bare(said.string)!r}"
             return f"{have}, the scene's {own} is the {facts.meaning(own)}"
         return "" if only_words(said, p.TO_A_CENTRE | facts.words, facts) else None
@@ -320,6 +320,18 @@ def _same_number(own: str, words: str) -> bool | None:
         return orders <= p.ORDINALS.get(own[-1], frozenset())
     numbers = re.findall(r"\d+", words)
     return numbers == re.findall(r"\d+", own) if numbers else None
+
+
+def _another_number(own: str, words: str) -> bool:
+    """Whether words count, and none of their numbers is that of a name.
+
+    From joint 2 to the mass centre of link 2, 0.4 m away: a fraction counts nothing.
+    """
+    count = re.sub(r"\d+\.\d+", "", words)
+    orders, numbers = _orders(count), {*re.findall(r"\d+", count)}
+    mine = re.findall(r"\d+", own)[-1:]
+    same = numbers & {*mine} or orders & p.ORDINALS.get("".join(mine), frozenset())
+    return bool((orders or numbers) and mine and not same)
 
 
 def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:

@@ -37,6 +37,19 @@ BUILD = (
     "from mechanics.cli.interrupts import end_in_order; end_in_order();"
     "from mechanics.compiled.machine.library import build; build('int x;', sys.argv[1], ['-O2'])"
 )
+WHILE_IT_STARTS = f"""\
+import os, signal, subprocess, time
+
+class Popen(subprocess.Popen):
+    def __init__(self, *given, **options):
+        super().__init__(*given, **options)
+        while not os.path.exists(os.environ["STARTED"]):
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGTERM)
+
+subprocess.Popen = Popen
+{BUILD}"""
+"""The signal comes before the caller of `Popen` has the process that it started."""
 ENDS = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 
 
@@ -93,6 +106,12 @@ def test_a_compiler_ends_with_the_process_and_leaves_nothing(
     """Ctrl-C in a program of one's own is Python's KeyboardInterrupt, which exits by the signal."""
     code = interrupted(number, BUILD)
     assert code == (-signal.SIGINT if number is signal.SIGINT else ENDS[number])
+
+
+def test_a_compiler_that_is_just_started_ends_with_the_process(
+    interrupted: Callable[..., int],
+) -> None:
+    assert interrupted(signal.SIGTERM, WHILE_IT_STARTS) == ENDS[signal.SIGTERM]
 
 
 @pytest.mark.campaign

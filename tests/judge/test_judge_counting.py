@@ -43,6 +43,11 @@ CASES: dict[str, tuple[str, str, str, str]] = {
         "acrobot", r"$l_{c2}$ is the distance of the second link's centre of mass from its joint.",
         ELBOW, RIGHT,
     ),
+    "a mass centre of a link with its joint's number": (
+        "acrobot",
+        r"$l_{c2}$ is the distance from joint 2 to the centre of mass of link 2, that is 0.4 m.",
+        ELBOW, QUOTED,
+    ),
     "a mass centre from the tip": (
         "acrobot", r"$l_{c2}$ is the distance from the tip of link 2 to its centre of mass.",
         ELBOW, OPEN,

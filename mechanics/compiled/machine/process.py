@@ -7,9 +7,11 @@ are one group of processes, and their files stand in a folder that the caller re
 import os
 import signal
 import subprocess
+import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 
 from mechanics.errors import CompilerError
 
@@ -31,8 +33,23 @@ def started(command: Sequence[str], folder: Path) -> Iterator[subprocess.Popen[s
     CompilerError
         If it cannot be run.
     """
+    process = None
     try:
-        process = subprocess.Popen(
+        with _signals_after():
+            process = _start(command, folder)
+        yield process
+    finally:
+        if process is not None:
+            if process.poll() is None:
+                _kill(process)
+            for pipe in (process.stdout, process.stderr):
+                if pipe is not None:
+                    pipe.close()
+
+
+def _start(command: Sequence[str], folder: Path) -> subprocess.Popen[str]:
+    try:
+        return subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True, errors="replace",
             env={**os.environ, **dict.fromkeys(TEMPORARY, str(folder))},
@@ -40,14 +57,29 @@ def started(command: Sequence[str], folder: Path) -> Iterator[subprocess.Popen[s
         )  # fmt: skip
     except OSError as error:
         raise CompilerError(f"C compiler {command[0]} cannot be run: {error}") from error
+
+
+@contextmanager
+def _signals_after() -> Iterator[None]:
+    """Signals that come in the block are handled behind it.
+
+    A handler that raises while `Popen` starts a process would leave a process that nobody knows.
+    Handlers wait, and signals are not blocked: the process would inherit that.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield  # Python calls handlers in the main thread only.
+        return
+    handlers = {n: h for n in signal.valid_signals() if callable(h := signal.getsignal(n))}
+    came: list[tuple[int, FrameType | None]] = []
+    for number in handlers:
+        signal.signal(number, lambda *which: came.append(which))
     try:
-        yield process
+        yield
     finally:
-        if process.poll() is None:
-            _kill(process)
-        for pipe in (process.stdout, process.stderr):
-            if pipe is not None:
-                pipe.close()
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        for which, frame in came:
+            handlers[signal.Signals(which)](which, frame)
 
 
 def write_source(file: Path, text: str) -> None:
