@@ -111,3 +111,37 @@ def test_a_list_that_is_returned_and_one_that_is_taken_apart(
     file = tmp_path / "rhs.cpp"
     file.write_text(RETURNED.replace(old, new) if old else RETURNED, encoding="utf-8")
     assert mechanics.check(HOOP, file, blame=False).verdict.name == verdict
+
+
+SQUARE = """
+float accelerationOf(float theta, float u, float m, float l, float g) {
+  return 3*g/(2*l)*sin(theta) + 3*u/(m*sq(l));
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "verdict"), [("", "", "PROVED"), ("sq(l)", "sq(m)", "REFUTED"),
+                                ("m*sq(l)", "sq(m)*l", "REFUTED")]
+)  # fmt: skip
+def test_the_square_of_arduino(tmp_path: Path, old: str, new: str, verdict: str) -> None:
+    """It is a macro of its header: ((x)*(x))."""
+    file = tmp_path / "rod.ino"
+    file.write_text(SQUARE.replace(old, new) if old else SQUARE, encoding="utf-8")
+    answer = mechanics.check(ROD, file, function="accelerationOf", blame=False)
+    assert answer.verdict.name == verdict
+
+
+@pytest.mark.parametrize(
+    ("name", "above", "old", "new"),
+    [("a.cpp", "", "", ""), ("a.ino", "#define sq(x) (2*(x))", "", ""),
+     ("b.ino", "", "sq(l)", "sq(2)"), ("c.ino", "", "sq(l)", "sq(l++)")],
+)  # fmt: skip
+def test_another_square_is_refused(
+    tmp_path: Path, name: str, above: str, old: str, new: str
+) -> None:
+    file = tmp_path / name
+    text = f"{above}\n#include <Arduino.h>{SQUARE.replace(old, new) if old else SQUARE}"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"line \d, column"):
+        mechanics.check(ROD, file, function="accelerationOf", blame=False)

@@ -16,6 +16,7 @@ from mechanics.cli.load import load
 from mechanics.errors import InputError
 from systems import rod_pendulum
 
+ROD = mechanics.derive(rod_pendulum.scene(), "free_body")
 MASSES = """
 function run
 m1 = 1; k1 = 2;
@@ -371,3 +372,19 @@ def test_a_branch_that_ends_in_an_error_has_no_value(tmp_path: Path) -> None:
     )
     (judged,) = mechanics.check(rod_pendulum.scene(), path, blame=False).judged
     assert judged.finding.domain == "except where theta < 0"
+
+
+DETERMINANTS = {
+    "rod.m": "function a = acc(theta, u, m, l, g)\n"
+    "A = [m*l^2/3 0; 1 2];\na = (m*g*l*sin(theta) + 2*u)/det(A);\nend\n",
+    "rod.jl": "function acc(theta, u, m, l, g)\n"
+    "A = [m*l^2/3 0.0; 1.0 2.0]\nreturn (m*g*l*sin(theta) + 2*u)/det(A)\nend\n",
+}
+
+
+@pytest.mark.parametrize("name", DETERMINANTS)
+def test_a_determinant_of_formulas(tmp_path: Path, name: str) -> None:
+    text = DETERMINANTS[name]
+    for written, verdict in ((text, "PROVED"), (text.replace("det(A)", "det(2*A)"), "REFUTED")):
+        (tmp_path / name).write_text(written)
+        assert mechanics.check(ROD, tmp_path / name, blame=False).verdict.name == verdict

@@ -17,7 +17,7 @@ NOTE = "brought back into one turn: read as the same angle"
 
 def with_unwrapped_angles(scene: Scene, outputs: Outputs) -> Outputs:
     """The outputs of a step, where an angle in one turn is the angle itself."""
-    entries = [entry for value in outputs.values for entry in value]
+    entries = outputs.entries
     if not any(entry.has(floor) for entry in entries):
         return outputs
     angles = turning(scene)

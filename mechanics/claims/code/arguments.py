@@ -174,7 +174,7 @@ def arguments_of(
         matches.append(Match(name, " ".join(str(entry) for entry in entries), why))
     if unexplained:
         raise UnexplainedError(_unexplained(naming, unexplained, apart or {}))
-    own_values = {n: v for n, v in values.items() if not {*_entries_of(v)} & {*scene.ud}}
+    own_values = {n: v for n, v in values.items() if not {*entries_of(v)} & {*scene.ud}}
     _refuse_twice(own_values, given)  # rates of a state have its speeds
     _refuse_orders(scene, values, given)
     return Arguments(values, state, tuple(matches))
@@ -189,14 +189,15 @@ def places_of_vectors(scene: Scene, arguments: Arguments) -> tuple[int, ...]:
     arguments : Arguments
     """
     own = list(scene.q)
-    held = (_entries_of(value) for value in arguments.values.values())
+    held = (entries_of(value) for value in arguments.values.values())
     found = next((e for e in held if len(e) > 1 and {*e} == {*own}), tuple(own))
     places = tuple(own.index(entry) for entry in found)
     aligned = len(own) == len(scene.u) and {rate_table(scene)[q] for q in own} == {*scene.u}
     return places if aligned and places != tuple(range(len(own))) else ()
 
 
-def _entries_of(value: Value) -> tuple[Expr, ...]:
+def entries_of(value: Value) -> tuple[Expr, ...]:
+    """The symbols of an argument, one or several."""
     return (value,) if isinstance(value, Expr) else tuple(value)
 
 
@@ -209,7 +210,7 @@ def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
     """
     owner: dict[Expr, str] = {}
     for name, value in values.items():
-        for entry in _entries_of(value):
+        for entry in entries_of(value):
             other = owner.setdefault(entry, name)
             if (
                 other != name
@@ -232,14 +233,14 @@ def _refuse_orders(scene: Scene, values: Mapping[str, Value], given: Container[s
     place = {s: k for group in (scene.q, scene.u, scene.ud) for k, s in enumerate(group)}
     orders: dict[tuple[int, ...], str] = {}
     for name, value in values.items():
-        entries = _entries_of(value)
+        entries = entries_of(value)
         order = tuple(place.get(entry, -1) for entry in entries)
         if sorted(order) != [*range(len(scene.q))] or len(order) < 2 or name in given:
             continue
         other = orders.setdefault(order, name)
         if len(orders) > 1 and other == name:
             first = next(iter(orders.values()))
-            held = " ".join(map(str, _entries_of(values[first])))
+            held = " ".join(map(str, entries_of(values[first])))
             raise InputError(
                 f"the argument {first} is {held} and {name} is {' '.join(map(str, entries))}: say"
                 f" in which order they are, --name '{name}=...' (names={{'{name}': ...}})"

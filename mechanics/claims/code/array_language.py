@@ -366,6 +366,11 @@ def numbers(a: Any) -> Any:
     return np.asarray(a, dtype=float) if plain else a
 
 
+def determinant(a: Any) -> Any:
+    """det(a)"""
+    return np.linalg.det(numbers(a)) if isinstance(a, np.ndarray) else a
+
+
 def inverse(a: Any) -> Any:
     """inv(a)"""
     return np.linalg.inv(numbers(a)) if isinstance(a, np.ndarray) else 1 / a

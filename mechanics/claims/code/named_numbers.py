@@ -64,7 +64,7 @@ def named_numbers(
     InputError
         Where a number is called a force or a torque, and nothing says which.
     """
-    entries = [entry for value in outputs.values for entry in value]
+    entries = outputs.entries
     names = [TITLE.sub("", name) for name in outputs.names or (title,)]
     if about is not None:
         names = about.replace(",", " ").split()

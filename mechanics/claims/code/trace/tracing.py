@@ -68,6 +68,11 @@ class Outputs:
     changed: tuple[str, ...] = ()
     demands: Mapping[Expr, tuple[Demand, ...]] = field(default_factory=dict)
 
+    @property
+    def entries(self) -> list[Expr]:
+        """All numbers, row by row."""
+        return [entry for value in self.values for entry in value]
+
 
 @dataclass(frozen=True)
 class _Way:

@@ -61,7 +61,7 @@ PAIRS = ("make_pair", "make_tuple")
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
 UNREAD = frozenset(("constrain", "map", "degrees", "radians", "sq"))
-"""Calls of Arduino that are not read."""
+"""Calls of Arduino that are not read; the square of a real number in a sketch is."""
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
 
 OWN_KIND = re.compile(
@@ -79,7 +79,8 @@ LIBRARIES = re.compile(r'"(?:Eigen|boost|casadi|gsl|rbdl|kdl|armadillo|glm)\b')
 SIZED = re.compile(r"\b(?:vector|valarray|(?:Row)?(?:Vector|Array|Matrix)X\w*|\w*_(?:type|t))\b")
 """Types of which what they are made of is their size."""
 SMALL = ".ino"
-"""Of processors whose integers may have 16 bits."""
+"""Of processors whose integers may have as few bits as this:"""
+SMALL_BITS = 16
 SKETCH = frozenset(("setup", "loop"))
 """Functions of a sketch for such a one."""
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino")
@@ -171,6 +172,11 @@ class Scope:
     blank: tuple[str, ...] = ()
     record: tuple[str, ...] = ()
 
+    @property
+    def is_sketch(self) -> bool:
+        """Whether it is for a processor of Arduino's."""
+        return self.bits == SMALL_BITS
+
 
 def language() -> object:
     """The grammar of C++."""
@@ -238,7 +244,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
     _refuse_constructors(root, used)
     _refuse_destructors(root)
     rounded = _single(root, used)
-    bits = 16 if origin.endswith(SMALL) else 32
+    bits = SMALL_BITS if origin.endswith(SMALL) else 32
     constants, kinds = _numbers(root, used, bits)
     members = integer_members(root, unread)
     types = [s for s in within(root, "struct_specifier") if s.child_by_field_name("body")]
@@ -255,7 +261,7 @@ def in_python(text: str, origin: str, wanted: str | None) -> Translated:
         scope.constants, scope.kinds = {**constants}, {**kinds, **scope.kinds}
         if shared := {*scope.outputs} & scope.constants.keys():
             raise refuse(nodes[name], f"{joined(sorted(shared))} of the file is changed: pass it")
-        scope.overloaded = bits == 16 or OVERLOADED.search(text) is not None
+        scope.overloaded = scope.is_sketch or OVERLOADED.search(text) is not None
         kind = words(nodes[name].child_by_field_name("type") or nodes[name])
         scope.record = tuple(_fields(structs[kind])) if kind in structs and name in chosen else ()
         bodies[name] = Page()
@@ -1566,6 +1572,11 @@ def _call(node: Any, scope: Scope) -> str:
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
     if name in UNREAD - {*scope.functions, *scope.locals, *scope.arguments}:
+        numbers = named(given)
+        if name == "sq" and scope.is_sketch and len(numbers) == 1:
+            if _whole(numbers[0], scope):
+                raise refuse(node, "the square of an integer is one, too: write it with a point")
+            return f"power({_value(numbers[0], scope)}, 2)"
         raise refuse(node, f"the call {name}() is not supported")
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)

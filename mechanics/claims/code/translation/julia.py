@@ -41,7 +41,7 @@ from mechanics.claims.text.letters import plain
 FUNCTIONS = {**ELEMENTWISE, "rad2deg": "rad2deg", "deg2rad": "deg2rad"}
 """Functions of numbers and what NumPy calls them."""
 OF_TWO = ("hypot", "max", "min", "mod", "atan")
-OF_NUMBERS = frozenset((*FUNCTIONS, *RECIPROCAL, *OF_TWO, "abs2", "Float64", "float")) - {"det"}
+OF_NUMBERS = frozenset((*FUNCTIONS, *RECIPROCAL, *OF_TWO, "abs2", "Float64", "float"))
 """Functions that a dot may stand behind."""
 NEW = ("vector_expression", "matrix_expression", "binary_expression", "unary_expression",
        "juxtaposition_expression", "broadcast_call_expression", "integer_literal",
@@ -49,8 +49,9 @@ NEW = ("vector_expression", "matrix_expression", "binary_expression", "unary_exp
 """What makes an array of its own."""
 MAKES = ("zeros", "ones", "similar", "zero", "copy", "collect", "vcat", "inv")
 """Functions that do."""
-OWN = {"inv": "inverse", "transpose": "transposed", "dot": "dot", "cross": "cross", "norm": "norm",
-       "diagm": "diag", "Diagonal": "diag", "sum": "np.sum"}  # fmt: skip
+OWN = {"inv": "inverse", "det": "determinant", "transpose": "transposed", "dot": "dot",
+       "cross": "cross", "norm": "norm", "diagm": "diag", "Diagonal": "diag",
+       "sum": "np.sum"}  # fmt: skip
 """Functions of arrays."""
 KINDS = frozenset(
     ("SA", "SVector", "MVector", "SMatrix", "MMatrix", "SArray", "Float64", "Float32", "Real",
@@ -1241,7 +1242,7 @@ def _call(node: Any, one: Function) -> str:
         return f"{name}{OF_TIME}"
     if name in one.arguments or name in one.locals:
         raise refuse(node)
-    if node.type == "call_expression" and name in (*FUNCTIONS, *RECIPROCAL) and name != "det":
+    if node.type == "call_expression" and name in (*FUNCTIONS, *RECIPROCAL):
         given = [f"single({part})" for part in given]
     if name == "atan" and len(given) == 2:
         return f"np.arctan2({joined(given)})"

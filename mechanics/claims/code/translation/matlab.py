@@ -34,11 +34,12 @@ ELEMENTWISE = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log",
                                "floor", "ceil", "sign")},
     "abs": "abs", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2",
-    "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod", "det": "linalg.det",
+    "hypot": "hypot", "max": "maximum", "min": "minimum", "mod": "mod",
 }  # fmt: skip
 """Functions and what NumPy calls them."""
 RECIPROCAL = {"sec": "cos", "csc": "sin", "cot": "tan"}
-INVERSES = ("inv", "pinv")
+WHOLES = {"inv": "inverse", "pinv": "inverse", "det": "determinant", "transpose": "transposed"}
+"""Functions of matrices as a whole."""
 ARRAYS = ("zeros", "ones", "eye", "diag", "sum", "dot", "cross", "norm")
 LISTED = re.compile(
     r"\[[\w\s,~]*\]\s*=\s*(?:deal\(\s*)?\w+\{:\}(?:\s*\))?"
@@ -897,16 +898,14 @@ def _call(node: Any, scope: Scope) -> str:
         return f"np.{ELEMENTWISE[name]}({joined(given)})"
     if name in RECIPROCAL:
         return f"(1/np.{RECIPROCAL[name]}({joined(given)}))"
-    if name in INVERSES:
-        return f"inverse({joined(given)})"
+    if name in WHOLES:
+        return f"{WHOLES[name]}({joined(given)})"
     if name in ARRAYS:
         return f"{'total' if name == 'sum' else name}({joined(given)})"
     if name in ("length", "numel") and given and given[0].isidentifier():
         return f"{name}({joined(given)})"
     if name == "wrapToPi" and len(given) == 1:  # of pi it is the same angle, -pi
         return f"minus(np.mod(plus({given[0]}, np.pi), 2*np.pi), np.pi)"
-    if name == "transpose":
-        return f"transposed({joined(given)})"
     if name == "single":
         raise refuse(node, "single precision is not read: write double")
     if name in ("deg2rad", "double", "simplify"):
