@@ -5,15 +5,8 @@ theta_deg    omega_rpm    R_mm    u_kNm    l_half    half_l    l_1over2    diame
 
 import re
 
-OF_UNITS = (
-    "deg degs degree degrees dps arcmin arcsec rpm rps rev revs turns Hz hz kHz mm cm km um"
-    " micron inch inches ft feet yd mile miles kmh kph mph knots kN mN MN kNm mNm Nmm Ncm kgf"
-    " lb lbs lbf oz ton tons gram grams ms minutes hours percent pct millimetre millimetres"
-    " millimeter millimeters centimetre centimetres centimeter centimeters kilometre kilometres"
-    " kilometer kilometers milliseconds kilonewton kilonewtons revolutions pound pounds"
-)
-UNITS = frozenset(OF_UNITS.split())
-"""That are no coherent ones of the SI; as the last word of a name."""
+from mechanics.claims import foreign_units
+
 OF_PARTS = "half halves halved semi quarter third double doubled twice full whole diameter diam dia"
 PARTS = frozenset(OF_PARTS.split())
 """Words for a part or a multiple."""
@@ -46,4 +39,4 @@ def unit_in(words: str) -> str:
 
 
 def _is_unit(word: str) -> bool:
-    return word in UNITS or (len(word) > 2 and word.lower() in UNITS)
+    return word in foreign_units.ALL or (len(word) > 2 and word.lower() in foreign_units.ALL)

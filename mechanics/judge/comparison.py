@@ -431,10 +431,10 @@ def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
     """A unit of another dimension than the scene's; in a list, u, m, l, the second is a name."""
     if re.fullmatch(r"\u27e9\s*,\s*", said.string[said.end("name") : said.start("unit")]):
         return None
-    own, stated = (
-        facts.own(said),
-        re.sub(r"[ ·]+|(?<=[Nm])(?=[ms])", "*", bare(said["unit"]).replace("²", "^2")),
-    )
+    own, stated = facts.own(said), bare(said["unit"]).replace("²", "^2")
+    for name, symbol in p.LONG_UNITS.items():
+        stated = re.sub(rf"{name}s?", symbol, stated, flags=re.IGNORECASE)
+    stated = re.sub(r"[ ·]+|(?<=[Nm])(?=[ms])", "*", stated)
     try:
         one = dimension_of_unit(stated.strip("*").replace("*/", "/").replace("/*", "/"), "")
         other = dimension_of_unit(facts.unit(own), "") if facts.unit(own) else one

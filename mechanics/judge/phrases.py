@@ -10,6 +10,15 @@ in capitals stand for what `SLOTS` has.
 import re
 
 from mechanics.claims.counting_words import NUMBERED
+from mechanics.claims.foreign_units import (
+    ANGLES,
+    FORCES,
+    LENGTHS,
+    MASSES,
+    TIMES,
+    TORQUES,
+    any_of,
+)
 from mechanics.claims.prose import SYMBOL
 
 SLOTS = {
@@ -160,13 +169,14 @@ PUSHES = phrase(r"NAMEACTS (?:to (?:the )?)?(?P<way>left|right|leftwards?|rightw
 UNIT = phrase(
     r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
     r"(?:(?!in\b|not\b)[a-z]+,? ){0,5}?"
-    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:N ?[mck]m|degrees|deg|grad(?:ian)?s?"
-    r"|(?:centi|milli|kilo(?!gram))\w+|[cmk]m|kN|minutes|hours|inch(?:es)?|feet|pounds)\b"
+    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:N ?[mck]m|grad(?:ian)?s?"
+    rf"|(?:centi|milli|kilo(?!gram))\w+|{any_of(*ANGLES, *LENGTHS, *FORCES, *MASSES, *TIMES)})\b"
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )
 """A unit that is not the scene's."""
 UNIT_BRACKETED = phrase(
-    r"NAME ?[\[(](?P<unit>(?:deg(?:rees?)?|°|[cm]m|km|kN|rpm)(?:/(?:s|min|h))?)[\])]"
+    rf"NAME ?[\[(](?P<unit>(?:°|{any_of(*ANGLES, *LENGTHS, *FORCES, *TORQUES, *MASSES, 'rpm')})"
+    r"(?:/(?:s|min|h))?)[\])]"
 )
 FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
@@ -255,6 +265,7 @@ PASSING = re.compile(
     r"|⟨\w+⟩[- ](?:position|coordinate|axis|direction|component|velocity|speed|acceleration)\b"
     r"|\b(?:eliminat|cancel|substitut)\w* ⟨\w+⟩|⟨\w+⟩ (?:cancels|drops out|vanishes)"
     r"|\b(?:deriv|differentiat)\w*[^.;]{0,40}? with respect to ⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*"
+    r"|\bmeasured in (?:SI units|(?:kg|N|rad|s|kilogram|newton|met(?:er|re)|second|radian)s?)\b"
     r"|^From |\bfrom (?:the )?(?:\w+ )?(?:equations?|geometry|figure|laws?|lagrangian|energy)\b",
     re.IGNORECASE,
 )
@@ -351,10 +362,14 @@ CENTRAL = phrase(r"CENTRE\b")
 OUTSIDE = re.compile(r"(?:pivot|hinge|joint|pin|support|suspension|end|foot)\b", re.IGNORECASE)
 """What is no mass centre."""
 STATED_UNIT = phrase(
-    r"NAME[^⟨.;]{0,60}?(?: in |, ?|[(\[])"
-    r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J)(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
+    r"NAME(?:(?! in (?!the\b))[^⟨.;]){0,60}?(?: in |, ?|[(\[])"
+    r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J|kilograms?|newtons?|met(?:er|re)s?|seconds|radians?|joules?)"
+    r"(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
 )
 """A unit of the scene's kind."""
+LONG_UNITS = {"kilogram": "kg", "newton": "N", "metre": "m", "meter": "m", "second": "s",
+              "radian": "rad", "joule": "J"}  # fmt: skip
+"""Names of units."""
 PLACE = (
     phrase(
         r"NAMEIS THE(?:horizontal |vertical |lateral )?"
@@ -694,12 +709,12 @@ FLAWED = re.compile(
 )
 """What denies or limits code where a comment has it."""
 FOREIGN_UNIT = re.compile(
-    r"(?<![\w/*.])(?:(?:deg(?:rees?)?|\u00b0|rev(?:s|olutions?)?|turns?|[cmk]m|mrad|ft|feet|in"
-    r"|inch(?:es)?|lbf?|kN)\s*/\s*(?:s|sec|min|hr?)(?![a-z])"
+    rf"(?<![\w/*.])(?:(?:{any_of(*ANGLES, *LENGTHS, *FORCES)}|\u00b0|turn|revolution|mrad|in|lb)"
+    r"\s*/\s*(?:s|sec|min|hr?)(?![a-z])"
     r"|(?:rad|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b|(?:rpm|mph)\b)"
     r"|(?m:\[(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms)\]"
-    r"|^\W*(?:units?\b\W*)?(?:[cmk]m|deg(?:rees?)?|\u00b0|inch(?:es)?|ft|feet|lbs?|kN|N ?[cm]m"
-    r"|(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms))\W*$)"
+    rf"|^\W*(?:units?\b\W*)?(?:{any_of(*ANGLES, *LENGTHS, *FORCES, *TORQUES, *MASSES)}"
+    r"|\u00b0|N ?[cm]m|(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms))\W*$)"
 )
 """A unit that no scene has, in a comment of code: deg/s^2; cm where it says nothing else. 1/h and
 m/h are formulas, too, and units in brackets or alone.

@@ -73,9 +73,11 @@ class SceneFacts:
         return getattr(self.parameters.get(name), "meaning", "")
 
     def unit(self, name: str) -> str:
-        """Of a parameter or an input; empty where none is known."""
+        """Of a parameter, an input or an angle; empty where none is known."""
         if name in self.inputs:
             return self._unit_of_input(name)
+        if name in {q.name for q in angular(self.scene)}:
+            return "rad"
         return getattr(self.parameters.get(name), "unit", "")
 
     def _unit_of_input(self, name: str) -> str:
