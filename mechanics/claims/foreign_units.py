@@ -1,8 +1,8 @@
-"""Units that no scene has, by what they measure: what is not a coherent unit of the SI."""
+"""Units that no scene counts in, by what they measure."""
 
-ANGLES = (
-    "deg", "degs", "degree", "degrees", "arcmin", "arcsec", "rev", "revs", "turns", "revolutions",
-)  # fmt: skip
+ANGLES = ("deg", "degs", "degree", "degrees", "arcmin", "arcsec", "mrad")
+REVOLUTIONS = ("rev", "revs", "turns", "revolutions")
+GRADIANS = ("grad", "grads", "gradian", "gradians")
 _METRES = tuple(
     f"{part}{metre}{s}"
     for part in ("milli", "centi", "kilo") for metre in ("metre", "meter") for s in ("", "s")
@@ -14,18 +14,24 @@ LENGTHS = (
 FORCES = ("kN", "mN", "MN", "kgf", "lbf", "kilonewton", "kilonewtons")
 TORQUES = ("kNm", "mNm", "Nmm", "Ncm")
 MASSES = ("lb", "lbs", "oz", "ton", "tons", "gram", "grams", "pound", "pounds")
-TIMES = ("ms", "minutes", "hours", "milliseconds")
-RATES = ("dps", "rpm", "rps", "Hz", "hz", "kHz", "kmh", "kph", "mph", "knots")
-SHARES = ("percent", "pct")
-ALL = (*ANGLES, *LENGTHS, *FORCES, *TORQUES, *MASSES, *TIMES, *RATES, *SHARES)
+RATES = ("dps", "rpm", "rps", "kmh", "kph", "mph", "knots")
+LAST_WORDS = frozenset((
+    *ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES, *MASSES, *RATES,
+    "Hz", "hz", "kHz", "ms", "minutes", "hours", "milliseconds", "percent", "pct",
+))  # fmt: skip
+"""Of names that say another quantity: a gradient is no angle there, and no scene has a frequency
+beside an angular one.
+"""
+_BY_CAPITALS = frozenset((*FORCES, *TORQUES, "um"))
+"""Symbols that capitals tell from others."""
 
 
 def any_of(*units: str) -> str:
-    """A pattern of units; capitals count in symbols, in patterns that ignore them elsewhere, too.
+    """A pattern of units; capitals count where they tell symbols apart.
 
     Parameters
     ----------
     units : str
     """
     ordered = sorted(units, key=len, reverse=True)
-    return "|".join(unit if len(unit) > 3 else f"(?-i:{unit})" for unit in ordered)
+    return "|".join(f"(?-i:{unit})" if unit in _BY_CAPITALS else unit for unit in ordered)

@@ -5,7 +5,7 @@ theta_deg    omega_rpm    R_mm    u_kNm    l_half    half_l    l_1over2    diame
 
 import re
 
-from mechanics.claims import foreign_units
+from mechanics.claims.foreign_units import LAST_WORDS
 
 OF_PARTS = "half halves halved semi quarter third double doubled twice full whole diameter diam dia"
 PARTS = frozenset(OF_PARTS.split())
@@ -39,4 +39,4 @@ def unit_in(words: str) -> str:
 
 
 def _is_unit(word: str) -> bool:
-    return word in foreign_units.ALL or (len(word) > 2 and word.lower() in foreign_units.ALL)
+    return word in LAST_WORDS or (len(word) > 2 and word.lower() in LAST_WORDS)

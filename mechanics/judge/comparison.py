@@ -180,7 +180,7 @@ def _to_centre(facts: SceneFacts, said: Said) -> Outcome:
     if own not in facts.parameters:
         return None
     if ratio == 1:
-        words = re.split(r"[,;.\u27e8]", said.string[said.end("name") + 1 :], maxsplit=1)[0]
+        words = re.split(r"[,;\u27e8]|\.(?!\d)", said.string[said.end("name") + 1 :], maxsplit=1)[0]
         far = p.FAR_END.search(words) and not p.FAR_END.search(facts.meaning(own))
         if far or _another_number(own, words):
             have = f"the text says {bare(said.string)!r}"
@@ -323,15 +323,13 @@ def _same_number(own: str, words: str) -> bool | None:
 
 
 def _another_number(own: str, words: str) -> bool:
-    """Whether words count, and none of their numbers is that of a name.
+    """Whether words count otherwise than a name that has a number.
 
     From joint 2 to the mass centre of link 2, 0.4 m away: a fraction counts nothing.
     """
-    count = re.sub(r"\d+\.\d+", "", words)
-    orders, numbers = _orders(count), {*re.findall(r"\d+", count)}
-    mine = re.findall(r"\d+", own)[-1:]
-    same = numbers & {*mine} or orders & p.ORDINALS.get("".join(mine), frozenset())
-    return bool((orders or numbers) and mine and not same)
+    (mine,) = re.findall(r"\d+", own)[-1:] or [""]
+    numbers = {*re.findall(r"\d+", re.sub(r"\d+\.\d+", "", words))} - {mine}
+    return bool(mine and (numbers or _orders(words) - p.ORDINALS.get(mine, frozenset())))
 
 
 def _usual_letter(facts: SceneFacts, own: str, words: str) -> bool:
@@ -428,8 +426,8 @@ def _unit(facts: SceneFacts, said: Said) -> Outcome:
 
 
 def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
-    """A unit of another dimension than the scene's; in a list, u, m, l, the second is a name."""
-    if re.fullmatch(r"\u27e9\s*,\s*", said.string[said.end("name") : said.start("unit")]):
+    """A unit of another dimension than the scene's; behind a comma a name of the scene is none."""
+    if said.string[: said.start("unit")].rstrip()[-1] == "," and bare(said["unit"]) in facts.names:
         return None
     own, stated = facts.own(said), bare(said["unit"]).replace("²", "^2")
     for name, symbol in p.LONG_UNITS.items():

@@ -13,9 +13,11 @@ from mechanics.claims.counting_words import NUMBERED
 from mechanics.claims.foreign_units import (
     ANGLES,
     FORCES,
+    GRADIANS,
     LENGTHS,
     MASSES,
-    TIMES,
+    RATES,
+    REVOLUTIONS,
     TORQUES,
     any_of,
 )
@@ -169,14 +171,15 @@ PUSHES = phrase(r"NAMEACTS (?:to (?:the )?)?(?P<way>left|right|leftwards?|rightw
 UNIT = phrase(
     r"(?:NAME|\b(?P<all>time|angle|length|mass|force|torque)(?:e?s)?)(?: is| are| be| being|,|:)? ?"
     r"(?:(?!in\b|not\b)[a-z]+,? ){0,5}?"
-    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:N ?[mck]m|grad(?:ian)?s?"
-    rf"|(?:centi|milli|kilo(?!gram))\w+|{any_of(*ANGLES, *LENGTHS, *FORCES, *MASSES, *TIMES)})\b"
+    r"(?:measured |given |taken |expressed )?in (?P<unit>(?:N ?[mck]m"
+    r"|(?:newton[ -])?(?:centi|milli|kilo(?!gram))\w+|minutes|hours"
+    rf"|{any_of(*ANGLES, *GRADIANS, *LENGTHS, *FORCES, *TORQUES, *MASSES, *RATES)})\b"
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )
 """A unit that is not the scene's."""
 UNIT_BRACKETED = phrase(
-    rf"NAME ?[\[(](?P<unit>(?:°|{any_of(*ANGLES, *LENGTHS, *FORCES, *TORQUES, *MASSES, 'rpm')})"
-    r"(?:/(?:s|min|h))?)[\])]"
+    rf"NAME ?[\[(](?P<unit>(?:°|{any_of(*ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES)}"
+    rf"|{any_of(*MASSES, *RATES)})(?:/(?:s|min|h))?)[\])]"
 )
 FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
@@ -265,7 +268,11 @@ PASSING = re.compile(
     r"|⟨\w+⟩[- ](?:position|coordinate|axis|direction|component|velocity|speed|acceleration)\b"
     r"|\b(?:eliminat|cancel|substitut)\w* ⟨\w+⟩|⟨\w+⟩ (?:cancels|drops out|vanishes)"
     r"|\b(?:deriv|differentiat)\w*[^.;]{0,40}? with respect to ⟨\w+⟩(?:(?:,| and|, and) ⟨\w+⟩)*"
-    r"|\bmeasured in (?:SI units|(?:kg|N|rad|s|kilogram|newton|met(?:er|re)|second|radian)s?)\b"
+    r"|(?:\bangles? (?:is|are) (?:all )?measured in (?:rad|radians)"
+    r"|⟨\w+⟩ (?:is|are) measured in"
+    r" (?:kg|N|rad|s|⟨m⟩|newton met(?:er|re)s"
+    r"|(?:kilogram|newton|met(?:er|re)|second|radian|joule)s?)"
+    r"|\bmeasured in SI units)(?= *(?:[.,;:)]|$))"
     r"|^From |\bfrom (?:the )?(?:\w+ )?(?:equations?|geometry|figure|laws?|lagrangian|energy)\b",
     re.IGNORECASE,
 )
@@ -362,14 +369,14 @@ CENTRAL = phrase(r"CENTRE\b")
 OUTSIDE = re.compile(r"(?:pivot|hinge|joint|pin|support|suspension|end|foot)\b", re.IGNORECASE)
 """What is no mass centre."""
 STATED_UNIT = phrase(
-    r"NAME(?:(?! in (?!the\b))[^⟨.;]){0,60}?(?: in |, ?|[(\[])"
+    r"NAME(?:(?! in (?:kg|N|rad|kilo|newton|met(?:er|re)|joule))[^⟨.;]){0,60}?(?: in |, ?|[(\[])"
     r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J|kilograms?|newtons?|met(?:er|re)s?|seconds|radians?|joules?)"
     r"(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
 )
 """A unit of the scene's kind."""
 LONG_UNITS = {"kilogram": "kg", "newton": "N", "metre": "m", "meter": "m", "second": "s",
               "radian": "rad", "joule": "J"}  # fmt: skip
-"""Names of units."""
+"""Symbols of units by their names."""
 PLACE = (
     phrase(
         r"NAMEIS THE(?:horizontal |vertical |lateral )?"
@@ -709,12 +716,12 @@ FLAWED = re.compile(
 )
 """What denies or limits code where a comment has it."""
 FOREIGN_UNIT = re.compile(
-    rf"(?<![\w/*.])(?:(?:{any_of(*ANGLES, *LENGTHS, *FORCES)}|\u00b0|turn|revolution|mrad|in|lb)"
-    r"\s*/\s*(?:s|sec|min|hr?)(?![a-z])"
+    rf"(?<![\w/*.])(?:(?:{any_of(*ANGLES, *REVOLUTIONS, *LENGTHS)}"
+    r"|\u00b0|turn|revolution|in|lbf?|kN)\s*/\s*(?:s|sec|min|hr?)(?![a-z])"
     r"|(?:rad|rev)\s*/\s*(?:min|h|hr|hours?|ms)\b|(?:rpm|mph)\b)"
     r"|(?m:\[(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms)\]"
-    rf"|^\W*(?:units?\b\W*)?(?:{any_of(*ANGLES, *LENGTHS, *FORCES, *TORQUES, *MASSES)}"
-    r"|\u00b0|N ?[cm]m|(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms))\W*$)"
+    rf"|^\W*(?:units?\b\W*)?(?:{any_of(*ANGLES, *LENGTHS, *TORQUES, *MASSES)}"
+    r"|\u00b0|kN|lbf|kgf|N ?[cm]m|(?:1|m)\s*/\s*(?:min|h|hr|hours?|ms))\W*$)"
 )
 """A unit that no scene has, in a comment of code: deg/s^2; cm where it says nothing else. 1/h and
 m/h are formulas, too, and units in brackets or alone.

@@ -3,6 +3,8 @@
 The compiler is a stand-in that writes its own temporary file, starts a child, and never ends.
 """
 
+import contextlib
+import itertools
 import os
 import signal
 import subprocess
@@ -15,6 +17,7 @@ import pytest
 
 from mechanics.cli.ensemble import goes_on
 from mechanics.cli.interrupts import AGAIN, told_when_stopped
+from mechanics.compiled.machine.process import run
 
 COMPILER = """\
 #!/bin/sh
@@ -112,6 +115,35 @@ def test_a_compiler_that_is_just_started_ends_with_the_process(
     interrupted: Callable[..., int],
 ) -> None:
     assert interrupted(signal.SIGTERM, WHILE_IT_STARTS) == ENDS[signal.SIGTERM]
+
+
+@pytest.mark.parametrize("call", range(2 * len(ENDS)))
+def test_what_handles_signals_is_there_again_when_a_signal_comes_between(
+    call: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While handlers are exchanged, one of those that were there may raise."""
+    monkeypatch.setattr(signal, "signal", _raising(signal.signal, call))
+    before = {n: signal.signal(n, lambda *_: None) for n in (signal.SIGTERM, signal.SIGHUP)}
+    own = {n: signal.getsignal(n) for n in ENDS}
+    try:
+        with contextlib.suppress(KeyboardInterrupt):
+            run([sys.executable, "-c", ""], tmp_path)
+        assert {n: signal.getsignal(n) for n in ENDS} == own
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _raising(change: Callable[..., object], call: int) -> Callable[..., object]:
+    """`signal.signal`, of which one call raises, after those that prepare the test."""
+    calls = itertools.count(-2)
+
+    def changed(number: int, handler: object) -> object:
+        if next(calls) == call:
+            raise KeyboardInterrupt
+        return change(number, handler)
+
+    return changed
 
 
 @pytest.mark.campaign

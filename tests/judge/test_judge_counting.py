@@ -48,6 +48,14 @@ CASES: dict[str, tuple[str, str, str, str]] = {
         r"$l_{c2}$ is the distance from joint 2 to the centre of mass of link 2, that is 0.4 m.",
         ELBOW, QUOTED,
     ),
+    "a mass centre from another joint": (
+        "acrobot", r"$l_{c2}$ is the distance from joint 1 to the centre of mass of link 2.",
+        ELBOW, OPEN,
+    ),
+    "a mass centre of another link, from its joint": (
+        "acrobot", r"$l_{c2}$ is the distance from joint 2 to the centre of mass of link 1.",
+        ELBOW, OPEN,
+    ),
     "a mass centre from the tip": (
         "acrobot", r"$l_{c2}$ is the distance from the tip of link 2 to its centre of mass.",
         ELBOW, OPEN,

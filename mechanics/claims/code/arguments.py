@@ -201,6 +201,12 @@ def entries_of(value: Value) -> tuple[Expr, ...]:
     return (value,) if isinstance(value, Expr) else tuple(value)
 
 
+def state_is_stated(arguments: Arguments) -> bool:
+    """Whether somebody says what the entries of the state are."""
+    words = " ".join(map(str, arguments.state))
+    return any(m.meaning == words and m.why in SAID for m in arguments.matches)
+
+
 def _refuse_twice(values: Mapping[str, Value], given: Container[str]) -> None:
     """Refuse two arguments that are taken for one number: accel(s, r) of two states.
 

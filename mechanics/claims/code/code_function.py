@@ -7,7 +7,6 @@ from sympy import Expr
 
 from mechanics.claims.about import WORDS
 from mechanics.claims.code.arguments import (
-    SAID,
     Arguments,
     arguments_of,
     named_entries,
@@ -33,25 +32,28 @@ class CodeFunction:
     ----------
     naming : Naming
     title : str
-    wanted : tuple of str
-        Its arguments.
+    names : tuple of str
+        Of its arguments.
     sizes : mapping of str to int
         Numbers of entries of arguments; None where the code does not say.
     run : callable
         What it returns for arguments.
-    given : mapping of str to str
+    meanings : mapping of str to str
         What arguments are, as the person or the text says.
-    apart : mapping of str to Apart
-        Arguments that the code takes apart.
+    parts : mapping of str to Apart
+        Of arguments that the code takes apart.
+    text : str
+        Of its file.
     """
 
     naming: Naming
     title: str
-    wanted: tuple[str, ...]
+    names: tuple[str, ...]
     sizes: Mapping[str, int | None]
     run: Run
-    given: Mapping[str, str]
-    apart: Mapping[str, Apart]
+    meanings: Mapping[str, str]
+    parts: Mapping[str, Apart]
+    text: str
 
     @property
     def scene(self) -> Scene:
@@ -66,8 +68,8 @@ class CodeFunction:
         InputError
             For those that are unexplained.
         """
-        given = {**self.given, **(meanings or {})}
-        return arguments_of(self.naming, self.wanted, self.sizes, given, apart=self.apart)
+        meanings = {**self.meanings, **(meanings or {})}
+        return arguments_of(self.naming, self.names, self.sizes, meanings, apart=self.parts)
 
 
 def code_function(
@@ -108,10 +110,4 @@ def code_function(
     stepped = at_one_step(naming, scalars)
     naming = replace(naming, guessed=stepped)
     naming = replace(naming, guessed=(*stepped, *guess(naming, open_names, ())))
-    return CodeFunction(naming, title, tuple(wanted), sizes, run, given, apart)
-
-
-def is_said(arguments: Arguments) -> bool:
-    """Whether somebody says what the entries of the state are."""
-    words = " ".join(map(str, arguments.state))
-    return any(m.meaning == words and m.why in SAID for m in arguments.matches)
+    return CodeFunction(naming, title, tuple(wanted), sizes, run, given, apart, text)

@@ -7,9 +7,9 @@ crane_acceleration, pendel_energy                         a word that nothing kn
 
 import re
 
-from mechanics.claims import foreign_units
 from mechanics.claims.code.function_names import spoken
 from mechanics.claims.counting_words import COUNTED
+from mechanics.claims.foreign_units import LAST_WORDS
 from mechanics.claims.guess import is_short_for
 from mechanics.claims.spelled_rates import bases, key
 from mechanics.scene import Scene
@@ -21,7 +21,7 @@ HEAD = re.compile(
 """What is qualified."""
 OTHERWISE = frozenset((
     *["per", "minus", "neg", "negative", "reversed", "jerk", "deceleration"],
-    *(unit.lower() for unit in foreign_units.ALL if len(unit) > 2),
+    *(unit.lower() for unit in LAST_WORDS if len(unit) > 2),
 ))  # fmt: skip
 """What makes anything another one."""
 _QUALIFIERS = (

@@ -17,7 +17,7 @@ from sympy import Expr, Matrix, S
 
 from mechanics.claims.assemble import Reading
 from mechanics.claims.code.angle_wrapping import with_unwrapped_angles
-from mechanics.claims.code.arguments import Arguments, entries_of
+from mechanics.claims.code.arguments import Arguments, entries_of, state_is_stated
 from mechanics.claims.code.c.constants import with_constants
 from mechanics.claims.code.c.flat import flat
 from mechanics.claims.code.c.globals import with_globals
@@ -32,7 +32,7 @@ from mechanics.claims.code.c.target import Instructions
 from mechanics.claims.code.c.untyped import with_types
 from mechanics.claims.code.c.wrapper import WRAPPER, wrapped
 from mechanics.claims.code.casadi_symbols import function_of
-from mechanics.claims.code.code_function import code_function, is_said
+from mechanics.claims.code.code_function import code_function
 from mechanics.claims.code.column_arguments import with_column_arguments
 from mechanics.claims.code.determinism import doubt_when_repeated
 from mechanics.claims.code.doubles import doubt_as_doubles
@@ -130,7 +130,7 @@ def read_function(
         doubt = doubt or doubt_when_called(function, given.values, outputs, standing)
         notes = (*outputs.notes, *remarks)
         # A list of rates has the order of its state, whatever its entries are called.
-        placed = is_said(given) and 0 < len(given.state) == len(outputs.entries)
+        placed = state_is_stated(given) and 0 < len(given.state) == len(outputs.entries)
         names_of = outputs.names or (() if placed else called.returned)
         outputs = replace(outputs, notes=notes, doubt=doubt, names=names_of)
         return with_unwrapped_angles(scene, outputs)
@@ -141,7 +141,7 @@ def read_function(
         scene, title, called.wanted, sizes, run, names, called.apart, text,
         called.standing.values(),
     )  # fmt: skip
-    found = read_outputs(code, about, text)
+    found = read_outputs(code, about)
     code_values = tuple(called.own.items())
     statements = tuple(replace(s, code_values=code_values) for s in found.statements)
     return replace(found, statements=statements, remarks=(*found.remarks, *called.remarks))
@@ -207,7 +207,7 @@ def read_casadi(
     apart, _, text = in_python(maker) if maker else ({}, (), "")
     apart = {**apart, **(together or {})}
     code = code_function(scene, function.name(), wanted, sizes, run, names, apart, text)
-    return read_outputs(code, about, text)
+    return read_outputs(code, about)
 
 
 def _in_rows(
@@ -275,7 +275,7 @@ def read_c(
 
         apart = {**in_c(without_comments(text)), **written.apart}
         code = code_function(scene, call.name, wanted, call.inputs, run, names, apart, whole)
-        return read_outputs(code, about, whole).rounded(written.rounded)
+        return read_outputs(code, about).rounded(written.rounded)
     except (ExpressionError, InputError) as error:
         raise InputError(placed(text, str(error), origin, coord)) from None
     except RecursionError:

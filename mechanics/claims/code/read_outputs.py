@@ -8,8 +8,13 @@ from sympy import Expr
 
 from mechanics.claims.about import QUANTITIES
 from mechanics.claims.assemble import Reading
-from mechanics.claims.code.arguments import Arguments, entries_of, places_of_vectors
-from mechanics.claims.code.code_function import CodeFunction, is_said
+from mechanics.claims.code.arguments import (
+    Arguments,
+    entries_of,
+    places_of_vectors,
+    state_is_stated,
+)
+from mechanics.claims.code.code_function import CodeFunction
 from mechanics.claims.code.energy_names import named_by_title, refuse_energy_of_a_part
 from mechanics.claims.code.function_names import spoken
 from mechanics.claims.code.integrators import STEP
@@ -69,15 +74,14 @@ class Meaning:
     letter: Letter | None
 
 
-def read_outputs(code: CodeFunction, about: str | None = None, text: str = "") -> Reading:
-    """Statements of a function.
+def read_outputs(code: CodeFunction, about: str | None = None) -> Reading:
+    """Statements of a function; comments of its file count.
 
     Parameters
     ----------
+    code : CodeFunction
     about : str, optional
         What it returns, as the person says.
-    text : str
-        Of its file: comments count.
 
     Raises
     ------
@@ -96,7 +100,7 @@ def read_outputs(code: CodeFunction, about: str | None = None, text: str = "") -
         unsure += (f"{', '.join(outputs.names)} are in another order: say what {title} returns",)
     parts = meaning.about is None and bool(manipulator(scene, outputs))
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
-    comments = comments_of(text)
+    comments = comments_of(code.text)
     doubt = _doubt_of_words(meaning, title, comments)
     if not doubt and about is None and (otherwise := another_quantity_word(scene, title)):
         doubt = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
@@ -126,7 +130,7 @@ def _meaning(
     naming = replace(naming, guessed=(*naming.guessed, *_renamed(naming, arguments.matches)))
     others = [] if places or named else taken_otherwise(naming, outputs, meant, about, title)
     meaning = Meaning(outputs, naming, about, tuple(passed), meant, others, letter)
-    guessed = arguments.state and not is_said(arguments)
+    guessed = arguments.state and not state_is_stated(arguments)
     if letter is None and guessed and len(outputs.entries) < len(arguments.state):
         others = [*others, *_of_other_states(code, arguments, meaning)]
     return replace(meaning, others=others)

@@ -8,8 +8,8 @@ from itertools import permutations
 
 from sympy import Expr, Matrix, cos, sin
 
-from mechanics.claims.code.arguments import Arguments, contradicted, entries_of
-from mechanics.claims.code.code_function import CodeFunction, is_said
+from mechanics.claims.code.arguments import Arguments, contradicted, entries_of, state_is_stated
+from mechanics.claims.code.code_function import CodeFunction
 from mechanics.claims.code.integrators import STEP
 from mechanics.claims.code.outputs import MOST_ORDERED, in_order
 from mechanics.claims.code.trace.tracing import Outputs
@@ -34,14 +34,14 @@ def arguments_and_outputs(code: CodeFunction) -> tuple[Arguments, Outputs]:
         arguments = code.arguments()
         outputs = code.run(arguments)
     except InputError as error:
-        if arguments is not None and is_said(arguments):
+        if arguments is not None and state_is_stated(arguments):
             raise
-        if (fitting := _fitting(code)) is None:
+        if (fitting := _of_the_order_that_fits(code)) is None:
             raise error from None
         return fitting
-    guessed = arguments.state and not is_said(arguments)
+    guessed = arguments.state and not state_is_stated(arguments)
     if guessed and not _fits(code.scene, outputs, arguments.state):
-        return _fitting(code, arguments) or (arguments, outputs)
+        return _of_the_order_that_fits(code, arguments) or (arguments, outputs)
     return arguments, outputs
 
 
@@ -49,12 +49,12 @@ def in_other_orders(
     code: CodeFunction, guess: Arguments
 ) -> Iterator[tuple[str, tuple[Arguments, Outputs]]]:
     """What code returns where its state has another usual order than the one that was guessed."""
-    name = next(n for n in code.wanted if entries_of(guess.values[n]) == tuple(guess.state))
+    name = next(n for n in code.names if entries_of(guess.values[n]) == tuple(guess.state))
     for order in _orders(code.scene):
         meaning = " ".join(map(str, order))
         if {*order} != {*guess.state} or order == tuple(guess.state):
             continue
-        if contradicted(code.naming, code.apart, name, order):
+        if contradicted(code.naming, code.parts, name, order):
             continue
         try:
             meant = code.arguments({name: meaning})
@@ -77,7 +77,7 @@ def _fits(scene: Scene, outputs: Outputs, state: Sequence[Expr]) -> bool:
     return in_order(scene, [Matrix(entries)], state) and (not used or used <= angular(scene))
 
 
-def _fitting(
+def _of_the_order_that_fits(
     code: CodeFunction, guess: Arguments | None = None
 ) -> tuple[Arguments, Outputs] | None:
     """The arguments where a vector is a state of the one order that its rates and sines show.
@@ -85,13 +85,13 @@ def _fitting(
     None where several fit, but for the one that has the coordinates as the scene has them.
     """
     shown: list[tuple[Arguments, Outputs]] = []
-    for name in code.wanted:
-        if name in code.given or not _may_be_state(code, name, guess):
+    for name in code.names:
+        if name in code.meanings or not _may_be_state(code, name, guess):
             continue
         for order in _orders(code.scene):
             if code.sizes[name] not in (None, len(order)):
                 continue
-            if contradicted(code.naming, code.apart, name, order):
+            if contradicted(code.naming, code.parts, name, order):
                 continue
             try:
                 arguments = code.arguments({name: " ".join(map(str, order))})
@@ -109,7 +109,7 @@ def _may_be_state(code: CodeFunction, name: str, guess: Arguments | None) -> boo
     if guess is not None:
         value = guess.values[name]
         return not isinstance(value, Expr) and tuple(value) == guess.state
-    known = code.apart.get(name)
+    known = code.parts.get(name)
     return known is not None and (known.vector or (known.size or 0) > 1)
 
 

@@ -8,12 +8,14 @@ import os
 import signal
 import subprocess
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 
 from mechanics.errors import CompilerError
+
+Handler = Callable[[int, FrameType | None], object]
 
 TEMPORARY = ("TMPDIR", "TMP", "TEMP")
 """Variables by which a compiler finds a folder for its own files."""
@@ -61,7 +63,7 @@ def _start(command: Sequence[str], folder: Path) -> subprocess.Popen[str]:
 
 @contextmanager
 def _signals_after() -> Iterator[None]:
-    """Signals that come in the block are handled behind it.
+    """Signals that come in the block are handled behind it, until a handler raises.
 
     A handler that raises while `Popen` starts a process would leave a process that nobody knows.
     Handlers wait, and signals are not blocked: the process would inherit that.
@@ -69,17 +71,29 @@ def _signals_after() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield  # Python calls handlers in the main thread only.
         return
-    handlers = {n: h for n in signal.valid_signals() if callable(h := signal.getsignal(n))}
-    came: list[tuple[int, FrameType | None]] = []
-    for number in handlers:
-        signal.signal(number, lambda *which: came.append(which))
+    handlers: dict[int, Handler] = {
+        n: h for n in signal.valid_signals() if callable(h := signal.getsignal(n))
+    }
+    pending: list[tuple[int, FrameType | None]] = []
     try:
+        _install(dict.fromkeys(handlers, lambda *which: pending.append(which)))
         yield
     finally:
+        _install(handlers)
+        for number, frame in pending:
+            handlers[number](number, frame)
+
+
+def _install(handlers: Mapping[int, Handler]) -> None:
+    """Set handlers, all of them, also where one that was there before raises meanwhile."""
+    left = dict(handlers)
+    try:
         for number, handler in handlers.items():
             signal.signal(number, handler)
-        for which, frame in came:
-            handlers[signal.Signals(which)](which, frame)
+            del left[number]
+    finally:
+        if left:
+            _install(left)
 
 
 def write_source(file: Path, text: str) -> None:

@@ -60,8 +60,10 @@ PAIRS = ("make_pair", "make_tuple")
 """Functions that return what they are given, side by side."""
 OPERATIONS = {"+": "plus", "-": "minus", "*": "times"}
 CONSTANTS = {"M_PI": "np.pi", "true": "True", "false": "False", "PI": "np.pi"}
-UNREAD = frozenset(("constrain", "map", "degrees", "radians", "sq"))
-"""Calls of Arduino that are not read; the square of a real number in a sketch is."""
+UNREAD = frozenset(("constrain", "map", "degrees", "radians"))
+"""Calls of Arduino that are not read."""
+SQUARE = "sq"
+"""Its macro for the square of a number."""
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
 
 OWN_KIND = re.compile(
@@ -79,7 +81,7 @@ LIBRARIES = re.compile(r'"(?:Eigen|boost|casadi|gsl|rbdl|kdl|armadillo|glm)\b')
 SIZED = re.compile(r"\b(?:vector|valarray|(?:Row)?(?:Vector|Array|Matrix)X\w*|\w*_(?:type|t))\b")
 """Types of which what they are made of is their size."""
 SMALL = ".ino"
-"""Of processors whose integers may have as few bits as this:"""
+"""Of processors whose integers may have 16 bits."""
 SMALL_BITS = 16
 SKETCH = frozenset(("setup", "loop"))
 """Functions of a sketch for such a one."""
@@ -1571,12 +1573,12 @@ def _call(node: Any, scope: Scope) -> str:
         raise refuse(node, "abs may be the one of integers here: write std::abs")
     if plain in LIBRARY:
         return f"np.{LIBRARY[plain]}({joined([_value(part, scope) for part in named(given)])})"
-    if name in UNREAD - {*scope.functions, *scope.locals, *scope.arguments}:
-        numbers = named(given)
-        if name == "sq" and scope.is_sketch and len(numbers) == 1:
-            if _whole(numbers[0], scope):
-                raise refuse(node, "the square of an integer is one, too: write it with a point")
-            return f"power({_value(numbers[0], scope)}, 2)"
+    own = {*scope.functions, *scope.locals, *scope.arguments}
+    if name == SQUARE and scope.is_sketch and name not in own and len(named(given)) == 1:
+        if _whole(named(given)[0], scope):
+            raise refuse(node, "the square of an integer is one, too: write it with a point")
+        return f"power({_value(named(given)[0], scope)}, 2)"
+    if name in {*UNREAD, SQUARE} - own:
         raise refuse(node, f"the call {name}() is not supported")
     if head.type == "identifier" and name not in scope.functions:
         return _place(node, scope)
