@@ -11,18 +11,21 @@ LENGTHS = (
     "mm", "cm", "km", "um", "micron", "inch", "inches", "ft", "feet", "yd", "mile", "miles",
     *_METRES,
 )  # fmt: skip
-FORCES = ("kN", "mN", "MN", "kgf", "lbf", "kilonewton", "kilonewtons")
+FORCES = ("kN", "mN", "MN", "kgf", "kp", "kilopond", "lbf", "kilonewton", "kilonewtons")
 TORQUES = ("kNm", "mNm", "Nmm", "Ncm")
-MASSES = ("lb", "lbs", "oz", "ton", "tons", "gram", "grams", "pound", "pounds")
+MASSES = (
+    "lb", "lbs", "oz", "ton", "tons", "tonne", "tonnes", "gram", "grams", "pound", "pounds",
+)  # fmt: skip
+ENERGIES = ("kJ", "mJ", "kWh", "cal", "kcal")
 RATES = ("dps", "rpm", "rps", "kmh", "kph", "mph", "knots")
 LAST_WORDS = frozenset((
-    *ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES, *MASSES, *RATES,
+    *ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES, *MASSES, *ENERGIES, *RATES,
     "Hz", "hz", "kHz", "ms", "minutes", "hours", "milliseconds", "percent", "pct",
 ))  # fmt: skip
 """Of names that say another quantity: a gradient is no angle there, and no scene has a frequency
 beside an angular one.
 """
-_BY_CAPITALS = frozenset((*FORCES, *TORQUES, "um"))
+_BY_CAPITALS = frozenset((*FORCES, *TORQUES, *ENERGIES, "um"))
 """Symbols that capitals tell from others."""
 
 

@@ -60,6 +60,7 @@ TORSION = re.compile(r"\b(?:torsion(?:al)?|rotational)\b", re.IGNORECASE)
 JOINT = re.compile(r"\b(?:hinge|pivot|pin|joint|bearing)\b", re.IGNORECASE)
 LINKED = re.compile(r"\u27e8\w+\u27e9 ?(?:is|are|be|being|denote|mean|stand|:)")
 BEHIND_HEAD = re.compile(r"\b(?:of|on|at|in|from|to|about)\b")
+OTHER_UNIT = re.compile(rf"(?<![^\W\d_])(?:{p.OTHER_UNIT})(?![^\W\d_])|°", re.IGNORECASE)
 WHOSE = re.compile(r"\bof (?:the )?(?:\w+ )?(\w+)(?: (?:along|about|at|on|in|from|to|with)\b|$)")
 
 
@@ -112,7 +113,7 @@ def compared(facts: SceneFacts, sentence: str) -> Comparison:
     if conventions and more:  # "phi_1 and phi_2 are measured from ...": of both, or of none
         unsettled.append(f"what the text says of {more[0]} beside that is not read")
     return Comparison(
-        tuple(dict.fromkeys(conventions)), tuple(against), tuple(unsettled), left,
+        tuple(dict.fromkeys(conventions)), tuple(dict.fromkeys(against)), tuple(unsettled), left,
     )  # fmt: skip
 
 
@@ -426,21 +427,24 @@ def _unit(facts: SceneFacts, said: Said) -> Outcome:
 
 
 def _stated_unit(facts: SceneFacts, said: Said) -> Outcome:
-    """A unit of another dimension than the scene's; behind a comma a name of the scene is none."""
-    if said.string[: said.start("unit")].rstrip()[-1] == "," and bare(said["unit"]) in facts.names:
+    """A unit that no scene counts in, or one of another dimension than the scene's."""
+    own, stated = facts.own(said), bare(said["unit"]).strip()
+    is_name = len(stated) == 1 and "," in said["before"]
+    if is_name or stated in ("g", "h", "min", "turns"):
         return None
-    own, stated = facts.own(said), bare(said["unit"]).replace("²", "^2")
+    text = f"the text says {name_of(said)} in {stated}"
+    if OTHER_UNIT.search(stated):
+        return text
     for name, symbol in p.LONG_UNITS.items():
         stated = re.sub(rf"{name}s?", symbol, stated, flags=re.IGNORECASE)
+    stated = stated.replace("²", "^2").replace("³", "^3").replace(" per ", "/")
     stated = re.sub(r"[ ·]+|(?<=[Nm])(?=[ms])", "*", stated)
     try:
         one = dimension_of_unit(stated.strip("*").replace("*/", "/").replace("/*", "/"), "")
         other = dimension_of_unit(facts.unit(own), "") if facts.unit(own) else one
     except MechanicsError:
         return None
-    if one == other:
-        return None
-    return f"the text says {name_of(said)} in {bare(said['unit'])}, it is in {facts.unit(own)}"
+    return None if one == other else f"{text}, it is in {facts.unit(own)}"
 
 
 def _dots(facts: SceneFacts, said: Said) -> Outcome:
@@ -704,7 +708,7 @@ ROWS: tuple[tuple[re.Pattern[str], Callable[[SceneFacts, Said], Outcome]], ...] 
     (p.SLOPE, slope), *((row, _shape) for row in p.SHAPE),
     (p.DENOTED, _denoted), (p.INPUT_NOUN, _input), (p.EXERTED, _input),
     (p.SEVERAL, _several), (p.PLURAL, _several), (p.CALLED, _called), (p.INERTIAL, _inertial),
-    *((row, _unit) for row in (p.UNIT, p.UNIT_BRACKETED)),
+    (p.UNIT, _unit),
     (p.STATED_UNIT, _stated_unit), (p.PER, _of_name), (p.AGAINST, _of_name), (p.FACTOR, _factor),
     *((row, counted_from) for row in (p.RELATIVE, p.ABSOLUTE)),
     (p.FROM_EQUILIBRIUM, from_equilibrium), *((row, zero_in_line) for row in p.ALIGNED),

@@ -12,6 +12,7 @@ import re
 from mechanics.claims.counting_words import NUMBERED
 from mechanics.claims.foreign_units import (
     ANGLES,
+    ENERGIES,
     FORCES,
     GRADIANS,
     LENGTHS,
@@ -177,10 +178,6 @@ UNIT = phrase(
     r"|°|⟨= \^\s?\{?\s?\\circ\s?\}?⟩)"
 )
 """A unit that is not the scene's."""
-UNIT_BRACKETED = phrase(
-    rf"NAME ?[\[(](?P<unit>(?:°|{any_of(*ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES)}"
-    rf"|{any_of(*MASSES, *RATES)})(?:/(?:s|min|h))?)[\])]"
-)
 FACTOR = phrase(
     r"NAMEIS (?P<size>half|twice|double|two times|one third|a third) (?:of )?THE"
     r"(?:(?:total|full|whole|applied|driving) )?(?P<what>mass|torque|force|moment)\b"
@@ -368,12 +365,21 @@ OF_SYMMETRY = ("figure", "symmetry", "spin", "body", "same", "other")
 CENTRAL = phrase(r"CENTRE\b")
 OUTSIDE = re.compile(r"(?:pivot|hinge|joint|pin|support|suspension|end|foot)\b", re.IGNORECASE)
 """What is no mass centre."""
-STATED_UNIT = phrase(
-    r"NAME(?:(?! in (?:kg|N|rad|kilo|newton|met(?:er|re)|joule))[^⟨.;]){0,60}?(?: in |, ?|[(\[])"
-    r"(?P<unit>(?:(?:kg|N|⟨?m⟩?|s|rad|J|kilograms?|newtons?|met(?:er|re)s?|seconds|radians?|joules?)"
-    r"(?:\^?-?\d|²)?[ */·]?){1,6})(?=[)\],.;]| *$)"
+_SI = (
+    r"kg|N|⟨?m⟩?|s|rad|J|kilograms?|newtons?|met(?:er|re)s?|seconds?|radians?|joules?"
+    r"|(?<=per )(?:kilogram|met(?:er|re)|second|radian)"
 )
-"""A unit of the scene's kind."""
+OTHER_UNIT = (
+    rf"°|{any_of(*ANGLES, *GRADIANS, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES)}"
+    rf"|{any_of(*MASSES, *ENERGIES, *RATES)}|g|h|min"
+)
+"""One that no scene counts in; a gram, an hour and a minute in a product only."""
+STATED_UNIT = phrase(
+    rf"NAME(?:(?! in (?:{_SI}|{OTHER_UNIT})\b)[^⟨.;)\]]){{0,60}}?(?P<before> in |, ?| ?[(\[|] ?)"
+    rf"(?P<unit>(?:(?:{OTHER_UNIT}|{_SI})(?:\^?-?\d|[²³])?(?: per |[ */·])?){{1,6}})"
+    r"(?=[)\],.;|]| *$)"
+)
+"""A unit at the end of what is said of a name, or in brackets."""
 LONG_UNITS = {"kilogram": "kg", "newton": "N", "metre": "m", "meter": "m", "second": "s",
               "radian": "rad", "joule": "J"}  # fmt: skip
 """Symbols of units by their names."""

@@ -18,13 +18,20 @@ OWN = [
     "$g$ is the acceleration in ms$^{-2}$.", "All angles are measured in radians.",
     "$l$ is measured in metres.", "$u$ is measured in newton metres.",
     r"Here $\theta$ is the angle of the rod, $m$, $l$ and $g$ are constants.",
-    "where $l$ is in metres, $m$ in kilograms,",
+    "where $l$ is in metres, $m$ in kilograms,", "Let $l$ (m) be the length, gravity (g) is known.",
+    "| $l$ | length | m |\n|---|---|---|\n| $m$ | mass | kg |\n",
+    "$g$ is the acceleration of gravity in metres per second squared.",
+    r"$x$ and $\theta$ are eliminated in turns.",
 ]  # fmt: skip
 OTHERS = [
     r"$\theta$ is measured in metres.", "$l$ is measured in radians.", "$u$ is in newtons.",
     "$m$ is measured in newtons.", r"$\theta$ is measured in radians clockwise.",
     "$u$ is measured in newton millimetres.", r"$\theta$ is measured in radians per minute.",
     "$u$ is measured in newtons per metre.", r"$\theta$ [Deg]", "$l$ (MM)", r"$\theta$ (RPM)",
+    "| $l$ | length | cm |\n|---|---|---|\n| $m$ | mass | kg |\n",
+    "$l$ is the length of the rod (mm)",
+    "$u$ is given in newtons per degree.", "$u$ is the torque [kg cm].", "$m$: mass, in tonnes",
+    r"\begin{tabular}{ll} $\theta$ & angle in deg \\ $l$ & length in m \end{tabular}",
     "$l$ is the length in its rest position in kg.", "All angles are measured in metres.",
 ]  # fmt: skip
 
