@@ -17,7 +17,7 @@ MASSES = (
     "lb", "lbs", "oz", "ton", "tons", "tonne", "tonnes", "gram", "grams", "pound", "pounds",
 )  # fmt: skip
 ENERGIES = ("kJ", "mJ", "kWh", "cal", "kcal")
-RATES = ("dps", "rpm", "rps", "kmh", "kph", "mph", "knots")
+RATES = ("cycles", "dps", "rpm", "rps", "kmh", "kph", "mph", "knots")
 LAST_WORDS = frozenset((
     *ANGLES, *REVOLUTIONS, *LENGTHS, *FORCES, *TORQUES, *MASSES, *ENERGIES, *RATES,
     "Hz", "hz", "kHz", "ms", "minutes", "hours", "milliseconds", "percent", "pct",

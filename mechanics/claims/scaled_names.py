@@ -12,6 +12,7 @@ PARTS = frozenset(OF_PARTS.split())
 """Words for a part or a multiple."""
 OTHERS = frozenset(("max", "min", "ref", "des", "eq"))
 """Words for a bound, an aim or a state at rest."""
+_PER_SECOND = re.compile(r"(?<=[a-z])(?:_?[Pp]er_?|_)(?:[sS]|[sS]ec|[sS]econd)\d?$")
 GLUED = re.compile(rf"[A-Za-z]({'|'.join(sorted(OTHERS))})")
 """Behind one letter: umax."""
 FRACTION = re.compile(r"(?<=_)(\d+over\d+)$")
@@ -27,8 +28,7 @@ def another_quantity(name: str) -> str:
     words += GLUED.findall(name) if GLUED.fullmatch(name) else []
     said = [word for word in words if word.lower() in PARTS | OTHERS]
     if not said and parts and (len(parts) > 1 or len(parts[-1]) > 2):
-        last = [parts[-1], *WORD.findall(parts[-1])[1:]]
-        said = [word for word in last if _is_unit(word)]
+        said = [word for word in _last_words(parts) if _is_unit(word)]
     return said[0] if said else ""
 
 
@@ -36,6 +36,21 @@ def unit_in(words: str) -> str:
     """The first of words, or of the parts of a name, that is no coherent unit of the SI."""
     parts = (part for word in re.findall(r"[^\W_]+", words) for part in (word, *WORD.findall(word)))
     return next((part for part in parts if _is_unit(part)), "")
+
+
+def unit_at_end(name: str) -> str:
+    """The unit at the end of a name, per second or not, that is no coherent one of the SI.
+
+    theta_deg, accDegPerS2, cycles_per_second
+    """
+    parts = [part for part in _PER_SECOND.sub("", name).split("_") if part]
+    if not parts or (len(parts) == 1 and len(parts[0]) < 3):
+        return ""
+    return next((word for word in _last_words(parts) if _is_unit(word)), "")
+
+
+def _last_words(parts: list[str]) -> list[str]:
+    return [parts[-1], *WORD.findall(parts[-1])[1:]]
 
 
 def _is_unit(word: str) -> bool:

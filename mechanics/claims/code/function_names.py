@@ -17,6 +17,11 @@ TITLE = re.compile(
 )
 """What people put before and behind the name of what a function returns."""
 AXES = frozenset("xyz")
+UNIT = re.compile(
+    r"(?:(?<=energy )(?:[km]?j|n ?m)|(?<=frequency )(?:hz|rad ?s)|(?<=period )(?:m?s|sec|seconds)"
+    r"|(?:(?<=force )|(?<=tension ))[km]?n|(?<=torque )[km]?n ?m)$"
+)
+"""Of a noun, behind it: energy_J, period_ms."""
 OWNED = re.compile(r" (?:of|on|at|in|about) ")
 BESIDE = re.compile(r" (?:with|without|no|not|under|by|for|from|per|and|to|vs) .*")
 """What is only there: pendulum_with_torque, accel_from_force."""
@@ -60,6 +65,8 @@ def function_name(title: str) -> FunctionName:
     head, *rest = OWNED.split(f" {words.strip()} ", maxsplit=1)
     parts = head.split()
     ends: list[str] = []
+    if unit := UNIT.search(" ".join(parts)):
+        parts = parts[: -len(unit[0].split())]
     while parts and (parts[-1] in AXES or parts[-1].isdigit()):
         ends.append(parts.pop())
     said = " ".join(parts)

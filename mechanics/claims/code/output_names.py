@@ -16,7 +16,7 @@ from sympy import Symbol
 from mechanics.claims.counting_words import COUNTED
 from mechanics.claims.kinds import angular
 from mechanics.claims.names import Naming
-from mechanics.claims.spelled_rates import key
+from mechanics.claims.spelled_rates import bases, key
 from mechanics.scene import RigidBody, Scene
 from mechanics.scene.symbols import DOTS
 
@@ -32,6 +32,8 @@ LINEAR = ("linear", "translation", "trans", "lin", "vel", "v", "x", "y", "z", "s
 LETTERS = frozenset(stem for stem in (*ANGULAR, *LINEAR) if len(stem) == 1)
 SEPARATED = re.compile(r"\s*(?:[,;]|\band\b)\s*")
 LISTED = re.compile(rf"[^\W\d]\w*'*(?:{SEPARATED.pattern}[^\W\d]\w*'*)+")
+INDEXED = re.compile(r"\b\w+ ?[(\[]\d+[)\]] ?(?:=|:|is\b) ?")
+"""The place of an output before its name: a(1): theta_ddot."""
 WITHIN = re.compile(r"\b(?:for|from|between|by|with|in|into) (?:both )?(?:the )?$")
 """Before two names of a sentence on something else: solve for thetadd and xdd."""
 MOST = 3
@@ -79,6 +81,8 @@ def listed_otherwise(
         Of the function.
     """
     meanings = [str(output) for output in outputs]
+    scene = naming.vocabulary.scene
+    comments = INDEXED.sub("", comments)
     for found in LISTED.finditer(comments):
         if "," not in found[0] and WITHIN.search(
             comments, max(0, found.start() - 24), found.start()
@@ -89,7 +93,20 @@ def listed_otherwise(
         meant = [one[0] + "".join(DOTS[one[1] + k :][:1]) for one, k in known if one is not None]
         if _in_another_order(words, names) or _in_another_order(meant, meanings):
             return found[0]
+        if meanings == [*map(str, scene.ud)] and _accelerations_otherwise(scene, words):
+            return found[0]
     return ""
+
+
+def _accelerations_otherwise(scene: Scene, words: Sequence[str]) -> bool:
+    """Whether words are accelerations in another order of the coordinates: thdd, xdd."""
+    if len(words) != len(scene.q) or not all(2 in {order for _, order in bases(w)} for w in words):
+        return False
+    hints = coordinates_of(scene, words)
+    return not all(q in hint for q, hint in zip(scene.q, hints, strict=True)) and any(
+        all(q in hint for q, hint in zip(order, hints, strict=True))
+        for order in permutations(scene.q)
+    )
 
 
 def _in_another_order(some: Sequence[str], others: Sequence[str]) -> bool:

@@ -32,8 +32,10 @@ from mechanics.claims.code.outputs import (
 )
 from mechanics.claims.code.qualified_names import another_quantity_word, unknown_qualifiers
 from mechanics.claims.code.state_permutations import arguments_and_outputs, in_other_orders
+from mechanics.claims.code.trace.assignments import names_used
 from mechanics.claims.code.trace.tracing import Outputs
 from mechanics.claims.names import Match, Naming
+from mechanics.claims.scaled_names import unit_at_end
 from mechanics.claims.state_order import comments_of
 from mechanics.claims.statement import Letter
 from mechanics.errors import InputError
@@ -102,6 +104,7 @@ def read_outputs(code: CodeFunction, about: str | None = None) -> Reading:
     mass = ("mass matrix", MassMatrix(), (outputs.values[0],)) if parts else None
     comments = comments_of(code.text)
     doubt = _doubt_of_words(meaning, title, comments)
+    doubt = doubt or _doubt_of_unit(title, meaning.outputs)
     if not doubt and about is None and (otherwise := another_quantity_word(scene, title)):
         doubt = f"the name {title} says {otherwise!r}: say what it returns, --about (about=)"
     statements = []
@@ -166,11 +169,20 @@ def _doubt_of_words(meaning: Meaning, title: str, comments: str) -> str:
     for text, what in ways:
         names = meaning.outputs.names
         if listed := listed_otherwise(meaning.naming, names, quantities, text):
-            said = "" if what.endswith(title) else f" {listed!r}"
+            said = "" if what.endswith(title) else f" {listed!r},"
             return (
                 f"{what} says{said} another order than that in which {title} returns {taken}:"
                 " say which, --about (about=)"
             )
+    return ""
+
+
+def _doubt_of_unit(title: str, outputs: Outputs) -> str:
+    """That a name of the code ends with a unit that no scene counts in; empty if none does."""
+    names = (title, *outputs.names, *sorted(names_used(outputs.formulas)))
+    for name, unit in ((name, unit_at_end(name)) for name in names):
+        if unit:
+            return f"the name {name} says {unit!r}, in which no scene counts: rename what is in SI"
     return ""
 
 

@@ -24,6 +24,7 @@ from mechanics.claims.code.trace.formulas import (
     Assignment,
     Assignments,
     Authored,
+    Formulas,
     given_a_name,
     renamed,
 )
@@ -208,6 +209,16 @@ def written_of(formulas: Sequence[Authored], naming: Naming) -> Written:
     own = (Match(alias, meaning, "a name in the code") for meaning, alias in aliases.items())
     naming = replace(naming, guessed=(*naming.guessed, *own))
     return Written(sides, tuple(definitions), naming, "code", "", places=places)
+
+
+def names_used(formulas: Formulas) -> frozenset[str]:
+    """The names that code gives to what it computes its outputs with."""
+    found: set[str] = set()
+    for formula in formulas.values():
+        used = _used([formula.tree], formula.assigned)
+        found |= {key for key, one in formula.assigned.items()
+                  if key in used or isinstance(one.tree, Name)}  # fmt: skip
+    return frozenset(name.removeprefix(LOCAL) for name in found)
 
 
 def _aliases(assigned: Assignments, naming: Naming) -> dict[str, str]:
